@@ -83,7 +83,7 @@ static void read_paint(svg_reader *r, const svg_style *style, enum svg_property 
 
     if (!is_inherited(value)) {
         *paints = strcmp(value, "initial") == 0 ? which == SVG_FILL : !is_clear(value);
-        if (r->d->only != NULL || r->d->tools != NULL)
+        if (r->d->only != NULL || r->d->tools != NULL || r->masking)
             *ink = svg_ink(r, value);
     }
     xmlFree(value);
@@ -196,8 +196,9 @@ static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space
     read_paint(r, style, SVG_STROKE, &space->stroke, &space->stroke_ink);
     read_rule(r, style, SVG_FILL_RULE, &space->evenodd);
     read_rule(r, style, SVG_CLIP_RULE, &space->clip_evenodd);
-    space->clip = NULL;                 /* not inherited */
+    space->clip = space->mask = NULL;   /* not inherited */
     read_words(r, style, SVG_CLIP_PATH, &space->clip);
+    read_words(r, style, SVG_MASK, &space->mask);
     read_words(r, style, SVG_DASHES, &space->dashes);
     read_words(r, style, SVG_DASH_OFFSET, &space->dash_offset);
     read_stroke(r, style, space);
@@ -251,17 +252,14 @@ static void warn_of(svg_reader *r, const svg_style *style)
         enum svg_property property;
         enum svg_warning kind;
         const char *text;
-    } left_out[] = {
-        { SVG_MASK, SVG_WARN_MASK,
-          "mask is not applied, the whole outline is drawn: cut the paths in the editor" },
-        { SVG_MARKER, SVG_WARN_MARKER, "markers are not drawn: make paths of them in the editor" },
+    } left_out[] = { { SVG_MARKER, SVG_WARN_MARKER,
+                       "markers are not drawn: make paths of them in the editor" },
         { SVG_MARKER_START, SVG_WARN_MARKER,
           "markers are not drawn: make paths of them in the editor" },
         { SVG_MARKER_MID, SVG_WARN_MARKER,
           "markers are not drawn: make paths of them in the editor" },
         { SVG_MARKER_END, SVG_WARN_MARKER,
-          "markers are not drawn: make paths of them in the editor" }
-    };
+                       "markers are not drawn: make paths of them in the editor" } };
 
     for (size_t i = 0; i < sizeof left_out / sizeof left_out[0]; i++) {
         char *value = svg_property(r, style, left_out[i].property, NULL);
@@ -559,13 +557,18 @@ static bool draw_use(svg_reader *r, const xmlNode *node, svg_space space, const 
 
 bool svg_begin(svg_reader *r, const svg_space *space)
 {
-    const bool filled  = r->clipping || (space->fill && space->fill_opaque),
+    const bool painted = space->fill && space->fill_opaque,
+               filled  = painted || (r->clipping && !r->masking),
                stroked = !r->clipping && space->stroke && space->stroke_opaque &&
                          space->stroke_wide,
-               evenodd = r->clipping ? space->clip_evenodd : space->evenodd;
+               evenodd = r->clipping && !r->masking ? space->clip_evenodd : space->evenodd;
 
     r->fill = (r->fill / DRAWING_SHAPE + 1) * DRAWING_SHAPE + (filled ? DRAWING_FILLED : 0) +
               (stroked ? DRAWING_STROKED : 0) + (evenodd ? DRAWING_EVENODD : 0);
+    if (r->masking && painted)
+        r->plain = r->plain && space->fill_ink && strcmp(space->fill_ink, "#ffffff") == 0;
+    if (r->masking)
+        r->plain = r->plain && !(space->stroke && space->stroke_opaque && space->stroke_wide);
     const svg_matrix *m = &space->to_mm;
     r->width = (float)(space->stroke_width * sqrt(fabs(m->a * m->d - m->b * m->c)));
     r->mitre = (float)space->mitre;
@@ -602,6 +605,8 @@ static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space,
     const size_t first = r->d->count;
     if (seen)
         return svg_shape(r, &space, &shape) && svg_dash(r, &space, first);
+    if (r->clipping)
+        return true;
     svg_warn(r, SVG_WARN_UNSEEN,
              "<%s> without fill and stroke is invisible and not drawn: give it a stroke to draw it",
              (const char *)node->name);
@@ -619,20 +624,20 @@ static bool is_never_drawn(const xmlNode *node)
     return is_one_of(node, names);
 }
 
-/* The element that clip-path: url(#id) names, or NULL. */
-static const xmlNode *clip_of(svg_reader *r, const char *value)
+/* The element that url(#id) names, or NULL. */
+static const xmlNode *target_of(svg_reader *r, const char *value, const char *name)
 {
     const char *open = strchr(value, '#');
     char id[200];
 
     if (strncmp(value, "url(", 4) != 0 || open == NULL) {
-        svg_warn(r, SVG_WARN_CLIP_PATH,
-                 "clip-path: %.30s is not applied: cut the paths in the editor", value);
+        svg_warn(r, SVG_WARN_CLIP_PATH, "%s: %.30s is not applied: cut the paths in the editor",
+                 strcmp(name, "mask") == 0 ? "mask" : "clip-path", value);
         return NULL;
     }
     snprintf(id, sizeof id, "%.*s", (int)strcspn(open + 1, ")\"'"), open + 1);
     const xmlNode *node = svg_find(r, id);
-    return node != NULL && svg_is(node, "clipPath") ? node : NULL;
+    return node != NULL && svg_is(node, name) ? node : NULL;
 }
 
 /* Close each part of an outline by a line. */
@@ -678,36 +683,71 @@ static void enter_box(const svg_reader *r, svg_space *space, size_t first)
         (svg_matrix){ all[1][0] - all[0][0], 0, 0, all[1][1] - all[0][1], all[0][0], all[0][1] });
 }
 
-/* Cut the curves from the first'th on, which the current element has drawn, at its clip path. */
-static bool clip_element(svg_reader *r, const svg_space *of, size_t first)
+/* What a clip path or a mask lets through, as closed outlines. */
+static bool draw_outline(svg_reader *r, const xmlNode *node, svg_space space, const char *units,
+                         size_t first, drawing *outline)
 {
-    const xmlNode *was = r->node, *node = r->clipping ? NULL : clip_of(r, of->clip);
-    svg_space space    = *of;
-    drawing outline = { .count = 0 }, *const d = r->d;
+    const xmlNode *was  = r->node;
+    drawing *const d    = r->d;
+    const unsigned fill = r->fill;
     svg_scope scope;
     bool shown;
 
-    if (node == NULL || r->d->count == first)
-        return true;
-    r->node     = node;
-    char *units = svg_attribute(node, "clipPathUnits");
-    if (units != NULL && strcmp(units, "objectBoundingBox") == 0)
+    r->node    = node;
+    char *text = svg_attribute(node, units);
+    if (text != NULL && strcmp(text, "objectBoundingBox") == 0)
         enter_box(r, &space, first);
-    xmlFree(units);
+    xmlFree(text);
     space.visible = true;
     space.clip_evenodd = false;
-    const unsigned fill = r->fill;
-    bool good = svg_enter(r, &space, &scope, &shown);
+    bool good   = svg_enter(r, &space, &scope, &shown);
     r->clipping = true;
-    r->d        = &outline;
+    r->d        = outline;
     good = good && (!shown || draw_children(r, node, space, NULL));
     r->d        = d;
     r->clipping = false;
     r->fill     = fill;
     r->node     = was;
     svg_scope_close(&scope);
-    close_outline(&outline);
-    good = good && svg_cut(r, &outline, first);
+    close_outline(outline);
+    return good;
+}
+
+/* Cut the curves from the first'th on, which the current element has drawn, at its clip path. */
+static bool clip_element(svg_reader *r, const svg_space *of, size_t first)
+{
+    const xmlNode *node = r->clipping ? NULL : target_of(r, of->clip, "clipPath");
+    drawing outline     = { .count = 0 };
+
+    if (node == NULL || r->d->count == first)
+        return true;
+    const bool good = draw_outline(r, node, *of, "clipPathUnits", first, &outline) &&
+                      svg_cut(r, &outline, first);
+    drawing_free(&outline);
+    return good;
+}
+
+/* A mask of white shapes is a clip path; what another one lets through is not known. */
+static bool mask_element(svg_reader *r, const svg_space *of, size_t first)
+{
+    const xmlNode *node = r->clipping ? NULL : target_of(r, of->mask, "mask");
+    drawing outline     = { .count = 0 };
+    svg_space space     = *of;
+
+    if (node == NULL || r->d->count == first)
+        return true;
+    space.fill = space.fill_opaque = true;      /* of the mask, which stands elsewhere */
+    space.stroke = space.evenodd = false;
+    space.fill_ink = space.stroke_ink = NULL;
+    r->masking = r->plain = true;
+    bool good  = draw_outline(r, node, space, "maskContentUnits", first, &outline);
+    r->masking = false;
+    if (good && r->plain)
+        good = svg_cut(r, &outline, first);
+    else if (good)
+        svg_warn(r, SVG_WARN_MASK,
+                 "mask is not applied, as it is not of white shapes: the whole outline is drawn: "
+                 "cut the paths in the editor");
     drawing_free(&outline);
     return good;
 }
@@ -725,6 +765,8 @@ static bool draw_in_space(svg_reader *r, const xmlNode *node, svg_space space,
     r->node = node;
     if (good && shown && area != 0 && space.clip != NULL)
         good = clip_element(r, &space, first);
+    if (good && shown && area != 0 && space.mask != NULL)
+        good = mask_element(r, &space, first);
     svg_scope_close(&scope);
     return good;
 }

@@ -76,6 +76,7 @@ typedef struct {
     unsigned char cap, join;
     unsigned layer_tool;        /* of the layers around the current element; 0: none */
     bool clipping;              /* what is drawn now is a clip path */
+    bool masking, plain;        /* or a mask; it is white, as a clip path would do */
     unsigned long long compared;/* pairs of curves, to stop a flood of them */
     double dashes;              /* that were drawn, about */
     const char *inks[SVG_INKS]; /* the first colours that were seen, if only some are drawn */
@@ -129,7 +130,7 @@ typedef struct {
     bool fill, fill_opaque;                 /* an element with neither fill nor stroke is */
     bool stroke, stroke_opaque, stroke_wide;/* invisible and not drawn */
     bool evenodd, clip_evenodd; /* fill-rule, clip-rule */
-    const char *clip;           /* clip-path of this element; NULL: none */
+    const char *clip, *mask;    /* clip-path and mask of this element; NULL: none */
     const char *dashes, *dash_offset;       /* as written; NULL: none */
     double stroke_width, mitre; /* user units; stroke-miterlimit */
     int cap, join;              /* of strokes, see drawing.h */

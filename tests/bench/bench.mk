@@ -65,3 +65,17 @@ CASES ?= 100000
 .PHONY: bench-motion
 bench-motion: $(MOTION)/moves $(foreach w,$(MOTION_WHAT),$(MOTION)/$(w)-q16 $(MOTION)/$(w)-f64)
 	@bash tests/bench/bench_motion.sh $(MOTION) $(CASES)
+
+# --- drawings of Debian's packages ----------------------------------------------------------------
+build/bench/order: tests/bench/bench_order.c $(filter-out %/loft.o,$(TOOL_OBJ)) $(TOOL_LIBS)
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(INCLUDE) -Itests $(BUILT) $(filter-out $(DEPS),$(TOOL_STD)) \
+	    $(call tool_flag,q16) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
+
+FILES ?= 2000
+## Plan 2,000 drawings of Debian's icons and clip art; travel of 20 beside a bound   FILES=
+.PHONY: bench-drawings
+bench-drawings: build/bench/order tools
+	@bash tests/bench/bench_drawings.sh $(TOOL_OUT)/loft build/bench/order build/bench/drawings \
+	    $(FILES)

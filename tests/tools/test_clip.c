@@ -11,6 +11,41 @@
     DRAWS("<defs><clipPath id='c'>" clip "</clipPath></defs>" inner, wanted)
 #define BOX "<rect x='2' y='2' width='4' height='4'/>"
 
+#define MASKED(mask, inner, wanted)                                                                \
+    DRAWS("<defs><mask id='m' fill='white'>" mask "</mask></defs>" inner, wanted)
+
+static void white_masks_cut(arb *a)
+{
+    (void)a;
+    MASKED("<rect x='2' y='2' width='4' height='4'/>", "<path mask='url(#m)' d='M0 3H9'/>",
+           "M 2 3 L 6 3");
+    CHECK(caught_lines == 0);
+    MASKED("<rect x='2' y='2' width='4' height='4' fill='#fff'/><rect width='9' height='9' "
+           "fill='none'/>",
+           "<g style='mask:url(#m)'><path d='M0 3H9'/></g>", "M 2 3 L 6 3");
+    CHECK(caught_lines == 0);
+    /* half of its box, and what is outside of all */
+    DRAWS("<mask id='m' maskContentUnits='objectBoundingBox'><path d='M-1 -1H.5V2H-1z' "
+          "fill='white'/></mask><path mask='url(#m)' d='M2 2H6V4'/>",
+          "M 2 2 L 4 2");
+    MASKED("", "<path mask='url(#m)' d='M0 3H9'/>", "");
+    /* black holes, gradients and strokes: all is drawn, and a line says so */
+    static const char *const others[] = {
+        "<path d='M0 0h9v9H0z'/><path d='M2 2h4v4z' fill='black'/>",
+        "<path d='M2 2h4v4z' fill='url(#gradient)'/>",
+        "<path d='M2 2h4v4z' fill='none' stroke='white'/>", "<path d='M2 2h4v4z' fill='gray'/>"
+    };
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
+        char text[600];
+        drawing d;
+        snprintf(text, sizeof text,
+                 PAGE("<mask id='m' fill='white'>%s</mask><path mask='url(#m)' d='M0 3H9'/>"),
+                 others[i]);
+        CHECK(read_svg(&d, text) == 0 && d.count == 1 && d.curve[0].p[3][0] > 8.9);
+        drawing_free(&d);
+    }
+}
+
 static void clip_paths_cut(arb *a)
 {
     (void)a;
@@ -127,6 +162,7 @@ static void what_is_inside_stays(arb *a)
 int main(void)
 {
     PROPERTY(clip_paths_cut, 1);
+    PROPERTY(white_masks_cut, 1);
     PROPERTY(what_is_inside_stays, 200);
     return check_failures();
 }
