@@ -661,6 +661,7 @@
 #define loft_set_encode            LOFT_NAME(loft_set_encode)
 #define loft_settings_get          LOFT_NAME(loft_settings_get)
 #define loft_settings_init         LOFT_NAME(loft_settings_init)
+#define loft_settings_origin_of    LOFT_NAME(loft_settings_origin_of)
 #define loft_settings_put          LOFT_NAME(loft_settings_put)
 #define loft_settings_spare        LOFT_NAME(loft_settings_spare)
 #define loft_sheet_from_tensor     LOFT_NAME(loft_sheet_from_tensor)

@@ -310,7 +310,7 @@ static APART size_t answer_set(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX])
 
     kept.at     = m->set.at;
     kept.room   = m->config->settings.room;
-    kept.origin = m->config->settings.origin;
+    kept.origin = (uint8_t)loft_settings_origin_of(&m->config->settings);
     kept.busy   = busy;
     kept.count  = m->set.wrote && !busy ? m->set.wrote : LOFT_KEPT_MOST;
     for (uint8_t i = 0; i < kept.count; i++) {

@@ -28,27 +28,36 @@ static uint32_t word_of(const loft_settings *s, uint8_t which, uint16_t at)
     return word;
 }
 
+#define NONE 2u
+
+/* What a copy says of its size. */
+static uint16_t size_of(const loft_settings *s, uint8_t which)
+{
+    return (uint16_t)(word_of(s, which, SIZE_AT) & 0xFFFFu);
+}
+
+/* The copy to write to. */
+static uint8_t spare_of(const loft_settings *s) { return s->which == 0; }
+
 /* The words of the axes, in the order of their fields. */
 static uint32_t *words_of(const loft_settings *s) { return (uint32_t *)(void *)s->axis; }
 
-/* The size of a copy; 0: it is not sound. */
-static uint16_t sound_size(loft_settings *s, uint8_t which)
+static bool copy_sound(const loft_settings *s, uint8_t which)
 {
-    const uint16_t size = (uint16_t)(word_of(s, which, SIZE_AT) & 0xFFFFu);
+    const uint16_t size = size_of(s, which);
     uint32_t crc        = 0xFFFFFFFFu;
 
     if (byte_of(s, which, LAYOUT_AT) != LOFT_SETTINGS_LAYOUT || size < LOFT_SETTINGS_TEXT ||
         size > s->room)
-        return 0;
-    s->origin = LOFT_SETTINGS_DAMAGED;          /* it is meant to be settings */
+        return false;
     for (uint16_t at = NUMBER_AT; at < size; at++)
         crc = loft_crc(crc, byte_of(s, which, at));
     if (~crc != word_of(s, which, 0))
-        return 0;
+        return false;
     for (uint16_t at = LOFT_SETTINGS_AXES; at < LOFT_SETTINGS_WIRING; at = (uint16_t)(at + 16u))
         if (word_of(s, which, at) == 0 || word_of(s, which, at) >> 31)   /* steps per mm */
-            return 0;
-    return size;
+            return false;
+    return true;
 }
 
 static void load_copy(loft_settings *s)
@@ -57,26 +66,21 @@ static void load_copy(loft_settings *s)
         words_of(s)[i] = word_of(s, s->which, (uint16_t)(LOFT_SETTINGS_AXES + 4u * i));
     for (uint8_t i = 0; i < LOFT_WIRING_OBEYED; i++)
         s->wiring[i] = byte_of(s, s->which, (uint16_t)(LOFT_SETTINGS_WIRING + i));
-    s->origin = LOFT_SETTINGS_KEPT;
 }
 
 static void choose_copy(loft_settings *s)
 {
     uint8_t number = 0;
 
-    s->size   = 0;
-    s->which  = 1;                              /* the first write goes to copy 0 */
-    s->origin = LOFT_SETTINGS_USUAL;
+    s->which = NONE;
     for (uint8_t which = 0; which < 2; which++) {
-        const uint16_t size = sound_size(s, which);
-        const uint8_t mine  = byte_of(s, which, NUMBER_AT);
-        if (size && (s->size == 0 || (uint8_t)(mine - number) < 128)) {
-            s->size  = size;
+        const uint8_t mine = byte_of(s, which, NUMBER_AT);
+        if (copy_sound(s, which) && (s->which == NONE || (uint8_t)(mine - number) < 128)) {
             s->which = which;
             number   = mine;
         }
     }
-    if (s->size)
+    if (s->which != NONE)
         load_copy(s);
 }
 
@@ -84,6 +88,17 @@ void loft_settings_init(loft_settings *s, loft_axis_config axis[LOFT_AXES])
 {
     s->axis = axis;
     choose_copy(s);
+}
+
+/* A byte that is right shows what was meant to be settings. */
+enum loft_settings_origin loft_settings_origin_of(const loft_settings *s)
+{
+    if (s->which != NONE)
+        return LOFT_SETTINGS_KEPT;
+    return byte_of(s, 0, LAYOUT_AT) == LOFT_SETTINGS_LAYOUT ||
+                   byte_of(s, 1, LAYOUT_AT) == LOFT_SETTINGS_LAYOUT
+               ? LOFT_SETTINGS_DAMAGED
+               : LOFT_SETTINGS_USUAL;
 }
 
 /* The head comes from what is in force, because a board may obey more than when it was written. */
@@ -95,19 +110,19 @@ uint8_t loft_settings_get(const loft_settings *s, uint16_t at)
         return (uint8_t)(words_of(s)[in / 4u] >> 8u * (in % 4u) & 0xFFu);
     if (in < 4u * WORDS + LOFT_WIRING_BYTES)
         return s->wiring[in - 4u * WORDS];
-    if (s->size)
-        return at < s->size ? byte_of(s, s->which, at) : 0;
+    if (s->which != NONE)
+        return at < size_of(s, s->which) ? byte_of(s, s->which, at) : 0;
     return at == LAYOUT_AT ? LOFT_SETTINGS_LAYOUT : at == SIZE_AT ? LOFT_SETTINGS_TEXT : 0;
 }
 
 uint8_t loft_settings_spare(const loft_settings *s, uint16_t at)
 {
-    return at < s->room ? byte_of(s, !s->which, at) : 0;
+    return at < s->room ? byte_of(s, spare_of(s), at) : 0;
 }
 
 bool loft_settings_put(loft_settings *s, uint16_t at, const uint8_t byte[], uint8_t count)
 {
-    const uint8_t before = s->which, spare = !before;
+    const uint8_t spare = spare_of(s);
     const uint16_t from  = spare ? s->room : 0;
 
     for (uint8_t i = 0; i < count; i++) {
@@ -118,5 +133,5 @@ bool loft_settings_put(loft_settings *s, uint16_t at, const uint8_t byte[], uint
     if (at != 0 || count == 0)
         return false;
     choose_copy(s);
-    return s->size && s->which != before;
+    return s->which == spare;
 }

@@ -6,7 +6,8 @@
  * and its check comes last. So when the power fails at any byte, the old settings or the new ones
  * are in force, never a mixture.
  *
- * Without a sound copy the values of the configuration are in force, and `origin` says why.
+ * Without a sound copy the values of the configuration are in force, and loft_settings_origin_of
+ * says why.
  */
 #ifndef LOFT_MACHINE_SETTINGS_H
 #define LOFT_MACHINE_SETTINGS_H
@@ -39,9 +40,7 @@ typedef struct {
     uint8_t  wiring[LOFT_WIRING_BYTES]; /* without a sound copy; then what is in force */
 
     loft_axis_config *axis;
-    uint16_t size;                      /* of the copy in force; 0: none is */
-    uint8_t  which;
-    uint8_t  origin;                    /* enum loft_settings_origin */
+    uint8_t  which;                     /* the copy in force; 2: none is */
 } loft_settings;
 
 /* Put the newest sound copy in force: into `axis` and s->wiring. Without one both stay.
@@ -49,6 +48,9 @@ typedef struct {
  *   shape   axis stays borrowed
  *   range   get and put; any bytes in the memory */
 void loft_settings_init(loft_settings *s, loft_axis_config axis[LOFT_AXES]);
+
+/* Where the settings in force come from. */
+enum loft_settings_origin loft_settings_origin_of(const loft_settings *s);
 
 /* A byte of the settings in force. Those of a machine without a sound copy can be read as well. */
 uint8_t loft_settings_get(const loft_settings *s, uint16_t at);

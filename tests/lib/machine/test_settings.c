@@ -147,7 +147,7 @@ static void a_fresh_machine_has_its_usual_settings(arb *a)
     const loft_settings s = start();
     const block b         = read_all(&s);
 
-    CHECK(s.origin == LOFT_SETTINGS_USUAL && s.size == 0);
+    CHECK(loft_settings_origin_of(&s) == LOFT_SETTINGS_USUAL);
     CHECK(b.size == LOFT_SETTINGS_TEXT && b.byte[5] == LOFT_SETTINGS_LAYOUT);
     CHECK(in_force(&b) && axis[0].steps_per_mm == 80 * 65536);
     CHECK(b.byte[LOFT_SETTINGS_WIRING + LOFT_WIRING_PULSE] == 2);
@@ -163,12 +163,13 @@ static void what_is_written_is_kept(arb *a)
         const block was = read_all(&s), b = next_block(a, &was);
         CHECK(write_block(a, &s, &b));
         const block now = read_all(&s);
-        CHECK(same(&now, &b) && in_force(&b) && s.origin == LOFT_SETTINGS_KEPT);
+        CHECK(same(&now, &b) && in_force(&b) && loft_settings_origin_of(&s) == LOFT_SETTINGS_KEPT);
     }
     const block last = read_all(&s);
     s                = start();
     const block now  = read_all(&s);
-    CHECK(same(&now, &last) && in_force(&last) && s.origin == LOFT_SETTINGS_KEPT);
+    CHECK(same(&now, &last) && in_force(&last) &&
+          loft_settings_origin_of(&s) == LOFT_SETTINGS_KEPT);
     CHECK(s.wiring[LOFT_WIRING_OBEYED] == 0x15);
 }
 
@@ -199,7 +200,7 @@ static void a_cut_leaves_the_old_or_the_new(arb *a)
         const block now = read_all(&s);
         CHECK(same(&now, &was) || same(&now, &will));
         CHECK(in_force(&now) && (!whole || same(&now, &will)));
-        CHECK(was.byte[0] == 0 || s.origin == LOFT_SETTINGS_KEPT);
+        CHECK(was.byte[0] == 0 || loft_settings_origin_of(&s) == LOFT_SETTINGS_KEPT);
         CHECK(write_block(a, &s, &will) || same(&now, &will));
     }
 }
@@ -220,15 +221,17 @@ static void damage_is_found(arb *a)
     memory.byte[ROOM + 4 + arb_below(a, b[1].size - 4u)] ^= (uint8_t)(1u << arb_below(a, 8));
     s         = start();
     block now = read_all(&s);
-    CHECK(same(&now, &b[0]) && in_force(&b[0]) && s.origin == LOFT_SETTINGS_KEPT);
+    CHECK(same(&now, &b[0]) && in_force(&b[0]) &&
+          loft_settings_origin_of(&s) == LOFT_SETTINGS_KEPT);
 
     memory.byte[8 + arb_below(a, b[0].size - 8u)] ^= (uint8_t)(1u << arb_below(a, 8));
     s = start();
-    CHECK(s.origin == LOFT_SETTINGS_DAMAGED && s.size == 0 && axis[0].steps_per_mm == 80 * 65536);
+    CHECK(loft_settings_origin_of(&s) == LOFT_SETTINGS_DAMAGED &&
+          axis[0].steps_per_mm == 80 * 65536);
 
     now = read_all(&s);
     now = next_block(a, &now);
-    CHECK(write_block(a, &s, &now) && s.origin == LOFT_SETTINGS_KEPT);
+    CHECK(write_block(a, &s, &now) && loft_settings_origin_of(&s) == LOFT_SETTINGS_KEPT);
 }
 
 static void impossible_settings_are_refused(arb *a)
@@ -272,7 +275,7 @@ static void any_write_stays_within_the_spare_copy(arb *a)
             byte[k] = (uint8_t)arb_next(a);
         memcpy(before, memory.byte, sizeof before);
         CHECK(!loft_settings_put(&s, at, byte, (uint8_t)arb_below(a, sizeof byte + 1)));
-        const unsigned held = s.which ? ROOM : 0;
+        const unsigned held = s.which == 1 ? ROOM : 0;
         CHECK(memcmp(before + held, memory.byte + held, ROOM) == 0);
         (void)loft_settings_get(&s, at);
         (void)loft_settings_spare(&s, at);
