@@ -80,6 +80,7 @@
 #define loft_axis_decode           LOFT_NAME(loft_axis_decode)
 #define loft_axis_encode           LOFT_NAME(loft_axis_encode)
 #define loft_ball_radius           LOFT_NAME(loft_ball_radius)
+#define loft_barrier_time          LOFT_NAME(loft_barrier_time)
 #define loft_bary_area             LOFT_NAME(loft_bary_area)
 #define loft_bary_change           LOFT_NAME(loft_bary_change)
 #define loft_bary_eval             LOFT_NAME(loft_bary_eval)

@@ -3,51 +3,27 @@
  */
 #include "motion/guess.h"
 
+#include "motion/barrier.h" /* loft_barrier_time */
+
 #define PERIOD      65536           /* of times */
 #define SWEEPS      40
 #define AHEAD       22              /* knots that the pace of one looks ahead */
 #define BEHIND      16
-#define NEAR        2               /* the least of so many on both sides */
-#define WIDE        5               /* the mean of so many on both sides */
-#define FASTEST     (LOFT_V2_ONE / 5 * 8)
+#define ROUGH       6
+#define STEPS       8               /* towards the least time */
 #define WHOLE       12              /* periods before a sharp place that become whole */
 
 /* --- the pace ------------------------------------------------------------------------------------
  */
 
-static void least_around(const int32_t in[], int32_t out[], int n)
+/* The last knots before an open end are not smooth yet. */
+static void set_pace(loft_guess_round *g, const loft_period *period)
 {
-    for (int i = 0; i < n; i++) {
-        out[i] = in[i];
-        for (int k = i > NEAR ? i - NEAR : 0; k <= i + NEAR && k < n; k++)
-            out[i] = in[k] < out[i] ? in[k] : out[i];
-    }
-}
+    const unsigned rough = g->ended || g->count <= 2 * ROUGH ? 0 : ROUGH, n = g->count - rough;
 
-static void mean_around(const int32_t in[], int32_t out[], int n)
-{
-    for (int i = 0; i < n; i++) {
-        int64_t sum = 0;
-        for (int k = i - WIDE; k <= i + WIDE; k++)
-            sum += in[k < 0 ? 0 : k < n ? k : n - 1];
-        out[i] = (int32_t)(sum / (2 * WIDE + 1));
-    }
-}
-
-/* Set the control values of the pace, from `timed` on. */
-static void set_pace(loft_guess *g)
-{
-    int32_t a[LOFT_GUESS_KNOTS], b[LOFT_GUESS_KNOTS] = { 0 };
-    const int n = g->count - 3;
-
-    for (int i = 0; i < n; i++)
-        a[i] = g->knot[i + 1].goal < FASTEST ? g->knot[i + 1].goal : FASTEST;
-    least_around(a, b, n);
-    mean_around(b, a, n);
-    mean_around(a, b, n);
-    for (int i = 0; i < n; i++)
-        if (i + 2 >= g->timed)
-            g->knot[i + 2].v2 = b[i];
+    loft_barrier_time(period, g->knot, n, g->timed, !g->ended, STEPS);
+    for (unsigned k = n; k < g->count; k++)
+        g->knot[k].v2 = g->knot[n - 1].v2;
     if (g->timed < 2)
         g->knot[0].v2 = g->knot[1].v2 = g->knot[2].v2;
     g->knot[g->count - 1].v2 = g->knot[g->count - 2].v2;
@@ -56,7 +32,7 @@ static void set_pace(loft_guess *g)
 /* --- knots ---------------------------------------------------------------------------------------
  */
 
-static void tie(loft_guess *g)
+static void tie(loft_guess_round *g)
 {
     for (int k = 0; k < 3 && g->placed == 0; k++)
         g->knot[k].point = g->knot[0].on.at;
@@ -65,7 +41,7 @@ static void tie(loft_guess *g)
 }
 
 /* Knots that do not matter any more. */
-static void forget(loft_guess *g)
+static void forget(loft_guess_round *g)
 {
     if (g->at <= BEHIND)
         return;
@@ -79,7 +55,7 @@ static void forget(loft_guess *g)
     g->at -= n;
 }
 
-static void append(loft_guess *g, const loft_path_place *p)
+static void append(loft_guess_round *g, const loft_path_place *p)
 {
     g->knot[g->count].on = *p;
     g->knot[g->count].point = p->at;
@@ -87,7 +63,7 @@ static void append(loft_guess *g, const loft_path_place *p)
 }
 
 /* The last knot stands for the rest behind the end; there are six at least. */
-static void close_chain(loft_guess *g)
+static void close_chain(loft_guess_round *g)
 {
     loft_path_place first = g->knot[0].on, last = g->knot[g->count - 1].on;
 
@@ -102,60 +78,45 @@ static void close_chain(loft_guess *g)
     g->ended = true;
 }
 
-/* As many knots as there is room for. */
-static enum loft_path_state fill(loft_guess *g)
-{
-    loft_path_place p;
+static bool has_room(const loft_guess_round *g) { return g->count + 1 < LOFT_GUESS_KNOTS; }
 
-    while (g->count + 1 < LOFT_GUESS_KNOTS && !g->ended) {
-        const enum loft_path_state state = loft_path_next(&g->path, &p);
-        if (state == LOFT_PATH_WAIT || (state == LOFT_PATH_END && g->count == 0))
-            return state;
-        if (state == LOFT_PATH_END) {
-            close_chain(g);
-            break;
-        }
-        append(g, &p);
-        if (g->count == 1)
-            append(g, &p);
-    }
-    return LOFT_PATH_PLACE;
+static void add_place(loft_guess_round *g, const loft_path_place *p)
+{
+    append(g, p);
+    if (g->count == 1)
+        append(g, p);
 }
 
 /* The knots before which places may be taken. */
-static unsigned sure(const loft_guess *g)
+static unsigned sure(const loft_guess_round *g)
 {
     return g->ended ? g->count - 2u : g->count > AHEAD ? g->count - (unsigned)AHEAD : 0;
 }
 
-/* More knots, smoothed and timed. */
-static enum loft_path_state load(loft_guess *g)
+/* Smooth and time what is known. */
+static void load(loft_guess_round *g, const loft_period *period)
 {
-    forget(g);
-    const unsigned known = g->loaded;
-    const enum loft_path_state state = fill(g);
-    if (state != LOFT_PATH_PLACE)
-        return state;
+    const unsigned known = g->loaded, from = g->placed < 3 ? 3 : g->placed;
+
     loft_tube_load(g->knot, known > 1 ? known - 1 : 1, g->count - 1u);
     tie(g);
-    const unsigned from = g->placed < 3 ? 3 : g->placed;
     if (from + 3 < g->count) {
-        loft_tube_measure(g->period, g->knot, from, g->count - 3u);
+        loft_tube_measure(period, g->knot, from, g->count - 3u);
         loft_tube_smooth(g->knot, from, g->count - 3u, SWEEPS);
     }
-    loft_timing_load(g->period, g->knot, from - 2, g->count - 2u);
-    set_pace(g);
+    loft_timing_load(period, g->knot, from - 2, g->count - 2u);
+    set_pace(g, period);
     g->loaded = g->count;
     g->placed = (uint8_t)(g->ended ? g->count : sure(g));
     g->timed  = (uint8_t)(g->placed < g->count ? g->placed : g->count);
-    return LOFT_PATH_PLACE;
+    g->filling = false;
 }
 
 /* --- places --------------------------------------------------------------------------------------
  */
 
 /* The time from the last place to knot k. */
-static int64_t time_to(const loft_guess *g, unsigned k)
+static int64_t time_to(const loft_guess_round *g, unsigned k)
 {
     int64_t time = -g->time;
     for (unsigned i = g->at; i < k; i++)
@@ -164,7 +125,7 @@ static int64_t time_to(const loft_guess *g, unsigned k)
 }
 
 /* The next sharp knot, or the last that is sure. */
-static unsigned next_sharp(const loft_guess *g, unsigned end)
+static unsigned next_sharp(const loft_guess_round *g, unsigned end)
 {
     unsigned k = g->at + 1;
     while (k < end && !g->knot[k].on.sharp)
@@ -173,7 +134,7 @@ static unsigned next_sharp(const loft_guess *g, unsigned end)
 }
 
 /* Whole periods to the next sharp place. */
-static int64_t step_of(const loft_guess *g, unsigned sharp, bool known)
+static int64_t step_of(const loft_guess_round *g, unsigned sharp, bool known)
 {
     const int64_t left = time_to(g, sharp);
     if (!known || left >= WHOLE * PERIOD)
@@ -182,14 +143,14 @@ static int64_t step_of(const loft_guess *g, unsigned sharp, bool known)
     return n > 1 ? left / n : left;
 }
 
-static void around(const loft_guess *g, const loft_path_place *at[4])
+static void around(const loft_guess_round *g, const loft_path_place *at[4])
 {
     for (unsigned i = 0; i < 4; i++)
         at[i] = &g->knot[g->at + i - 1].on;
 }
 
 /* The place that is `time` after knot `at`. */
-static void place_at(const loft_guess *g, int64_t time, loft_position *out)
+static void place_at(const loft_guess_round *g, int64_t time, loft_position *out)
 {
     const loft_path_place *at[4];
     const loft_knot *k = &g->knot[g->at];
@@ -205,7 +166,7 @@ static void place_at(const loft_guess *g, int64_t time, loft_position *out)
 /* sqrt(2 b 2^24 2^7) = 2^16 sqrt b */
 
 /* Go on by `time`; never beyond knot `end`. */
-static void pass(loft_guess *g, int64_t time, unsigned end)
+static void pass(loft_guess_round *g, int64_t time, unsigned end)
 {
     time += g->time;
     while (g->at < end && time >= loft_timing_time(g->knot, g->at)) {
@@ -215,7 +176,7 @@ static void pass(loft_guess *g, int64_t time, unsigned end)
     g->time = g->at < end ? (int32_t)time : 0;
 }
 
-static void place_here(const loft_guess *g, loft_position *out)
+static void place_here(const loft_guess_round *g, loft_position *out)
 {
     if (g->time == 0)
         *out = g->knot[g->at].on.at;
@@ -223,7 +184,7 @@ static void place_here(const loft_guess *g, loft_position *out)
         place_at(g, g->time, out);
 }
 
-static void take(loft_guess *g, loft_path_place *out)
+static void take(loft_guess_round *g, loft_path_place *out)
 {
     const loft_path_place *p = &g->knot[g->at].on, *next = &g->knot[g->at + 1].on;
 
@@ -236,7 +197,7 @@ static void take(loft_guess *g, loft_path_place *out)
 }
 
 /* The first place, or one a period behind the last. */
-static void next_place(loft_guess *g, unsigned end)
+static void next_place(loft_guess_round *g, unsigned end)
 {
     loft_guess_place *q = &g->queue[g->queued];
 
@@ -274,75 +235,112 @@ static void next_place(loft_guess *g, unsigned end)
     g->arrived = g->ended && g->at == end;
 }
 
-/* Are places to be taken from a window that ends too soon for whole periods? Then more are
- * loaded, if there is room for more. */
-static bool wants_more(const loft_guess *g)
+/* Does the window end too soon for whole periods? Then more is loaded, if there is room for more.
+ */
+static bool wants_more(const loft_guess_round *g)
 {
     if (g->count == 0)
         return true;
     return !g->ended && time_to(g, sure(g)) <= (WHOLE + 1) * PERIOD &&
-           (g->at > BEHIND || g->count + 1 < LOFT_GUESS_KNOTS);
+           (g->at > BEHIND || has_room(g));
 }
 
-static enum loft_path_state queue(loft_guess *g)
+/* The first place of the queue, behind one more. */
+static void pop_place(loft_guess_round *g, loft_path_place *out)
+{
+    const unsigned n = g->queued;
+    const loft_path_place *at[4];
+    loft_coord off = 0;
+
+    for (unsigned k = 0; k < 4; k++)
+        at[k] = &g->queue[k < n ? k : n - 1].on;
+    for (int k = 0; k < 3 && n > 2; k++) {
+        const int32_t quarter = (int32_t)(k + 1) * (INT32_C(1) << 22);
+        const loft_coord x = loft_path_off(at, quarter, &g->queue[1].inner[k]);
+        off = x > off ? x : off;
+    }
+    *out = g->queue[1].on;
+    out->skip = n > 2 ? out->skip + off : 0;
+    g->queued--;
+    for (unsigned k = 0; k < g->queued; k++)
+        g->queue[k] = g->queue[k + 1];
+}
+
+/* The next place; LOFT_PATH_WAIT: places are missing. */
+static enum loft_path_state round_next(loft_guess_round *g, const loft_period *period,
+                                       loft_path_place *out)
 {
     while (g->queued < LOFT_GUESS_QUEUE && !g->arrived) {
-        const enum loft_path_state state = wants_more(g) ? load(g) : LOFT_PATH_PLACE;
-        if (state == LOFT_PATH_END)
-            break;
-        if (state != LOFT_PATH_PLACE)
-            return state;
+        if (!g->filling && wants_more(g)) {
+            forget(g);
+            g->filling = true;
+        }
+        if (g->filling && !g->ended && has_room(g))
+            return LOFT_PATH_WAIT;
+        if (g->filling)
+            load(g, period);
         next_place(g, sure(g));
     }
+    if (g->queued < 2)
+        return LOFT_PATH_END;
+    pop_place(g, out);
     return LOFT_PATH_PLACE;
+}
+
+/* No place comes any more. */
+static void round_end(loft_guess_round *g)
+{
+    g->ended = true;
+    g->arrived = g->count == 0;
+    if (g->count > 0)
+        close_chain(g);
 }
 
 enum loft_path_state loft_guess_next(loft_guess *guess, loft_path_place *out)
 {
-    const enum loft_path_state state = queue(guess);
-    const unsigned n = guess->queued;
-    const loft_path_place *at[4];
-
-    if (state != LOFT_PATH_PLACE)
-        return state;
-    if (n < 2)
-        return LOFT_PATH_END;
-    for (unsigned k = 0; k < 4; k++)
-        at[k] = &guess->queue[k < n ? k : n - 1].on;
-    loft_coord off = 0;
-    for (int k = 0; k < 3 && n > 2; k++) {
-        const int32_t quarter = (int32_t)(k + 1) * (INT32_C(1) << 22);
-        const loft_coord x = loft_path_off(at, quarter, &guess->queue[1].inner[k]);
-        off = x > off ? x : off;
+    for (int r = LOFT_GUESS_ROUNDS - 1;;) {
+        const enum loft_path_state state = r < 0 ? loft_path_next(&guess->path, out)
+                                                 : round_next(&guess->round[r], guess->period, out);
+        if (r < 0 && state == LOFT_PATH_WAIT)
+            return state;
+        if (state == LOFT_PATH_WAIT) {
+            r--;
+            continue;
+        }
+        if (++r == LOFT_GUESS_ROUNDS)
+            return state;
+        if (state == LOFT_PATH_END)
+            round_end(&guess->round[r]);
+        else
+            add_place(&guess->round[r], out);
     }
-    *out = guess->queue[1].on;
-    out->skip = n > 2 ? out->skip + off : 0;
-    guess->queued--;
-    for (unsigned k = 0; k < guess->queued; k++)
-        guess->queue[k] = guess->queue[k + 1];
-    return LOFT_PATH_PLACE;
+}
+
+static void round_begin(loft_guess_round *g)
+{
+    g->count = g->loaded = g->placed = g->timed = g->queued = 0;
+    g->at = 1;
+    g->time = 0;
+    g->begun = g->filling = g->ended = g->arrived = false;
 }
 
 void loft_guess_begin(loft_guess *guess)
 {
     loft_path_begin(&guess->path);
-    guess->count = guess->loaded = guess->placed = guess->timed = guess->queued = 0;
-    guess->at = 1;
-    guess->time = 0;
-    guess->begun = guess->ended = guess->arrived = false;
+    for (int r = 0; r < LOFT_GUESS_ROUNDS; r++)
+        round_begin(&guess->round[r]);
 }
 
-bool loft_guess_again(loft_guess *g, const loft_knot knots[], unsigned count)
+bool loft_guess_again(loft_guess *guess, const loft_knot knots[], unsigned count)
 {
+    loft_guess_round *g = &guess->round[LOFT_GUESS_ROUNDS - 1];
+
     if (count > LOFT_GUESS_KNOTS)
         return false;
+    round_begin(g);
     for (unsigned k = 0; k < count; k++)
         g->knot[k] = knots[k];
     g->count = g->loaded = g->placed = g->timed = (uint8_t)count;
-    g->at = 1;
-    g->time = 0;
-    g->queued = 0;
-    g->begun = g->arrived = false;
     g->ended = true;
     return true;
 }

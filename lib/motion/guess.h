@@ -1,9 +1,9 @@
 /* lib/motion/guess.h -- places of the path at even periods of a motion that is nearly the fastest
  * SPDX-License-Identifier: MIT
  *
- * The places of path.h become a smooth path (tube.h). The pace that all limits allow where it is
- * even, the least around and then averaged, gives times. The places at even times are the guess
- * that is smoothed and timed for good.
+ * The places of path.h become a smooth path (tube.h). What is nearly the least time along it
+ * (barrier.h) gives places at even times. These go through the same once more. The result is the
+ * guess that is smoothed and timed for good.
  */
 #ifndef LOFT_MOTION_GUESS_H
 #define LOFT_MOTION_GUESS_H
@@ -20,6 +20,7 @@ LOFT_BEGIN_C
 
 #define LOFT_GUESS_KNOTS (LOFT_TRAJECTORY_EFFORT > 1 ? 80 : 8)
 #define LOFT_GUESS_QUEUE 4
+#define LOFT_GUESS_ROUNDS (LOFT_TRAJECTORY_EFFORT > 1 ? 2 : 1)  /* the second begins better */
 
 /* A place and three more on the way to the next. */
 typedef struct {
@@ -27,18 +28,24 @@ typedef struct {
     loft_position      inner[3];
 } loft_guess_place;
 
+/* Places become knots, which are smoothed and timed, and give places. */
+typedef struct {
+    loft_knot        knot[LOFT_GUESS_KNOTS];
+    uint8_t          count, loaded, placed, timed;
+    bool             filling;       /* knots are missing in the window */
+    bool             ended;         /* is the last knot the end? */
+    unsigned         at;            /* the last place is between knot `at` and the next, */
+    int32_t          time;          /* and this long after it, 2^-16 periods */
+    bool             begun, arrived;
+    loft_guess_place queue[LOFT_GUESS_QUEUE];
+    uint8_t          queued;
+} loft_guess_round;
+
 /* Do not rely on the fields. */
 typedef struct {
     const loft_period *period;
     loft_path          path;
-    loft_knot          knot[LOFT_GUESS_KNOTS];
-    uint8_t            count, loaded, placed, timed;
-    bool               ended;               /* is the last knot the end? */
-    unsigned           at;                  /* the last place is between knot `at` and the next, */
-    int32_t            time;                /* and this long after it, 2^-16 periods */
-    bool               begun, arrived;
-    loft_guess_place   queue[LOFT_GUESS_QUEUE];
-    uint8_t            queued;
+    loft_guess_round   round[LOFT_GUESS_ROUNDS];
 } loft_guess;
 
 /* Start without a curve, in the caller's memory; `period` is kept. */
