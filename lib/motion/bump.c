@@ -23,7 +23,8 @@
  */
 #include "motion/bump.h"
 
-#include "num/part.h"       /* loft_part, loft_part_root */
+#include "motion/guess.h" /* LOFT_TRAJECTORY_EFFORT */
+#include "num/part.h"     /* loft_part, loft_part_root */
 
 #define FULL ((int32_t)1 << 30)
 
@@ -40,9 +41,9 @@ static inline uint32_t size_of(int32_t x) { return (uint32_t)(x < 0 ? -x : x); }
 
 /* The sums of an interval. */
 typedef struct {
-    int32_t pace[2], turn[2];       /* b; 3/2 s */
-    int32_t slope[2], curve;        /* s, q, 2^slope more */
-    int32_t bend;                   /* 9/16 q */
+    int32_t pace[2], turn[2]; /* b; 3/2 s */
+    int32_t slope[2], curve;  /* s, q, 2^slope more */
+    int32_t bend;             /* 9/16 q */
 } sums;
 
 /* The differences of an axis. */
@@ -57,8 +58,8 @@ typedef struct {
 
 /* Where jerk is limited. */
 typedef struct {
-    int32_t root, drop;     /* 1 / sqrt b, 2^15 .. 2^14; the part of it that a tangent falls by */
-    int     half;           /* of that power of 4 */
+    int32_t root, drop; /* 1 / sqrt b, 2^15 .. 2^14; the part of it that a tangent falls by */
+    int half;           /* of that power of 4 */
 } place;
 
 static void set_sums(sums *out, int32_t x, int32_t y, int32_t z)
@@ -131,12 +132,16 @@ static void set_drop(place *x, int32_t more)
     x->drop = loft_part(shifted(more, 2 * x->half), x->root * x->root >> 15) >> 13;
 }
 
+/* Little effort: a pace may be more than trebled at once, so that creeps rise soon. That is greedy:
+ * the way there and the way back take times that differ by 2 %. */
+#define JUMPS (LOFT_TRAJECTORY_EFFORT < 2)
+
 /* The part of `more` that speed allows. */
 static int32_t by_speed(int32_t pace, int32_t more, int32_t top)
 {
-    const int32_t most = top - pace;
+    const int32_t left = top - pace, most = !JUMPS && 2 * pace < left ? 2 * pace : left;
 
-    if (more <= most)
+    if (more < most)
         return LOFT_BUMP_ONE;
     return most > 0 ? (int32_t)((uint32_t)most / (((uint32_t)more >> 15) + 1)) : 0;
 }
@@ -171,9 +176,9 @@ static void shrink(legs *e, int p, int d)
 
 /* What is, and what it is with all of a change. */
 typedef struct {
-    sums  now, all;
+    sums now, all;
     place at[3];
-    int   power, slope, unit;       /* limits are multiplied by 2^power */
+    int power, slope, unit; /* limits are multiplied by 2^power */
 } interval;
 
 /* Does jerk hold on the way to a pace whose inverse root is set: before and with all of it? */
@@ -242,7 +247,7 @@ static int32_t part_of(int32_t x, int32_t part)
 static int32_t part_within(const loft_period *period, const loft_knot knot[], unsigned k, int share,
                            const int32_t add[3], bool far)
 {
-    interval t;                         /* an initial value would be set byte by byte */
+    interval t; /* an initial value would be set byte by byte */
     const int32_t v2[3] = { knot[k].v2, knot[k + 1].v2, knot[k + 2].v2 };
     const int32_t x = v2[0] + add[0], y = v2[1] + add[1], z = v2[2] + add[2];
     int32_t pace[3], more[3];
@@ -267,7 +272,7 @@ static int32_t part_within(const loft_period *period, const loft_knot knot[], un
     measure(knot, k, e, &p, &d);
     const int by_p = 14 - loft_doublings(p) - t.slope, by_d = 17 - loft_doublings(d),
               least = by_p > by_d ? by_p : by_d;
-    t.unit  = least > 0 ? least : 0;
+    t.unit = least > 0 ? least : 0;
     t.power = up + 8 - t.unit;
     int32_t by = LOFT_BUMP_ONE;
     for (int i = 0; i < LOFT_AXES && by > 0; i++) {
@@ -300,15 +305,17 @@ int32_t loft_bump_part(const loft_period *period, const loft_knot knot[], unsign
 
     set_pace(v2, pace);
     set_pace(add, more);
-    for (int n = 1; n < 3; n++) {
-        const int32_t to = by_speed(pace[n], more[n], top);
+    for (int n = 0; n < 3; n++) {
+        const int32_t to = by_speed(pace[n], more[n], n > 0 ? top : LOFT_V2_MAX);
         part = to < part ? to : part;
     }
     for (; part > 0; part /= 4) {
         for (int n = 0; n < 3; n++)
             some[n] = part_of(add[n], part);
-        if (!is_far(v2, some))
-            return part_of(part, part_within(period, knot, k, share, some, false));
+        if (!JUMPS || !is_far(v2, some)) {
+            const int32_t by = part_within(period, knot, k, share, some, false);
+            return part < LOFT_BUMP_ONE ? 2 * loft_part(part, by) : by;
+        }
         if (part_within(period, knot, k, share, some, true) > 0)
             return part;
     }
