@@ -4,7 +4,7 @@
 MACHINE_SRC  = $(wildcard $(patsubst %,lib/%/*.c,num geom kinematics motion wire machine))
 FIRMWARE_SRC = ports/firmware.c ports/bare/memory.c $(MACHINE_SRC)
 FIRMWARE_FLAGS = -std=c99 -O2 -ffreestanding -ffunction-sections -fdata-sections \
-                 -DLOFT_PLAN_FLOW=0 $(WARN) $(DEPS) -Ilib -Iports $(call num_flag,q16)
+                 $(WARN) $(DEPS) -Ilib -Iports $(call num_flag,q16)
 FIRMWARES :=
 
 ## Build the firmware of every board, print its flash and RAM   or one: make firmware-stm32f405

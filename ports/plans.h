@@ -13,20 +13,23 @@
 #ifndef LOFT_PORT_CURVES
 #  define LOFT_PORT_CURVES 64
 #endif
+#ifndef LOFT_PORT_KNOTS
+#  define LOFT_PORT_KNOTS 176
+#endif
 
 static void loft_port_plans(loft_machine_config *config)
 {
     static loft_planner planner;
     static loft_move moves[LOFT_PORT_CURVES];
-    static loft_plan_piece pieces[LOFT_PORT_CURVES * LOFT_PLAN_PIECES];
+    static loft_knot knots[LOFT_PORT_KNOTS];
     static uint16_t passed[CELLS + LOFT_PLANNER_AHEAD];
 
     config->planner = &planner;
     config->plan = (loft_planner_memory){ .moves = moves,
-                                          .pieces = pieces,
+                                          .knots = knots,
                                           .passed = passed,
                                           .move_room = LOFT_PORT_CURVES,
-                                          .piece_room = LOFT_PORT_CURVES * LOFT_PLAN_PIECES };
+                                          .knot_room = LOFT_PORT_KNOTS };
 }
 
 #endif

@@ -157,12 +157,6 @@ static int options_of(const stream_options *o, job_options *as)
     as->e    = o->p.e;
     as->kind = o->chip ? LOFT_CURVES : o->points ? LOFT_POINTS : LOFT_SPANS;
     planning_limit(&o->p, &as->limits);
-    if (o->chip && as->limits.max_across > 0)
-        return tool_error(EX_CONFIG,
-                          "%s: a machine that plans knows no limit of its own across the path: "
-                          "give --plan host, or --across 0, "
-                          "so that --accel holds in bends too",
-                          o->port);
     return 0;
 }
 

@@ -363,8 +363,6 @@ static void accel_strip(strip s)
     strip_axis_signals(&s, AX);
     strip_signal(&s, ALONG, ink[0], 1.3, "along the path");
     strip_limits(&s, s.p->t->limits.max_accel);
-    if (s.p->t->limits.max_across > 0)
-        strip_limit(&s, s.p->t->limits.max_across, grey, " across the path");
 }
 
 static void jerk_strip(strip s)

@@ -32,7 +32,6 @@ typedef struct {
 typedef struct {
     double max_speed[ENGINE_AXES], max_accel[ENGINE_AXES];      /* mm/s, mm/s^2 */
     double max_jerk[ENGINE_AXES];                               /* mm/s^3, or 0 */
-    double max_across;                                          /* mm/s^2, or 0 */
     double corner, tol;                                         /* mm           */
     unsigned tick_hz;
 } engine_limits;

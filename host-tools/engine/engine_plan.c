@@ -12,7 +12,7 @@
 #include "engine/engine_num.h"  /* real_of, vecs_of, double_of */
 #include "base/tool.h"          /* tool_grow */
 
-enum { MOVES = 512, PIECES = MOVES * LOFT_PLAN_PIECES };
+enum { MOVES = 512, KNOTS = 400 };
 
 struct engine_plan {
     engine_move_source *source;
@@ -22,7 +22,7 @@ struct engine_plan {
     bool pushing;
     loft_plan plan;
     loft_move ring[MOVES];
-    loft_plan_piece pieces[PIECES];
+    loft_knot knots[KNOTS];
 };
 
 static bool limits_of(const engine_limits *from, loft_limits *out)
@@ -35,8 +35,8 @@ static bool limits_of(const engine_limits *from, loft_limits *out)
         out->max_jerk[i] = (uint32_t)lround(from->max_jerk[i]);
     }
     out->tick_hz = (uint16_t)from->tick_hz;
-    return from->tick_hz <= UINT16_MAX && real_of(from->max_across, &out->max_across) &&
-           real_of(from->corner, &out->corner) && real_of(from->tol, &out->tol);
+    return from->tick_hz <= UINT16_MAX && real_of(from->corner, &out->corner) &&
+           real_of(from->tol, &out->tol);
 }
 
 static bool move_of(const engine_plan *p, size_t n, loft_move *out)
@@ -82,7 +82,7 @@ static int plan_open(const engine_limits *limits, engine_move_source *source, vo
     p->pushing = true;
     int status = LOFT_ERR_RANGE;
     if (moves_fit(p))
-        status = loft_plan_init(&p->plan, &within, p->ring, MOVES, p->pieces, PIECES);
+        status = loft_plan_init(&p->plan, &within, p->ring, MOVES, p->knots, KNOTS);
     if (status == LOFT_OK)
         *out = p;
     else

@@ -410,7 +410,6 @@ engine_limits joints_limits(const joints *j, const engine_limits *motors)
         l.max_accel[i] = fmin(l.max_accel[i] * j->scale[i], ACCEL_MAX);
         l.max_jerk[i]  = fmin(l.max_jerk[i] * j->scale[i], JERK_MAX);
     }
-    l.max_across = fmin(l.max_across * j->least, ACCEL_MAX);
     l.corner = fmin(l.corner * j->least, 1);
     l.tol    = fmin((l.tol - j->within) * j->least - rounding_error(j), TOL_MAX);
     return l;

@@ -25,7 +25,6 @@ int planning_start(planning *p, int argc, char **argv)
                      .travel = 100,
                      .accel = -1,
                      .jerk = -1,
-                     .across = -1,
                      .lift = 1,
                      .smooth = -1,
                      .sheet = { .gap = PAGE_GAP },
@@ -56,7 +55,6 @@ void planning_limit(const planning *p, engine_limits *limits)
             limits->max_accel[i] = fmin(limits->max_accel[i], p->accel);
         limits->max_jerk[i] = said >= 0 ? said : fmin(JERK_PER * limits->max_accel[i], JERK_MAX);
     }
-    limits->max_across = p->across >= 0 ? p->across : p->machine.max_across;
     limits->corner = p->corner;
     limits->tol    = p->tol - p->smoothed;
 }

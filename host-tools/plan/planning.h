@@ -21,7 +21,7 @@ typedef struct {
     int dialect;                    /* of G-code, and */
     unsigned from_line;             /* its first line that is run; 0: all */
     double feed, travel;            /* mm/s                                        */
-    double accel, jerk, across;     /* mm/s^2, mm/s^3, mm/s^2; below 0: from the machine */
+    double accel, jerk;             /* mm/s^2, mm/s^3; below 0: from the machine */
     double corner, tol, lift;       /* mm                                          */
     double smooth;                  /* mm of tol; below 0: SMOOTH_PART */
     double smoothed;                /* mm of tol that smoothing used up */
@@ -39,13 +39,10 @@ typedef struct {
         TOOL_SPEED("travel", &(p)->travel, 0.016, 1000, "pen up (100)"),                           \
         TOOL_NUMBER("accel", "MM/S2", &(p)->accel, 1, 30000,                                       \
                     "no more than this on any axis (the machine's)"),                              \
-        TOOL_NUMBER("across", "MM/S2", &(p)->across, 0, 16383,                                     \
-                    "across the path alone, so that --accel is for speeding up and slowing down "  \
-                    "alone; 0: --accel is for both"),                                              \
         TOOL_NUMBER("jerk", "MM/S3", &(p)->jerk, 0, 1e7,                                           \
                     "change of acceleration on any axis (the machine's); 0: at once"),             \
         TOOL_NUMBER("corner", "MM", &(p)->corner, 0, 1,                                            \
-                    "how far corners are taken to be rounded when slowing down (0.01)"),           \
+                    "not used yet: corners are rounded within --tol"),           \
         TOOL_NUMBER("tol", "MM", &(p)->tol, 0.0005, 1,                                             \
                     "how far the machine may leave the drawing (0.005)"),                          \
         TOOL_NUMBER("smooth", "MM", &(p)->smooth, 0, 1,                                            \

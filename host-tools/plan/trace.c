@@ -13,7 +13,7 @@
 
 #define MOMENT   0.001      /* s; spans are examined in parts of at most this */
 #define USED_UP  0.97       /* of a speed                                          */
-#define USED_UP_ACCEL 0.94  /* a plan keeps 1/64 for joints, and rounds its beats */
+#define USED_UP_ACCEL 0.94  /* what a span may use is a multiple of 6 grains in its time */
 #define USED_UP_JERK  0.85
 #define ROUNDED       0.7
 #define AT_REST  1e-3       /* mm/s                                                */
@@ -105,48 +105,34 @@ static void use_limit(use *u, double part, double used_up, unsigned cause)
     }
 }
 
-/* Acceleration counts as curvature if more of it is across the path than along it, or if it has a
- * limit there. */
-static void use_accels(use *u, const trace *t, const trace_motion *m, double h, double share)
+/* Acceleration counts as curvature if more of it is across the path than along it. */
+static void use_accels(use *u, const trace *t, const trace_motion *m, double share)
 {
-    /* the error that rounding may add */
-    const double coarse = 12 * LSB / (h * h), coarser = 24 * LSB / (h * h * h);
     const double speed = size_of(m->v), all = along_of(m->v, m->a);
-    double aside_sum = 0;
 
     for (unsigned i = 0; i < ENGINE_AXES; i++) {
         const double along = speed > AT_REST ? all * m->v[i] / speed : m->a[i],
                      across = m->a[i] - along;
-        const double most = t->limits.max_accel[i],
-                     aside = m->tool.a[i] - (m->speed > AT_REST ? m->along * m->tool.v[i] / m->speed
-                                                                : m->tool.a[i]);
-        aside_sum += aside * aside;
-        if (t->limits.max_across > 0)
-            use_limit(u, (fabs(along) - coarse) / most, share * USED_UP_ACCEL, TRACE_ACCEL + i);
-        else
-            use_limit(u, (fabs(m->a[i]) - coarse) / most, share * USED_UP_ACCEL,
-                      fabs(across) > fabs(along) ? TRACE_CURVATURE : TRACE_ACCEL + i);
+        use_limit(u, fabs(m->a[i]) / t->limits.max_accel[i], share * USED_UP_ACCEL,
+                  fabs(across) > fabs(along) ? TRACE_CURVATURE : TRACE_ACCEL + i);
         if (t->limits.max_jerk[i] > 0)
-            use_limit(u, (fabs(m->j[i]) - coarser) / t->limits.max_jerk[i], share * USED_UP_JERK,
+            use_limit(u, fabs(m->j[i]) / t->limits.max_jerk[i], share * USED_UP_JERK,
                       TRACE_JERK + i);
     }
-    if (t->limits.max_across > 0)
-        use_limit(u, (sqrt(aside_sum) - 2 * coarse) / t->limits.max_across, share * USED_UP_ACCEL,
-                  TRACE_CURVATURE);
 }
 
-/* A plan rounds the time in which acceleration changes to beats. A limit that is used up except for
- * that comes second. */
-static uint8_t cause_of(const trace *t, const trace_motion *m, double feed, double h)
+/* Motion is smoother than its limits: acceleration changes over some periods. A limit that is used
+ * up except for that comes second. */
+static uint8_t cause_of(const trace *t, const trace_motion *m, double feed)
 {
     use u = { .cause = TRACE_CAUSES };
 
     use_limit(&u, m->speed / feed, USED_UP, TRACE_FEED);
     for (unsigned i = 0; i < ENGINE_AXES; i++)
         use_limit(&u, fabs(m->v[i]) / t->limits.max_speed[i], USED_UP, TRACE_SPEED + i);
-    use_accels(&u, t, m, h, 1);
+    use_accels(&u, t, m, 1);
     if (u.most < 1)
-        use_accels(&u, t, m, h, ROUNDED);
+        use_accels(&u, t, m, ROUNDED);
     return u.most >= 1 ? u.cause : TRACE_CAUSES;
 }
 
@@ -165,7 +151,7 @@ static void add_moment(making *m, const engine_span *s, double begin, double h, 
     motion_of(m->t, s, h, to, &last);
     now.move  = way_follow(&m->path, middle.tool.x);
     now.speed = (float)fmin(fmin(first.speed, middle.speed), last.speed);
-    now.cause = cause_of(m->t, &middle, m->t->move[now.move].feed, h);
+    now.cause = cause_of(m->t, &middle, m->t->move[now.move].feed);
 
     trace_part *p = &m->t->part[now.move];
     if (!(p->seconds > 0))

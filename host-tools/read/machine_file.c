@@ -36,7 +36,6 @@ static const row rows[] = {
     { "max_speed", "mm/s", AT(max_speed), true, false, true, 1 / 64.0, 16383, 0, { 0 } },
     { "max_accel", "mm/s^2", AT(max_accel), true, false, true, 1, 16383, 0, { 0 } },
     { "max_jerk", "mm/s^3", AT(max_jerk), true, false, true, 0, 1e7, 0, { 0 } },
-    { "max_across", "mm/s^2", AT(max_across), false, false, false, 0, 16383, 0, { 0 } },
     { "corner", "mm", AT(corner), false, false, false, 0, 1, 0, { 0 } },
     { "tolerance", "mm", AT(tol), false, false, false, 1 / 1024.0, 1, 0, { 0 } },
     { "travel", "mm", AT(travel), true, false, false, 0, 16383, 0, { 0 } },
@@ -418,8 +417,8 @@ static enum machine_keeper keeper_of(const row *k)
         { "idle", MACHINE_OBEYS },         { "pulse", MACHINE_OBEYS },
         { "tick_hz", MACHINE_FIRMWARE },   { "slots", MACHINE_FIRMWARE },
         { "ramp", MACHINE_FIRMWARE },      { "queue", MACHINE_FIRMWARE },
-        { "curves", MACHINE_FIRMWARE },    { "max_across", MACHINE_PLAN },
-        { "corner", MACHINE_PLAN },        { "tolerance", MACHINE_PLAN },
+        { "curves", MACHINE_FIRMWARE },    { "corner", MACHINE_PLAN },
+        { "tolerance", MACHINE_PLAN },
     };
 
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)

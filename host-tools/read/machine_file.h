@@ -17,8 +17,6 @@ typedef struct {
     double steps_per_mm[ENGINE_AXES];
     double max_speed[ENGINE_AXES], max_accel[ENGINE_AXES];
     double max_jerk[ENGINE_AXES];           /* 0: not limited; below 0: not given */
-    double max_across;                      /* 0: max_accel also limits the acceleration across the
-                                             * path */
     double corner, tol;                     /* junction deviation; path tolerance */
     double travel[ENGINE_AXES], min[ENGINE_AXES];   /* the table, for the tool: its size, 0: not
                                                      * limited; its low end */

@@ -6,7 +6,7 @@
 enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *memory,
                                    uint16_t cells)
 {
-    if (memory->move_room < 4 || memory->piece_room < 12)
+    if (memory->move_room < 4 || memory->knot_room < LOFT_PLAN_KNOTS_MIN)
         return LOFT_ERR_SPACE;
     p->memory = *memory;
     p->marks  = (uint16_t)(cells + LOFT_PLANNER_AHEAD);
@@ -24,7 +24,7 @@ static uint32_t lower_jerk(uint32_t a, uint32_t b) { return a == 0 || (b > 0 && 
 enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *machine,
                                     const loft_job_limits *asked, const int32_t start[LOFT_AXES])
 {
-    loft_limits limits = { .max_across = 0 };
+    loft_limits limits;
 
     for (int i = 0; i < LOFT_AXES; i++) {
         limits.max_speed[i] = loft_real_from_raw(
@@ -40,8 +40,8 @@ enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *ma
     p->taken = p->told = p->spans = 0;
     p->mark  = 0;
     p->ended = p->rests = false;
-    return loft_plan_init(&p->plan, &limits, p->memory.moves, p->memory.move_room, p->memory.pieces,
-                          p->memory.piece_room);
+    return loft_plan_init(&p->plan, &limits, p->memory.moves, p->memory.move_room, p->memory.knots,
+                          p->memory.knot_room);
 }
 
 /* mm/min to mm/s. */

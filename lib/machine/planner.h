@@ -29,10 +29,10 @@ LOFT_BEGIN_C
 /* Memory of the caller. Half of the moves should be longer than the braking distance; otherwise the
  * speed is reduced. */
 typedef struct {
-    loft_move       *moves;
-    loft_plan_piece *pieces;            /* at most LOFT_PLAN_PIECES for each move       */
-    uint16_t        *passed;            /* cells of the queue + LOFT_PLANNER_AHEAD      */
-    uint16_t move_room, piece_room;
+    loft_move *moves;
+    loft_knot *knots;                   /* all but 48 of them look ahead, a period each */
+    uint16_t  *passed;                  /* cells of the queue + LOFT_PLANNER_AHEAD      */
+    uint16_t   move_room, knot_room;
 } loft_planner_memory;
 
 /* The struct is complete so that it can be static; the fields may change without notice. */
@@ -47,7 +47,7 @@ typedef struct {
 
 /* Prepare, with memory for a queue of `cells` spans. A job must begin before any other call.
  *
- *   range   at least 4 moves and 12 pieces; otherwise LOFT_ERR_SPACE */
+ *   range   at least 4 moves and LOFT_PLAN_KNOTS_MIN knots; otherwise LOFT_ERR_SPACE */
 enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *memory,
                                    uint16_t cells) LOFT_CHECKED;
 

@@ -11,10 +11,18 @@
 #define LOFT_MOTION_PATH_H
 
 #include "motion/arc.h"     /* loft_arc    */
-#include "motion/course.h"  /* loft_move   */
 #include "motion/period.h"  /* loft_period */
 
 LOFT_BEGIN_C
+
+/* Coordinates of the path must be within +-LOFT_PLAN_REACH mm. */
+#define LOFT_PLAN_REACH LOFT_REAL(8191)
+
+/* A curve to follow, with its speed along the path in mm/s. */
+typedef struct {
+    loft_cubic curve;
+    loft_real  feed;
+} loft_move;
 
 /* Corners that are known ahead, and stretches of the path around one. */
 #define LOFT_PATH_CORNERS   48

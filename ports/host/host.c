@@ -38,6 +38,7 @@
 #define LEAVE_MS    5000
 #define STOP_MS     1000        /* how long it waits until the last answer is read */
 #define BATCH       20          /* ticks of simulated time between two checks of the line */
+#define KNOTS       400         /* of a plan: periods ahead, and 48 */
 #define LATE_MS     100         /* largest delay in real time; more is dropped */
 
 struct host {
@@ -98,19 +99,19 @@ static uint32_t boot_number(void)
 
 static bool give_memory(struct host *h, loft_machine_config *c)
 {
-    const unsigned moves = h->o->curves, pieces = moves * LOFT_PLAN_PIECES;
+    const unsigned moves = h->o->curves;
 
     c->cell = h->cell = calloc(c->cells + 1u, sizeof *c->cell);
     if (moves == 0)
         return h->cell != NULL;
     h->plan.moves  = calloc(moves, sizeof *h->plan.moves);
-    h->plan.pieces = calloc(pieces, sizeof *h->plan.pieces);
+    h->plan.knots  = calloc(KNOTS, sizeof *h->plan.knots);
     h->plan.passed = calloc(c->cells + LOFT_PLANNER_AHEAD, sizeof *h->plan.passed);
     h->plan.move_room  = (uint16_t)(moves <= 4096 ? moves : 0);
-    h->plan.piece_room = (uint16_t)(moves <= 4096 ? pieces : 0);
+    h->plan.knot_room = KNOTS;
     c->planner = &h->planner;
     c->plan    = h->plan;
-    return h->cell && h->plan.moves && h->plan.pieces && h->plan.passed;
+    return h->cell && h->plan.moves && h->plan.knots && h->plan.passed;
 }
 
 static int start_machine(struct host *h)
@@ -488,7 +489,7 @@ int loft_host_simulate(const struct loft_host_options *o)
     end = host_record_close(&h.record, o);
     free((void *)(uintptr_t)h.cell);
     free(h.plan.moves);
-    free(h.plan.pieces);
+    free(h.plan.knots);
     free(h.plan.passed);
     return code ? code : end;
 }

@@ -55,7 +55,7 @@ $(MOTION)/moves: tests/bench/bench_motion_moves.c $(filter-out %/loft.o,$(TOOL_O
 	$(Q)$(CC) $(LDFLAGS) $(INCLUDE) $(BUILT) $(filter-out $(DEPS),$(TOOL_STD)) \
 	    $(call tool_flag,q16) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
 
-## Count the instructions of planning with lib/motion/trajectory.h on an emulated Cortex-M4 and M0
+## Count the instructions of planning with lib/motion/plan.h on an emulated Cortex-M4 and M0
 .PHONY: bench-chip
 bench-chip: lib/names.h
 	@bash tests/bench/bench_motion_chip.sh $(MOTION)/chip

@@ -149,21 +149,6 @@ outline_rows() {
     done
 }
 
-# the planner on an AVR, as check-avr-plan measures it: the bounds are the current values
-chip_rows() {
-    ${MAKE:-make} -s --no-print-directory check-avr-plan > "$build/avr.out" 2>&1
-    said() { sed -n "s/^[okFAIL ]* $1 *\([0-9.]*\).*/\1/p" "$build/avr.out"; }
-    chip=$(sed -n 's/.* planned on an \([a-z0-9]*\) .*/\1/p' "$build/avr.out")
-    row "ATmega328P: CPU while planning the outline at 3000 mm/min, %" 60 \
-        "$(said 'time of planning over the time of the motion' | awk '{ print $1 * 100 }')" \
-        "on an ${chip:-AVR: make check-avr-plan}"
-    row "ATmega328P: bytes of RAM for the planner" \
-        900 "$(said 'RAM of the planner: plan, 2 curves, 6 pieces')" "plan, 2 curves, 6 pieces"
-    row "ATmega328P: bytes of flash, planning alone" 32768 "$(said flash)"
-    row "ATmega328P: time / (L / v + v / a)" \
-        1.02 "$(said 'time over length \/ speed + speed \/ acceleration')"
-}
-
 cortex_rows() { # instructions, for the README
     sh tests/bench/bench_motion_cortex.sh "$build" > "$build/cortex.out" ||
         { row "instructions on Cortex-M0 and M4" 0 "" "make deps-target"; return; }
@@ -191,7 +176,7 @@ property_rows() {
 
 printf '%-66s %10s %12s  %-6s %s\n' what "at most" measured "" "where"
 lists
-for rows in ${ROWS:-table limits deviation time jerk same outline chip cortex property}; do
+for rows in ${ROWS:-table limits deviation time jerk same outline cortex property}; do
     ${rows}_rows
 done
 echo "$passed passed, $failed failed"

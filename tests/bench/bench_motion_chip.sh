@@ -51,12 +51,12 @@ for what; do
     mkdir -p "$out"
     chain_of "$list" > "$out/chain.h"
     flags="-mthumb -mcpu=$cpu -O2 -std=c99 -ffreestanding -ffunction-sections"
-    flags="$flags -DLOFT_TRAJECTORY_EFFORT=1 ${CHIP_FLAGS:-}"
+    flags="$flags -DLOFT_PLAN_EFFORT=1 ${CHIP_FLAGS:-}"
     flags="$flags -Ilib -Itests/target -I$out -DLOFT_AXES=3 $limits -DMOVES=$moves -DKNOTS=$knots"
     [ -s "$dir/$cpu/done" ] || library $cpu "$flags"
     arm-none-eabi-gcc $flags -nostdlib -Wl,--gc-sections -Wl,--no-warn-rwx-segments \
         -T tests/target/netduino.ld tests/target/microbit.c tests/target/semihost.S \
-        tests/target/trajectory.c "$dir/$cpu"/*.o -lgcc -o "$out/plan.elf"
+        tests/target/plan.c "$dir/$cpu"/*.o -lgcc -o "$out/plan.elf"
     timeout 600 qemu-system-arm -M netduinoplus2 -nographic -monitor none -serial none \
         -icount shift=0 -semihosting-config enable=on,target=native ${QEMU_FLAGS:-} \
         -kernel "$out/plan.elf" > "$out/said" 2>&1 || { cat "$out/said"; exit 1; }

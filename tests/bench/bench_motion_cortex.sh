@@ -15,7 +15,7 @@ for core in cortex-m0 cortex-m4; do
     for jerk in 0 10000; do
         arm-none-eabi-gcc -mthumb -mcpu=$core -O2 -std=c99 -ffreestanding -nostdlib \
             -ffunction-sections -Wl,--gc-sections \
-            -Ilib -Itests/target -I"$dir" -DLOFT_AXES=3 -DJERK=$jerk -DMOVES=4 -DPIECES=32 \
+            -Ilib -Itests/target -I"$dir" -DLOFT_AXES=3 -DJERK=$jerk -DMOVES=4 -DKNOTS=176 \
             -T tests/target/netduino.ld tests/target/microbit.c tests/target/semihost.S \
             tests/target/motion.c lib/num/*.c lib/geom/*.c lib/basis/*.c lib/curve/*.c \
             lib/motion/*.c lib/machine/pace.c lib/machine/step.c -lgcc \

@@ -29,7 +29,7 @@ static void random_cubic(uint64_t seed, double box)
 int main(int words, char **word)
 {
     const unsigned cubics = words > 2 ? (unsigned)atoi(word[2]) : 2000;
-    const arrival all = { CURVES, PIECES, NULL };
+    const arrival all = { CURVES, KNOTS, NULL };
     double worst = 0;
     unsigned seed_of = 0;
 

@@ -26,11 +26,10 @@ static void take(int kind, double value, const char *name)
     snprintf(where[kind], sizeof where[kind], "%s", name);
 }
 
-/* `corners`: without a jerk limit, a corner may be passed with more than the acceleration.
- * `follow`: also measure the distance from the path. */
-static void measure(const char *name, bool corners, bool follow)
+/* `follow`: also measure the distance from the path. */
+static void measure(const char *name, bool follow)
 {
-    const arrival all = { CURVES, CURVES * 8, NULL };
+    const arrival all = { CURVES, KNOTS, NULL };
     const enum outcome o = plan_chain(&all);
 
     if (o != PLANNED || (count > 0 && !spans_connect())) {
@@ -40,8 +39,7 @@ static void measure(const char *name, bool corners, bool follow)
     }
     const motion_uses u = uses_of_spans(arb_value(limits.max_speed[0]));
     take(SPEED, u.speed, name);
-    if (!corners || limits.max_jerk[0] > 0 || !(limits.corner > 0))
-        take(ACCEL, u.accel, name);
+    take(ACCEL, u.accel, name);
     take(JERK, u.jerk, name);
     take(JUMP, u.jump, name);
     if (!follow || count == 0)
@@ -58,14 +56,14 @@ static void measure_chains(unsigned chains)
     for (unsigned seed = 1; seed <= chains; seed++) {
         snprintf(name, sizeof name, "smooth-seed-%u", seed);
         smooth_path(seed, seed % 2 > 0);
-        measure(name, false, seed % 4 < 2);
+        measure(name, seed % 4 < 2);
         arb a = arb_start(seed);
         snprintf(name, sizeof name, "any-seed-%u", seed);
         arb_limits(&a);
         if (seed % 2 > 0)
             arb_jerk(&a);
         arb_chain(&a);
-        measure(name, true, seed % 4 < 2);
+        measure(name, seed % 4 < 2);
     }
 }
 
@@ -76,7 +74,7 @@ int main(int words, char **word)
     for (unsigned k = 0; k < TEST_PATHS; k++) {
         if (!load_path(&test_paths[k], word[1]))
             return 66;
-        measure(test_paths[k].name, strcmp(test_paths[k].drawing, "outline12") != 0, true);
+        measure(test_paths[k].name, true);
     }
     measure_chains(words > 2 ? (unsigned)atoi(word[2]) : 0);
     for (int k = 0; k < KINDS_OF_USE; k++)

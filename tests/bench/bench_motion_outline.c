@@ -39,7 +39,7 @@ static void cruise(double length, double skip, double *least, double *most)
 
 int main(int words, char **word)
 {
-    const arrival all = { CURVES, CURVES * 8, NULL };
+    const arrival all = { CURVES, KNOTS, NULL };
     double length = 0, least, most;
 
     if (words < 2 || !load_path(&test_paths[0], word[1]) || plan_chain(&all) != PLANNED ||

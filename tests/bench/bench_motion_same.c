@@ -81,7 +81,7 @@ static void compare(const char *folder, const char *name)
 
 static void plan(const char *folder, const char *name)
 {
-    const arrival all = { CURVES, CURVES * 8, NULL };
+    const arrival all = { CURVES, KNOTS, NULL };
 
     if (plan_chain(&all) != PLANNED || count == 0)
         return;

@@ -1,17 +1,17 @@
-# tests/bench/bench_motion_table.sh -- rows of bench_motion.sh: lib/motion/trajectory.h at the hard
-# end, on machines with 100 and 200 mm/s
+# tests/bench/bench_motion_table.sh -- rows of bench_motion.sh: plans at the hard end, on machines
+# with 100 and 200 mm/s
 # SPDX-License-Identifier: MIT
 #
 # It is sourced. A row without a number is a promise that nothing measures yet.
 
 table_machines="A:100:500:10000 B:200:3000:100000 C:100:2000:40000 D:100:500:0"
 
-# measured NUM TOL KNOTS MACHINE LIST.. > rows of bench_motion_trajectory.c
+# measured NUM TOL KNOTS MACHINE LIST.. > rows of bench_motion_lists.c
 measured() {
     local num=$1 tol=$2 knots=$3 machine=$4; shift 4
     local v=${machine#*:}; local a=${v#*:}; local j=${a#*:}
     (cd "$build/lists" &&
-        "$table_bin/trajectory-$num" ${v%%:*} ${a%%:*} "$j" "$tol" "$knots" "$@") |
+        "$table_bin/lists-$num" ${v%%:*} ${a%%:*} "$j" "$tol" "$knots" "$@") |
         sed '/^list /d; /^sum /d'
 }
 # largest COLUMN PATTERN FILE..: the value, and the list that has it

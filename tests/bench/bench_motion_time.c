@@ -4,7 +4,7 @@
  * usage: time FOLDER [CHAINS]      FOLDER holds lists of moves; CHAINS random smooth ones as well
  *
  * Prints `accel NAME PLAN LEAST` if jerk is not limited. If it is, prints `jerk NAME PLAN` and
- * writes FOLDER/NAME.path for topp_jerk.py. Prints `rest LENGTH PLAN LEAST BEAT` for lines from
+ * writes FOLDER/NAME.path for topp_jerk.py. Prints `rest LENGTH PLAN LEAST PERIOD` for lines from
  * rest to rest. All in seconds.
  */
 #define CURVES 64
@@ -94,7 +94,7 @@ static void write_path(const char *folder, const char *name)
 
 static void measure(const char *folder, const char *name)
 {
-    const arrival all = { CURVES, PIECES, NULL };
+    const arrival all = { CURVES, KNOTS, NULL };
 
     if (plan_chain(&all) != PLANNED || count == 0)
         return;
@@ -136,17 +136,17 @@ static void measure_line(double length, double v, double accel)
 {
     const double d[LOFT_AXES] = { 1 }, e[LOFT_AXES] = { 0, 1 },
                  u[4] = { 0, length / 3, length * 2 / 3, length }, w[4] = { 0 };
-    const arrival all = { CURVES, PIECES, NULL };
-    loft_budget b;
+    const arrival all = { CURVES, KNOTS, NULL };
+    loft_period p;
 
     even_limits(1000, accel, 20 * accel);
     begin_chain();
     add_curve(d, e, u, w, v);
     if (plan_chain(&all) != PLANNED)
         return;
-    loft_budget_init(&b, &limits);
+    loft_period_init(&p, &limits);
     printf("rest %g-mm-at-%g-mm/s-%g-mm/s2 %.6f %.6f %.6f\n", length, v, accel, seconds(),
-           least_time(length, v, accel, 20 * accel), (double)b.beat / b.tick_hz);
+           least_time(length, v, accel, 20 * accel), (double)p.ticks / p.tick_hz);
 }
 
 static void measure_lines(void)

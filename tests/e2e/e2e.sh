@@ -307,8 +307,6 @@ case_a_machine_that_does_not_plan() {
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/plain"; says out 'as commanded$'
     machine able --speed fast
     one_line 64 'give host or chip' "$loft" stream "$tmp/small.csv" --port "$tmp/able" --plan moon
-    one_line 78 'knows no limit of its own across' "$loft" stream "$tmp/small.csv" \
-        --port "$tmp/able" --plan chip --across 900
     one_line 64 'takes curves'      "$loft" stream "$tmp/small.csv" --port "$tmp/able" --plan chip \
         --points
     run 0 "$loft" stream "$tmp/small.csv" --plan chip --dry-run; says out ' 17 curves, path within'
@@ -404,7 +402,7 @@ case_abort_by_key() {
         "${slowly[@]}" >"$tmp/out" 2>&1
     [ $? = 75 ] || job_fails "exit code is not 75"
     gone "$machine"
-    says out 'aborted after [0-9]* of [0-9]* items: the machine is stopped on the path at'
+    says out 'aborted after [0-9]* of .*[0-9]* items: the machine is stopped on the path at'
     counted aborted
 }
 case_interrupt_holds_and_the_same_command_goes_on() {
@@ -413,7 +411,7 @@ case_interrupt_holds_and_the_same_command_goes_on() {
     "$pty" type "$tmp/stopped.log" "1.2:^C" "$loft" stream "$tmp/small.csv" --port "$tmp/stopped" \
         "${slowly[@]}" >"$tmp/out" 2>&1
     [ $? = 75 ] || job_fails "exit code is not 75"
-    says out 'held at item [0-9]* of [0-9]*: the machine is stopped on the path at'
+    says out 'held at item [0-9]* of .*[0-9]*: the machine is stopped on the path at'
     until_log stopped held
     local said held
     said=$(sed -n 's/.*mm, steps \(-\?[0-9]* -\?[0-9]* -\?[0-9]*\);.*/\1/p' "$tmp/out")
@@ -470,7 +468,9 @@ case_long_drawing_killed_goes_on() {
     local planned
     planned=$(sed -n 's/.* \([0-9.]*\) s, [0-9]* spans.*/\1/p' "$tmp/out")
     machine calm --speed fast --once; run 0 "${job[@]}" --port "$tmp/calm"; gone "$machine"
-    says out "[^0-9]$planned s machine time"
+    # each is rounded to 0.1 s
+    sed -n 's/.* \([0-9.]*\) s machine time.*/\1/p' "$tmp/out" | awk -v p="$planned" '
+        { exit !(p - $1 < 0.11 && $1 - p < 0.11) }' || job_fails "not $planned s: $(cat "$tmp/out")"
     machine cut --speed real --once; drawing_on=cut; job+=(--port "$tmp/cut")
     for pause in 0.7 0.4; do cut_off $pause; done
     run 0 "${job[@]}"
@@ -540,7 +540,7 @@ case_a_closed_limit_ends_a_job_and_lets_none_begin() {
     for m in q16 f64; do
         machine $m --speed fast --num $m --limits x+=40,y-=-300
         local ended='the limit switch of x at its high end closed and ended the job after'
-        one_line 75 "$ended [0-9]* of [0-9]* items: .* at [34][0-9]\..*--away" \
+        one_line 75 "$ended [0-9]* of .*[0-9]* items: .* at [34][0-9]\..*--away" \
             "$loft" stream "$tmp/small.csv" --port "$tmp/$m"; counted $m err
         run 0 "$loft" ports "$tmp/$m"; says out '	closed: the limit switch of x at its high end$'
         for how in "" --points "--plan chip"; do

@@ -192,7 +192,7 @@ links_and_objects="lib libraries tools test-tools test-axes test-e2e
     build/bench/bench3 build/bench/motion/time-q16 build/bench/motion/moves build/loft-gpio
     build/target/gpio/guest build/target/gpio/loft-gpio-memory
     build/target/stores.so build/target/bad_line build/target/chip build/target/trials
-    build/target/rate build/target/bench_line build/target/plan build/target/plan_chip"
+    build/target/rate build/target/bench_line"
 flags_that_are_missing() {
     make -n -B V=1 CC=given-cc CXX=given-cc CPPFLAGS=-DGIVEN CFLAGS=-fgiven CXXFLAGS=-fgiven \
         LDFLAGS=-Lgiven $links_and_objects 2>&1 |

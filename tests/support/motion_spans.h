@@ -10,16 +10,16 @@
 #ifndef SPANS
 #  define SPANS 200000
 #endif
-#define PIECES (CURVES * 96)
+#define KNOTS 400           /* of a plan that sees far ahead */
 
 static loft_span spans[SPANS];
 static unsigned  count;
 
-/* How curves arrive: rings of this many curves and pieces. `piecemeal` draws how many are pushed
+/* How curves arrive: room for this many curves and knots. `piecemeal` draws how many are pushed
  * and taken at a time, and when the plan is told that no curve comes in time. NULL: push all that
  * fit, then take all spans. */
 typedef struct {
-    uint16_t moves, pieces;
+    uint16_t moves, knots;
     arb     *piecemeal;
 } arrival;
 
@@ -32,12 +32,12 @@ static const char *const outcome_name[] = { "planned", "refused", "stuck", "endl
 static inline enum outcome plan_chain(const arrival *how)
 {
     static loft_move  ring[CURVES];
-    static loft_plan_piece pieces[PIECES];
+    static loft_knot  knots[KNOTS];
     static loft_plan  plan;
     unsigned next = 0, idle = 0;
 
     count = 0;
-    if (loft_plan_init(&plan, &limits, ring, how->moves, pieces, how->pieces) != LOFT_OK)
+    if (loft_plan_init(&plan, &limits, ring, how->moves, knots, how->knots) != LOFT_OK)
         return REFUSED;
     while (idle < 100) {
         enum loft_plan_state state = LOFT_PLAN_SPAN;

@@ -5,8 +5,6 @@
  * Per axis, over the time of a span, velocity is a parabola, acceleration is linear, jerk is
  * constant. The square of the speed along the path is a polynomial of degree 4. Its control values
  * bound it, and halving makes the bound as tight as needed.
- *
- * The part due to rounding is subtracted, as plan.h states it: half an LSB per control value.
  */
 #ifndef LOFT_TESTS_MOTION_USES_H
 #define LOFT_TESTS_MOTION_USES_H
@@ -19,10 +17,10 @@ typedef struct {
     double   jump;                      /* of the acceleration from span to span */
 } motion_uses;
 
-#ifndef GRAIN_OF
-#  define GRAIN_OF(size) BY_NUM(0x1p-16, ((size) + 1) * 0x1p-23, ((size) + 1) * 0x1p-52)
-#  define JUMP_GRAINS(g) (12 * (g))
-#endif
+/* Spans are exact, but in f32: no part of a limit is left to rounding. */
+#define GRAIN_OF(size) BY_NUM(0, ((size) + 1) * 0x1p-23, 0)
+/* Their control points are multiples of 2^-16 mm: acceleration jumps by that. */
+#define JUMP_GRAINS(g) (12 * 0x1p-16 + 12 * (g))
 
 static inline double grain(void)
 {

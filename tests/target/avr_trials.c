@@ -77,7 +77,7 @@ static int plan_job(const char *file, uint32_t most)
 {
     static loft_plan plan;
     static loft_move moves[16];
-    static loft_plan_piece pieces[16 * LOFT_PLAN_PIECES];
+    static loft_knot knots[400];
     loft_limits limits = { .tol = LOFT_REAL(0.005), .corner = LOFT_REAL(0.01), .tick_hz = 1000 };
     FILE *f = fopen(file, "r");
     char line[400];
@@ -89,7 +89,7 @@ static int plan_job(const char *file, uint32_t most)
         limits.max_accel[i] = LOFT_REAL(500);
     }
     if (f == NULL ||
-        loft_plan_init(&plan, &limits, moves, 16, pieces, 16 * LOFT_PLAN_PIECES) != LOFT_OK)
+        loft_plan_init(&plan, &limits, moves, 16, knots, 400) != LOFT_OK)
         return 1;
     for (uint32_t n = 0; n < most && fgets(line, sizeof line, f);) {
         loft_move move = { .feed = LOFT_REAL(50) };

@@ -8,7 +8,7 @@ HOST_SHARE ?= 1000
 HOSTS      := build/hosts
 HOST_UNITS := $(filter-out $(UNITS_LEFT),$(TESTS))      # as units.py says
 # Linux has an abort of its own
-HOST_UNIT_FLAGS = $(subst -DLOFT_PLAN_FLOW=0,,$(UNIT_FLAGS)) -Dabort=unit_abort
+HOST_UNIT_FLAGS = $(UNIT_FLAGS) -Dabort=unit_abort
 
 # host_set NAME, number type, processor, clang's flags of it, gcc's
 define host_set

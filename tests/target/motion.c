@@ -2,7 +2,7 @@
  * instructions
  * SPDX-License-Identifier: MIT
  *
- * With microbit.c, netduino.ld, -DJERK=mm/s^3 (0: not limited), -DMOVES= and -DPIECES= (the rings).
+ * With microbit.c, netduino.ld, -DJERK=mm/s^3 (0: not limited), -DMOVES= and -DKNOTS=.
  * `outline.h` is `static const int32_t outline[12][4][2]`, raw Q16.16 (outline_array.sh). Prints
  * `name number` lines: curves, spans, ticks; the cost of planning, of the most expensive call, of
  * ticks, of the most expensive tick, of slots.
@@ -19,7 +19,7 @@ void debugger_put(char c);
 int  main(void);
 
 static loft_move       moves[MOVES];
-static loft_plan_piece pieces[PIECES];
+static loft_knot knots[KNOTS];
 static loft_plan       plan;
 static loft_step       step;
 
@@ -94,7 +94,7 @@ int main(void)
         limits.max_jerk[i]  = JERK;
     }
     meter_start();
-    if (loft_plan_init(&plan, &limits, moves, MOVES, pieces, PIECES) != LOFT_OK ||
+    if (loft_plan_init(&plan, &limits, moves, MOVES, knots, KNOTS) != LOFT_OK ||
         loft_step_init(&step, origin) != LOFT_OK)
         return 1;
     while (next < 12 || state == LOFT_PLAN_SPAN) {
@@ -123,6 +123,6 @@ int main(void)
     say_line(debugger_put, "tick_worst", tick_worst);
     say_wide(debugger_put, "slotting", slotting);
     say_line(debugger_put, "slots", slots);
-    say_line(debugger_put, "plan_bytes", sizeof plan + sizeof moves + sizeof pieces);
+    say_line(debugger_put, "plan_bytes", sizeof plan + sizeof moves + sizeof knots);
     return step.position[0] == 0 && step.position[1] == 0 ? 0 : 1;
 }

@@ -1,178 +1,132 @@
-/* tests/target/plan.c -- plans the outline of 12 cubics: on an emulated chip, and on the host for
- * comparison
+/* tests/target/plan.c -- the cost of planning a chain on a Cortex-M, in instructions
  * SPDX-License-Identifier: MIT
  *
- * The chip reports each span to the emulator (plan_chip.c) by writes to GPIOR0, which cost two
- * cycles each. The host prints the spans, and then a comparison with the path.
+ * With microbit.c, netduino.ld, -DSPEED= -DACCEL= -DJERK= (mm, s), -DKNOTS= -DMOVES= (the rings).
+ * `chain.h` is `static const int32_t chain[][4][2]`, raw Q16.16. Prints `name number` lines: spans,
+ * microseconds of motion; the cost of planning and of the most expensive call; bytes.
  */
-#include "motion/plan.h"    /* loft_plan */
 
-#define CURVES 12
-#define PIECES 6
-#define FEED   50       /* mm/s   */
-#define ACCEL  500      /* mm/s^2 */
+#include "meter.h"              /* meter_start, meter_now       */
+#include "motion/plan.h"  /* loft_plan                    */
+#include "say.h"                /* say_line                     */
 
-#if defined(__AVR__)
-#  include <avr/interrupt.h>
-#  include <avr/io.h>
-#  include <avr/pgmspace.h>
-#  include <avr/sleep.h>
-#  define TOLD(x) (GPIOR0 = (x))
-#else
-#  include <math.h>
-#  include <stdio.h>
-#  define PROGMEM
-#  define pgm_read_dword(at) (*(at))
-#endif
+#include "chain.h"              /* chain: after what it is made of */
 
-static const int32_t outline[CURVES][4][2] PROGMEM = {
-#include "outline12.inc"
-};
+#define CURVES (sizeof chain / sizeof chain[0])
+#define TICK_HZ 1000
+#define STACK 1024              /* words below the stack pointer that are looked at */
+#define UNUSED 0x5a5a5a5au
 
-loft_plan plan;
-loft_move moves[2];
-loft_plan_piece pieces[PIECES];
-loft_span span;
+void debugger_put(char c);
+int  main(void);
 
-static loft_cubic curve_at(unsigned n)
+static loft_move       moves[MOVES];
+static loft_knot       knots[KNOTS];
+static loft_plan       plan;
+
+static loft_vec last;           /* where the last span ends */
+static uint64_t planning;       /* a sum may exceed 2^32 */
+static uint32_t worst, ticks, calls, spans, empty;
+
+static void take(uint32_t start)
 {
-    loft_cubic c = { .p = { { .axis = { 0 } } } };
+    const uint32_t cost = meter_since(start) - empty;
+
+    planning += cost;
+    worst = cost > worst ? cost : worst;
+    calls++;
+}
+
+static loft_move curve(unsigned c)
+{
+    loft_move m = { .feed = LOFT_REAL(SPEED) };
 
     for (int k = 0; k < 4; k++)
-        for (int i = 0; i < 2 && i < LOFT_AXES; i++)
-            c.p[k].axis[i] = (int32_t)pgm_read_dword(&outline[n][k][i]);
-    return c;
+        for (int i = 0; i < 2; i++)
+            m.curve.p[k].axis[i] = chain[c][k][i];
+    return m;
 }
 
-static void set_limits(loft_limits *l)
+static volatile uint32_t *stack_low(void)
 {
-    *l = (loft_limits){ .tol = LOFT_REAL(0.005), .tick_hz = 1000 };
-    for (int i = 0; i < LOFT_AXES; i++) {
-        l->max_speed[i] = LOFT_REAL(160);
-        l->max_accel[i] = LOFT_REAL(ACCEL);
-    }
+    uint32_t here;
+    volatile uint32_t *at = &here;
+    return at - STACK;
 }
 
-/* Plan all spans, one after the other, as for a machine without a queue. */
-static void plan_outline(void (*take)(void))
+static __attribute__((noinline)) void paint_stack(void)
 {
+    volatile uint32_t *low = stack_low();
+
+    for (int k = 0; k < STACK - 32; k++)
+        low[k] = UNUSED;
+}
+
+static __attribute__((noinline)) uint32_t used_stack(void)
+{
+    volatile uint32_t *low = stack_low();
+    unsigned k = 0;
+
+    while (k < STACK && low[k] == UNUSED)
+        k++;
+    return (uint32_t)(STACK - k) * 4;
+}
+
+/* As a machine does whose queue always has room. */
+static void plan_chain(void)
+{
+    enum loft_plan_state state = LOFT_PLAN_SPAN;
     unsigned next = 0;
+    loft_span span;
 
-    for (;;) {
-        loft_move m = { .feed = LOFT_REAL(FEED) };
+    while (next < CURVES || state != LOFT_PLAN_REST) {
         while (next < CURVES && loft_plan_room(&plan) > 0) {
-            m.curve = curve_at(next);
+            const loft_move m = curve(next);
+            const uint32_t start = meter_now();
             if (loft_plan_push(&plan, &m) != LOFT_OK)
                 return;
             next++;
+            if (next == CURVES)
+                loft_plan_end(&plan);
+            take(start);
         }
-        if (next == CURVES)
-            loft_plan_end(&plan);
-        const enum loft_plan_state state = loft_plan_next(&plan, &span);
+        const uint32_t start = meter_now();
+        state = loft_plan_next(&plan, &span);
+        take(start);
+        spans += state == LOFT_PLAN_SPAN;
+        ticks += state == LOFT_PLAN_SPAN ? span.ticks : 0u;
         if (state == LOFT_PLAN_SPAN)
-            take();
-        else if (next == CURVES)
-            return;
-    }
-}
-
-#if defined(__AVR__)
-
-static void take(void) { TOLD(1); }
-
-int main(void)
-{
-    loft_limits l;
-
-    set_limits(&l);
-    if (loft_plan_init(&plan, &l, moves, 2, pieces, PIECES) != LOFT_OK)
-        TOLD(3);
-    TOLD(2);
-    plan_outline(take);
-    cli();
-    sleep_enable();
-    sleep_cpu();
-    return 0;
-}
-
-#else
-
-#define SAMPLES 256
-
-static double line[CURVES * SAMPLES + 1][2], worst;
-static uint32_t ticks, spans;
-
-static double bezier(const double p[4], double t)
-{
-    const double u = 1 - t;
-    return u * u * u * p[0] + 3 * u * u * t * p[1] + 3 * u * t * t * p[2] + t * t * t * p[3];
-}
-
-/* The outline as chords within 2e-5 mm. Returns its length. */
-static double set_line(void)
-{
-    double length = 0;
-
-    for (unsigned n = 0; n <= CURVES * SAMPLES; n++) {
-        const unsigned c = n < CURVES * SAMPLES ? n / SAMPLES : CURVES - 1;
-        for (int i = 0; i < 2; i++) {
-            double p[4];
-            for (int k = 0; k < 4; k++)
-                p[k] = outline[c][k][i] / 65536.0;
-            line[n][i] = bezier(p, (double)(n - c * SAMPLES) / SAMPLES);
-        }
-        length += n > 0 ? hypot(line[n][0] - line[n - 1][0], line[n][1] - line[n - 1][1]) : 0;
-    }
-    return length;
-}
-
-static double distance_from_line(double x, double y)
-{
-    double least = 1e9;
-
-    for (unsigned n = 0; n < CURVES * SAMPLES; n++) {
-        const double dx = line[n + 1][0] - line[n][0], dy = line[n + 1][1] - line[n][1];
-        const double t = fmin(
-            1, fmax(0, ((x - line[n][0]) * dx + (y - line[n][1]) * dy) / (dx * dx + dy * dy)));
-        least = fmin(least, hypot(line[n][0] + t * dx - x, line[n][1] + t * dy - y));
-    }
-    return least;
-}
-
-static void take(void)
-{
-    double at[2];
-
-    spans++;
-    ticks += span.ticks;
-    printf("%d", (int)span.ticks);
-    for (int k = 0; k < 4; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            printf(" %ld", (long)span.p[k].axis[i]);
-    printf("\n");
-    for (int n = 1; n <= 4; n++) {
-        for (int i = 0; i < 2; i++) {
-            double p[4];
-            for (int k = 0; k < 4; k++)
-                p[k] = span.p[k].axis[i] / 65536.0;
-            at[i] = bezier(p, n / 4.0);
-        }
-        worst = fmax(worst, distance_from_line(at[0], at[1]));
+            last = span.p[3];
     }
 }
 
 int main(void)
 {
-    const double least = set_line() / FEED + (double)FEED / ACCEL;
-    loft_limits l;
+    loft_limits limits = { .tol = LOFT_REAL(0.005), .tick_hz = TICK_HZ };
+    uint32_t start;
 
-    set_limits(&l);
-    if (loft_plan_init(&plan, &l, moves, 2, pieces, PIECES) != LOFT_OK)
+    for (int i = 0; i < LOFT_AXES; i++) {
+        limits.max_speed[i] = LOFT_REAL(SPEED);
+        limits.max_accel[i] = LOFT_REAL(ACCEL);
+        limits.max_jerk[i]  = JERK;
+    }
+    meter_start();
+    start = meter_now();
+    empty = meter_since(start);
+    if (loft_plan_init(&plan, &limits, moves, MOVES, knots, KNOTS) != LOFT_OK)
         return 1;
-    plan_outline(take);
-    fprintf(stderr, "spans %u\nticks %u\nratio %.4f\ndeviation %.6f\n", (unsigned)spans,
-            (unsigned)ticks, ticks / 1000.0 / least, worst);
-    return 0;
+    paint_stack();
+    plan_chain();
+    say_line(debugger_put, "curves", CURVES);
+    say_line(debugger_put, "spans", spans);
+    say_line(debugger_put, "ticks", ticks);
+    say_line(debugger_put, "calls", calls);
+    say_wide(debugger_put, "planning", planning);
+    say_line(debugger_put, "worst", worst);
+    say_line(debugger_put, "stack", used_stack());
+    say_line(debugger_put, "bytes_plan", sizeof plan);
+    say_line(debugger_put, "bytes_knots", sizeof knots);
+    say_line(debugger_put, "bytes_moves", sizeof moves);
+    return last.axis[0] == chain[CURVES - 1][3][0] && last.axis[1] == chain[CURVES - 1][3][1] ? 0
+                                                                                              : 1;
 }
-
-#endif

@@ -10,7 +10,7 @@ builder.cdef('''
     typedef struct { ...; } loft_forward;
     typedef struct { ...; } loft_flatten;
     typedef struct { ...; } loft_plan;
-    typedef struct { ...; } loft_plan_piece;
+    typedef struct { ...; } loft_knot;
     typedef struct { ...; } loft_span;
     typedef struct { loft_cubic curve; double feed; ...; } loft_move;
     typedef struct {
@@ -27,7 +27,7 @@ builder.cdef('''
     int loft_flatten_init(loft_flatten *, const loft_cubic *, double);
     bool loft_flatten_next(loft_flatten *, loft_vec *);
     int loft_plan_init(loft_plan *, const loft_limits *, loft_move *, uint16_t,
-                       loft_plan_piece *, uint16_t);
+                       loft_knot *, uint16_t);
     int loft_plan_push(loft_plan *, const loft_move *);
     void loft_plan_end(loft_plan *);
     int loft_plan_next(loft_plan *, loft_span *);
@@ -41,7 +41,6 @@ builder.cdef('''
     #define LOFT_ERR_SPACE ...
     #define LOFT_PLAN_SPAN ...
     #define LOFT_PLAN_REST ...
-    #define LOFT_PLAN_PIECES ...
 ''')
 builder.set_source('loft._loft', r'''
     #include "loft.h"

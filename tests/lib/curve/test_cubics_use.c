@@ -17,7 +17,7 @@ typedef struct {
 static sample curved;
 static loft_move moves[MOVES];
 static loft_move ring[8];
-static loft_plan_piece pieces[8 * LOFT_PLAN_PIECES];
+static loft_knot knots[160];
 static unsigned count;
 
 static place point_at(long double t)
@@ -189,7 +189,7 @@ static void plans_stay_within_the_sum_of_both_tolerances(arb *a)
     }
     for (int j = 0; j <= LOOKS; j++)
         looks[j] = point_at(j / (long double)LOOKS);
-    CHECK(loft_plan_init(&plan, &limits, ring, 8, pieces, 8 * LOFT_PLAN_PIECES) == LOFT_OK);
+    CHECK(loft_plan_init(&plan, &limits, ring, 8, knots, 160) == LOFT_OK);
     for (int j = 0; !check_bad && next_span(&plan, &pushed, &span); ) {
         place w;
         long double best = HUGE_VALL;

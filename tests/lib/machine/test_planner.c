@@ -11,21 +11,20 @@
 
 #define CELLS 16
 #define SPANS 1500
+#define KNOTS 176       /* as a chip has */
 
 static loft_move       moves[CURVES];
-static loft_plan_piece pieces[CURVES * 96];
+static loft_knot       knots[KNOTS];
 static uint16_t        passed[CELLS + LOFT_PLANNER_AHEAD];
 static loft_planner    planner;
 static loft_item       items[CURVES], spans[SPANS];
 static path            track;
 
-static loft_planner_memory memory_of(uint16_t move_room, uint16_t piece_room)
+static loft_planner_memory memory_of(uint16_t move_room)
 {
-    return (loft_planner_memory){ .moves = moves,
-                                  .pieces = pieces,
-                                  .passed = passed,
-                                  .move_room = move_room,
-                                  .piece_room = piece_room };
+    return (loft_planner_memory){
+        .moves = moves, .knots = knots, .passed = passed, .move_room = move_room, .knot_room = KNOTS
+    };
 }
 
 /* The chain as a job; its feeds become whole mm/min. */
@@ -89,11 +88,11 @@ static double begin_of(unsigned curve)
     return track.length;
 }
 
-/* A span's end lies behind the curves that are told, and hardly more than a beat into what is
- * not. */
+/* A span's end lies behind the curves that are told, and hardly more than a period into what
+ * is not. */
 static void check_told(const loft_item *span, unsigned told, unsigned *at)
 {
-    const double late = 6 * arb_value(planner.plan.law.course.budget.pulse) * 500;
+    const double late = 3.0 * planner.plan.period.ticks / planner.plan.period.tick_hz * 500;
     double end[LOFT_AXES];
 
     for (int i = 0; i < LOFT_AXES; i++)
@@ -107,7 +106,7 @@ static void check_told(const loft_item *span, unsigned told, unsigned *at)
 static void curves_are_told_when_they_are_behind(arb *a)
 {
     const uint16_t room = (uint16_t)(8 + arb_below(a, CURVES - 8));
-    const loft_planner_memory memory = memory_of(room, (uint16_t)(room * LOFT_PLAN_PIECES));
+    const loft_planner_memory memory = memory_of(room);
     int32_t start[LOFT_AXES];
     unsigned next = 0, given = 0, at = 0;
     uint32_t told = 0;
@@ -145,8 +144,8 @@ static void the_spans_are_those_of_the_plan(arb *a)
 {
     static loft_plan plan;
     static loft_move ring[CURVES];
-    static loft_plan_piece cut[CURVES * 96];
-    const loft_planner_memory memory = memory_of(CURVES, CURVES * 96);
+    static loft_knot ahead[KNOTS];
+    const loft_planner_memory memory = memory_of(CURVES);
     enum loft_plan_state state = LOFT_PLAN_SPAN;
     int32_t start[LOFT_AXES];
     unsigned given = 0;
@@ -162,7 +161,7 @@ static void the_spans_are_those_of_the_plan(arb *a)
         limits.max_accel[i] = loft_real_from_raw(l.axis[i].max_accel);
     }
     limits.corner = loft_real_from_raw(l.corner);
-    CHECK(loft_plan_init(&plan, &limits, ring, CURVES, cut, CURVES * 96) == LOFT_OK);
+    CHECK(loft_plan_init(&plan, &limits, ring, CURVES, ahead, KNOTS) == LOFT_OK);
     CHECK(loft_planner_init(&planner, &memory, CELLS) == LOFT_OK &&
           loft_planner_begin(&planner, &machine, &l, start) == LOFT_OK);
     for (unsigned n = 0; n < curves; n++)
@@ -183,7 +182,7 @@ static void the_spans_are_those_of_the_plan(arb *a)
 /* The planner's limits are the lower of those of the machine and of the job. */
 static void the_lower_limit_holds(arb *a)
 {
-    const loft_planner_memory memory = memory_of(8, 64);
+    const loft_planner_memory memory = memory_of(8);
     const double line[2][4] = { { 0, 200, 400, 600 }, { 0, 0, 0, 0 } };
     double along[LOFT_AXES] = { 1 }, across[LOFT_AXES] = { 0 }, ticks = 0;
     const int which = (int)arb_below(a, 4);         /* who sets the speed, and the acceleration */
@@ -210,7 +209,7 @@ static void the_lower_limit_holds(arb *a)
 
 static void impossible_jobs_are_refused(arb *a)
 {
-    loft_planner_memory memory = memory_of(8, 64);
+    loft_planner_memory memory = memory_of(8);
     int32_t start[LOFT_AXES] = { 0 };
     loft_item item = { .ticks = 0 };
     (void)a;
@@ -230,6 +229,9 @@ static void impossible_jobs_are_refused(arb *a)
     l.tol = 1;
     CHECK(loft_planner_begin(&planner, &machine, &l, start) == LOFT_ERR_RANGE);
     memory.move_room = 3;
+    CHECK(loft_planner_init(&planner, &memory, CELLS) == LOFT_ERR_SPACE);
+    memory.move_room = 8;
+    memory.knot_room = LOFT_PLAN_KNOTS_MIN - 1;
     CHECK(loft_planner_init(&planner, &memory, CELLS) == LOFT_ERR_SPACE);
 }
 
@@ -272,7 +274,7 @@ static void switch_on(arb *a, uint16_t move_room)
                                       .ramp = 30,
                                       .cell = w.cell,
                                       .cells = CELLS };
-    const loft_planner_memory plan = memory_of(move_room, (uint16_t)(move_room * LOFT_PLAN_PIECES));
+    const loft_planner_memory plan = memory_of(move_room);
 
 #if LOFT_MACHINE_PLANS          /* on a chip that does not plan this is compiled, and not run */
     w.config.planner = &planner;

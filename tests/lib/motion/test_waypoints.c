@@ -9,7 +9,7 @@
 
 static loft_plan plan;
 static loft_move moves[MOVES];
-static loft_plan_piece pieces[MOVES * LOFT_PLAN_PIECES];
+static loft_knot ahead[160];
 static loft_natural_knot knots[COUNT];
 
 static const loft_limits limits = {
@@ -62,8 +62,7 @@ static void each_point_is_passed_in_turn(arb *a)
     uint32_t next = 0;
     enum loft_plan_state state;
 
-    CHECK(loft_plan_init(&plan, &limits, moves, MOVES, pieces, MOVES * LOFT_PLAN_PIECES) ==
-          LOFT_OK);
+    CHECK(loft_plan_init(&plan, &limits, moves, MOVES, ahead, 160) == LOFT_OK);
     CHECK(loft_waypoints_init(&w, &plan, p, count, LOFT_REAL(50), knots) == LOFT_OK);
     while ((state = loft_waypoints_next(&w, &s)) == LOFT_PLAN_SPAN)
         while (next < count) {
@@ -84,8 +83,7 @@ static void what_cannot_be_moved_is_refused(arb *a)
     const uint32_t count = arb_points(a, p);
     loft_waypoints w;
 
-    CHECK(loft_plan_init(&plan, &limits, moves, MOVES, pieces, MOVES * LOFT_PLAN_PIECES) ==
-          LOFT_OK);
+    CHECK(loft_plan_init(&plan, &limits, moves, MOVES, ahead, 160) == LOFT_OK);
     CHECK(loft_waypoints_init(&w, &plan, p, 1, LOFT_REAL(50), knots) == LOFT_ERR_ARG);
     CHECK(loft_waypoints_init(&w, &plan, p, count, 0, knots) == LOFT_ERR_ARG);
     CHECK(loft_waypoints_init(&w, &plan, p, count, LOFT_REAL(20000), knots) == LOFT_ERR_RANGE);

@@ -113,8 +113,8 @@ def plan(cubics, feed, speed=500, accel=2000, jerk=20000, tol=0.005, corner=0.01
     lib.py_limits(limits, *each, tol, corner, tick_hz)
     room = 64
     moves = ffi.new('loft_move[]', room)
-    pieces = ffi.new('loft_plan_piece[]', room * lib.LOFT_PLAN_PIECES)
-    _check(lib.loft_plan_init(machine, limits, moves, room, pieces, len(pieces)), 'plan: limits')
+    knots = ffi.new('loft_knot[]', 400)
+    _check(lib.loft_plan_init(machine, limits, moves, room, knots, len(knots)), 'plan: limits')
     waiting = [_points(c) for c in cubics]
     if not waiting or any(len(c) != 4 for c in waiting):
         raise ValueError('plan: give cubics, four control points each')

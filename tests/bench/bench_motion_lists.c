@@ -1,7 +1,6 @@
-/* tests/bench/bench_motion_trajectory.c -- how good the motion of lib/motion/trajectory.h is, on
- * lists of moves
+/* tests/bench/bench_motion_lists.c -- how good plans of lists of moves are
  * SPDX-License-Identifier: MIT
- * usage: trajectory SPEED ACCEL JERK TOL KNOTS LIST..   (mm/s, mm/s^2, mm/s^3 or 0, mm)
+ * usage: lists SPEED ACCEL JERK TOL KNOTS LIST..   (mm/s, mm/s^2, mm/s^3 or 0, mm)
  *
  * Prints, of each list and their sum: seconds; the largest part of speed, acceleration and jerk per
  * axis that the spans use; the distance (Frechet) over the tolerance, 1 if it is less, else the
@@ -12,7 +11,8 @@
 
 #include <time.h>           /* clock */
 
-#include "support/motion_trajectory.h"  /* plan_chain, uses_of_spans, follow_path */
+#include "support/motion_follow.h"  /* follow_path, uses_of_spans */
+#include "support/motion_paths.h"   /* even_limits, load_moves */
 
 static path track;
 
