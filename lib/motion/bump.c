@@ -23,7 +23,7 @@
  */
 #include "motion/bump.h"
 
-#include "motion/guess.h" /* LOFT_TRAJECTORY_EFFORT */
+#include "motion/guess.h" /* LOFT_PLAN_EFFORT */
 #include "num/part.h"     /* loft_part, loft_part_root */
 
 #define FULL ((int32_t)1 << 30)
@@ -134,7 +134,7 @@ static void set_drop(place *x, int32_t more)
 
 /* Little effort: a pace may be more than trebled at once, so that creeps rise soon. That is greedy:
  * the way there and the way back take times that differ by 2 %. */
-#define JUMPS (LOFT_TRAJECTORY_EFFORT < 2)
+#define JUMPS (LOFT_PLAN_EFFORT < 2)
 
 /* The part of `more` that speed allows. */
 static int32_t by_speed(int32_t pace, int32_t more, int32_t top)
