@@ -40,5 +40,5 @@ int main(void)
 
 /* prints
  *
- *     2180 ms, at rest at 60 -20 90 degrees
+ *     2170 ms, at rest at 60 -20 90 degrees
  */
