@@ -476,6 +476,9 @@ static int run_stream(const tool_command *self, int argc, char **argv)
     o.chip = strcmp(o.where, "chip") == 0;
     if (!o.chip && strcmp(o.where, "host") != 0)
         return tool_error(EX_USAGE, "--plan %s: give host or chip", o.where);
+    if (o.chip && o.p.exact >= 0)
+        return tool_error(
+            EX_USAGE, "--exact: a machine that plans does not stop at corners: give --plan host");
     if (o.chip && o.points)
         return tool_error(
             EX_USAGE, "--points: a machine that plans takes curves: leave it, or give --plan host");

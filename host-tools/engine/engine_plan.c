@@ -36,7 +36,7 @@ static bool limits_of(const engine_limits *from, loft_limits *out)
     }
     out->tick_hz = (uint16_t)from->tick_hz;
     return from->tick_hz <= UINT16_MAX && real_of(from->corner, &out->corner) &&
-           real_of(from->tol, &out->tol);
+           real_of(from->exact, &out->exact) && real_of(from->tol, &out->tol);
 }
 
 static bool move_of(const engine_plan *p, size_t n, loft_move *out)

@@ -298,7 +298,7 @@ static uint32_t limits_crc(uint32_t crc, const engine_limits *l)
 {
     for (int i = 0; i < ENGINE_AXES; i++)
         crc = crc_of(crc_of(crc_of(crc, l->max_speed[i]), l->max_accel[i]), l->max_jerk[i]);
-    return loft_crc32(crc_of(crc_of(crc, l->corner), l->tol), l->tick_hz);
+    return loft_crc32(crc_of(crc_of(crc_of(crc, l->corner), l->tol), l->exact), l->tick_hz);
 }
 
 /* All data that a plan depends on. */

@@ -15,6 +15,7 @@
 #define MAP_PART    0.2     /* of the tolerance: for the curves of nonlinear motors */
 #define TOL_MIN     (1 / 1024.0)    /* mm, of lib/motion/limits.h                */
 #define RAPID 1000.0        /* mm/s: more than any axis; so its own limits are the rapid speed */
+#define EXACT_DEGREES 5     /* a smaller turn is no corner */
 #define JERK_PER 20         /* 1/s times the acceleration: reached in 1/20 s */
 
 int planning_start(planning *p, int argc, char **argv)
@@ -25,6 +26,7 @@ int planning_start(planning *p, int argc, char **argv)
                      .travel = 100,
                      .accel = -1,
                      .jerk = -1,
+                     .exact = -1,
                      .lift = 1,
                      .smooth = -1,
                      .sheet = { .gap = PAGE_GAP },
@@ -57,6 +59,8 @@ void planning_limit(const planning *p, engine_limits *limits)
     }
     limits->corner = p->corner;
     limits->tol    = p->tol - p->smoothed;
+    limits->exact  = p->exact < 0 ? 0
+                                 : 2 * sin((p->exact > 0 ? p->exact : EXACT_DEGREES) * M_PI / 360);
 }
 
 static int within_reach(const planning *p, const drawing *d, const char *file)

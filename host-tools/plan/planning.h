@@ -23,6 +23,7 @@ typedef struct {
     double feed, travel;            /* mm/s                                        */
     double accel, jerk;             /* mm/s^2, mm/s^3; below 0: from the machine */
     double corner, tol, lift;       /* mm                                          */
+    double exact;                   /* degrees; 0: EXACT_DEGREES, below 0: no stops */
     double smooth;                  /* mm of tol; below 0: SMOOTH_PART */
     double smoothed;                /* mm of tol that smoothing used up */
     bool park;
@@ -45,6 +46,8 @@ typedef struct {
                     "not used yet: corners are rounded within --tol"),           \
         TOOL_NUMBER("tol", "MM", &(p)->tol, 0.0005, 1,                                             \
                     "how far the machine may leave the drawing (0.005)"),                          \
+        TOOL_MAYBE("exact", "DEG", &(p)->exact, 0.1, 180,                                          \
+                   "stop at corners that turn by more than this (5), exactly on them, as G61"),    \
         TOOL_NUMBER("smooth", "MM", &(p)->smooth, 0, 1,                                            \
                     "of this tolerance, for chains of short lines to become curves (a fifth); 0: " \
                     "each line is drawn"),                                                         \

@@ -36,6 +36,7 @@ enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *ma
     }
     limits.corner  = loft_real_from_raw(asked->corner);
     limits.tol     = loft_real_from_raw(asked->tol);
+    limits.exact   = 0;
     limits.tick_hz = machine->tick_hz;
     p->taken = p->told = p->spans = 0;
     p->mark  = 0;

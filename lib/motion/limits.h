@@ -22,13 +22,17 @@ typedef struct {
     loft_real corner;                   /* mm, 0..1; not used yet: corners are rounded within tol */
     loft_real tol;                      /* how far spans may leave the path, rounding included, mm,
                                          * 1/1024..1 */
+    loft_real exact;                    /* 0..2: it stops where a curve's direction, of length 1,
+                                         * differs by more from that of the last one: 2 sin(turn
+                                         * / 2); 0: nowhere */
     uint16_t  tick_hz;                  /* ticks per second, 50..50000 */
 } loft_limits;
 
 /* Are these limits possible?
  *
- *   range   LOFT_ERR_ARG for a limit that is zero (except corner), negative or not a number: the
- *           machine could not move; LOFT_ERR_RANGE for one beyond the ranges beside the fields
+ *   range   LOFT_ERR_ARG for a limit that is zero (except corner and exact), negative or not a
+ *           number: the machine could not move; LOFT_ERR_RANGE for one beyond the ranges beside
+ *           the fields
  */
 enum loft_status loft_limits_check(const loft_limits *limits) LOFT_CHECKED;
 

@@ -17,6 +17,8 @@
  */
 #include "motion/path.h"
 
+#include "geom/normal.h"    /* loft_vec_unit */
+
 #define ONE         1024                            /* a period, in times of corners */
 #define TIME_MAX    ((int32_t)256 * ONE)
 #define FAR         ((int64_t)1 << 30)              /* what is farther has no effect */
@@ -848,6 +850,12 @@ void loft_path_init(loft_path *path, const loft_period *period, loft_move moves[
     path->ended = false;
 }
 
+/* Is there a curve before the next one that is pushed? */
+static bool is_joined(const loft_path *path)
+{
+    return path->count > 0 || (path->begun && !path->over);
+}
+
 /* As loft_plan_push states it. */
 static enum loft_status accepts(const loft_path *path, const loft_move *move)
 {
@@ -858,8 +866,35 @@ static enum loft_status accepts(const loft_path *path, const loft_move *move)
     for (int k = 0; k < 4; k++)
         if (!loft_vec_within(move->curve.p[k], LOFT_PLAN_REACH))
             return LOFT_ERR_RANGE;
-    const bool joined = path->count > 0 || (path->begun && !path->over);
-    return joined && !loft_vec_equal(move->curve.p[0], path->to) ? LOFT_ERR_ARG : LOFT_OK;
+    return is_joined(path) && !loft_vec_equal(move->curve.p[0], path->to) ? LOFT_ERR_ARG : LOFT_OK;
+}
+
+/* The direction in which a curve begins, or ends; false: it has none. */
+static bool direction_of(const loft_cubic *c, bool end, int16_t out[])
+{
+    loft_acc leg[LOFT_AXES];
+    loft_vec u;
+
+    for (int k = 1; k < 4; k++) {
+        const loft_vec *a = &c->p[end ? 3 - k : 0], *b = &c->p[end ? 3 : k];
+        for (int i = 0; i < LOFT_AXES; i++)
+            leg[i] = loft_to_acc(b->axis[i]) - loft_to_acc(a->axis[i]);
+        if (loft_vec_unit(leg, &u) == LOFT_OK) {
+            direction(u, out);
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Does it stop before this curve? */
+static bool stops_before(const loft_path *path, const loft_move *move)
+{
+    static const int16_t none[LOFT_AXES] = { 0 };
+    int16_t to[LOFT_AXES];
+
+    return path->period->exact > 0 && is_joined(path) && turn(path->heading, none) > 0 &&
+           direction_of(&move->curve, false, to) && turn(path->heading, to) > path->period->exact;
 }
 
 enum loft_status loft_path_push(loft_path *path, const loft_move *move)
@@ -870,8 +905,16 @@ enum loft_status loft_path_push(loft_path *path, const loft_move *move)
         return status;
     if (loft_path_room(path) == 0)
         return LOFT_ERR_SPACE;
-    if (path->count == 0 && (!path->begun || path->over))
+    if (stops_before(path, move)) {
+        path->ended = true;
+        return LOFT_ERR_SPACE;
+    }
+    if (!is_joined(path)) {
         path->from = move->curve.p[0];
+        for (int i = 0; i < LOFT_AXES; i++)
+            path->heading[i] = 0;
+    }
+    (void)direction_of(&move->curve, true, path->heading);
     *move_at(path, path->count) = *move;
     path->count++;
     path->to = move->curve.p[3];

@@ -79,6 +79,7 @@ typedef struct {
     loft_path_walk     scan, walk, check;
     loft_vec           from, to;            /* where the chain begins; where the last curve ends */
     loft_vec           end;                 /* of the chain that is over */
+    int16_t            heading[LOFT_AXES];  /* the direction at `to`, 2^-14; 0: none is known */
     loft_path_stretch  stretch[LOFT_PATH_STRETCHES];
     uint8_t            stretches, looked;   /* at how many of their starts? */
     int64_t            known;               /* what the corners are known of */
@@ -93,7 +94,8 @@ typedef struct {
 /* Start an empty path in the caller's memory; `period` is kept. */
 void loft_path_init(loft_path *path, const loft_period *period, loft_move moves[], uint16_t room);
 
-/* Append a curve (copied).
+/* Append a curve (copied). Where it has to stop before it, that ends the chain, and there is no
+ * room until all of that has been walked.
  *
  *   range   as loft_plan_push
  */

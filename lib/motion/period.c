@@ -83,6 +83,8 @@ void loft_period_init(loft_period *period, const loft_limits *limits)
                                       : 1;
 
     period->tol = loft_coord_of(loft_to_acc(limits->tol));
+    const int32_t exact = loft_raw_from_real(limits->exact) / 4;
+    period->exact = exact * exact;
     period->tick_hz = limits->tick_hz;
     period->ticks = (uint16_t)(ticks < slow ? ticks : slow);
     for (int i = 0; i < LOFT_AXES; i++) {

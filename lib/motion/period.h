@@ -24,6 +24,7 @@ typedef struct {
     loft_coord tube;                 /* how much of it is for the smooth path */
     loft_coord off;                  /* and for spans, to be off its samples */
     uint16_t  joined;               /* how many periods a span may last */
+    int32_t   exact;                /* the square of loft_limits.exact, 2^-28; 0: no stops */
     uint16_t  tick_hz;
     uint16_t  ticks;                /* of a period */
 } loft_period;

@@ -1613,6 +1613,26 @@ case_plan_is_certified() {
         --machine "$tmp/delta.txt"
     one_line 64 'give -o FILE'       "$loft" plan "$tmp/small.csv" --certify --spans
 }
+case_plan_stops_exactly_at_corners() {
+    local rests='NR > 1 { for (k = 6; k < 15; k += 4) if ($(k - 1) != $k) next; print $6, $10 }'
+    printf '%s\n' "0,0 10,0 20,0 30,0" "30,0 30,10 30,20 30,30" "30,30 30,31 30,32 31,40" |
+        tr ' ' ',' >"$tmp/turn.csv"
+    for exact in --exact --exact=60; do
+        run 0 "$loft" plan "$tmp/turn.csv" $exact --spans
+        awk -F, "$rests" "$tmp/out" >"$tmp/rests"
+        grep -q '^30 0$' "$tmp/rests" || job_fails "no stop at 30,0: $(cat "$tmp/rests")"
+        ! grep -q '^30 30$' "$tmp/rests" || job_fails "a stop on a smooth joint"
+    done
+    for exact in "" --exact=120; do
+        run 0 "$loft" plan "$tmp/turn.csv" $exact --spans
+        awk -F, "$rests" "$tmp/out" >"$tmp/rests"
+        ! grep -q '^30 0$' "$tmp/rests" || job_fails "a stop at 30,0"
+    done
+    run 0 "$loft" plan "$tmp/turn.csv" --exact --certify; is_empty err
+    one_line 64 'a machine that plans does not stop' "$loft" stream "$tmp/turn.csv" --dry-run \
+        --plan chip --exact
+    one_line 64 'exact' "$loft" plan "$tmp/turn.csv" --exact=181
+}
 case_plan_as_a_picture() {
     run 0 "$loft" plan "$tmp/small.csv" --total --plot "$tmp/a.png" --size 400; says out '^drawn '
     run 0 "$loft" plan tests/drawings/curves.loft --total --jerk 0 --plot "$tmp/b.svg"

@@ -88,8 +88,7 @@ static int plan_job(const char *file, uint32_t most)
         limits.max_speed[i] = LOFT_REAL(160);
         limits.max_accel[i] = LOFT_REAL(500);
     }
-    if (f == NULL ||
-        loft_plan_init(&plan, &limits, moves, 16, knots, 400) != LOFT_OK)
+    if (f == NULL || loft_plan_init(&plan, &limits, moves, 16, knots, 400) != LOFT_OK)
         return 1;
     for (uint32_t n = 0; n < most && fgets(line, sizeof line, f);) {
         loft_move move = { .feed = LOFT_REAL(50) };

@@ -57,6 +57,11 @@ static void impossible_tolerances_and_ticks_are_refused(arb *a)
     l.corner = real_of(1.5);
     CHECK(loft_limits_check(&l) == LOFT_ERR_RANGE);
     l = limits;
+    l.exact = -real_of(0.1);
+    CHECK(loft_limits_check(&l) == LOFT_ERR_ARG);
+    l.exact = real_of(2.1);
+    CHECK(loft_limits_check(&l) == LOFT_ERR_RANGE);
+    l = limits;
     l.tick_hz = 0;
     CHECK(loft_limits_check(&l) == LOFT_ERR_ARG);
     l.tick_hz = 49;

@@ -383,6 +383,68 @@ static void a_point_needs_no_spans(arb *a)
     CHECK(loft_plan_passed(&plan) == curves);
 }
 
+/* Does it rest exactly there? */
+static bool rests_at(loft_vec at)
+{
+    for (unsigned k = 0; k < count; k++)
+        if (loft_vec_equal(spans[k].p[3], at) && loft_vec_equal(spans[k].p[2], at))
+            return true;
+    return false;
+}
+
+/* It rests exactly on corners that turn by more than is asked for, however curves arrive, and on no
+ * others; a curve without length between hides none. */
+static void it_stops_exactly_at_sharp_corners(arb *a)
+{
+    const double most = arb_between(a, 4, 120);
+    const arrival piecemeal = { (uint16_t)(1 + arb_below(a, 8)), (uint16_t)(64 + arb_below(a, 60)),
+                                a };
+    bool sharp[12];
+    double heading_at = 0;
+
+    even_limits(arb_decades(a, 20, 200), arb_decades(a, 500, 5000),
+                arb_below(a, 2) ? 0 : arb_decades(a, 10000, 200000));
+    limits.exact = real_of(2 * sin(most * 3.14159265358979 / 360));
+    begin_chain();
+    for (int n = 0; n < 12; n++) {
+        const double e[LOFT_AXES] = { 0 }, size = arb_decades(a, 1, 10),
+                     u[4] = { 0, size / 3, size * 2 / 3, size }, w[4] = { 0 };
+        const double turned = arb_below(a, 2) ? arb_between(a, 0, most - 1)
+                                              : arb_between(a, most + 1, 175);
+        heading_at += turned * 3.14159265358979 / 180;
+        const double d[LOFT_AXES] = { cos(heading_at), sin(heading_at) };
+        sharp[n] = turned > most;
+        if (n > 0 && arb_below(a, 4) == 0)              /* without length */
+            add_curve(d, e, w, w, 100);
+        add_curve(d, e, u, w, 100);
+    }
+    const bool flushed = arb_below(a, 2);       /* then it may rest anywhere */
+    CHECK(plan_chain(flushed ? &piecemeal : &all_at_once) == PLANNED);
+    CHECK(spans_connect());
+    const motion_uses u = uses_of_spans(1e9);
+    CHECK(u.speed <= 1.001 && u.accel <= 1.005 && u.jerk <= 1.02);
+    for (unsigned c = 1, n = 0; c < curves; c++)
+        if (!loft_vec_equal(chain[c].curve.p[0], chain[c].curve.p[3])) {
+            n++;
+            CHECK(rests_at(chain[c].curve.p[0]) || !sharp[n]);
+            CHECK(!rests_at(chain[c].curve.p[0]) || sharp[n] || flushed);
+        }
+}
+
+/* A smooth path is not slower with it. */
+static void smooth_paths_do_not_stop(arb *a)
+{
+    (void)a;
+    even_limits(200, 3000, 100000);
+    outline(200);
+    CHECK(plan_chain(&all_at_once) == PLANNED);
+    const double before = seconds();
+    limits.exact = real_of(0.0872);
+    CHECK(plan_chain(&all_at_once) == PLANNED);
+    CHECK(seconds() == before);
+    limits.exact = 0;
+}
+
 int main(void)
 {
     PROPERTY(random_cases_hold_all_limits, 40);
@@ -398,5 +460,7 @@ int main(void)
     PROPERTY(a_short_look_ahead_costs_little_time, 2);
     PROPERTY(impossible_chains_are_refused, 20);
     PROPERTY(a_point_needs_no_spans, 10);
+    PROPERTY(it_stops_exactly_at_sharp_corners, 40);
+    PROPERTY(smooth_paths_do_not_stop, 1);
     return check_failures();
 }
