@@ -41,5 +41,5 @@ int main(void)
 
 /* prints
  *
- *     4 curves in 1636 ms, at rest again
+ *     4 curves in 1604 ms, at rest again
  */
