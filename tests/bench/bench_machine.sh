@@ -34,7 +34,6 @@ over_ideal() { awk -v t="$(seconds)" -v i="$(ideal "$1")" 'BEGIN { printf "%.3f"
 # The shortest time at 6000 mm/min within 500 mm/s2 in total is 1.7393 s (tests/support/topp.h;
 # make bench-motion, outline-100-soft). The bound is 3 % more, as a fraction of that ideal.
 SLOWER=$(awk -v i="$(ideal 100)" 'BEGIN { printf "%.3f", 1.03 * 1.7393 / i }')
-BEND=2500
 
 # the speed in windows of 10 ms, without the first and the last 0.2 s: its deviation over its mean,
 # and the number of windows at rest
@@ -52,31 +51,24 @@ cruise() {
 }
 
 printf '        %-80s %-10s %-12s %s\n' "" "grbl 1.1" loft bound
-bends="a bend takes its part of them, so that 6000 mm/min are not possible everywhere"
-note "500 mm/s2 in all: $bends; as grbl counts: 500 mm/s2 along" ""
-bends="up to $BEND mm/s2 across it (--across), of which the outline needs 1920"
-note "the path, and the bend free: $bends" ""
-while read -r spacing feed across grbl bound; do
+note "500 mm/s2 in bends too, so that 6000 mm/min are not possible everywhere; grbl: along" ""
+note "the path alone" ""
+while read -r spacing feed grbl bound; do
     python3 tests/target/dense.py $drawing "$spacing" > "$tmp/dense.loft"
-    on_chip "$bin/chip" "$elf" "$loft" stream "$tmp/dense.loft" --feed "$feed" --across "$across" \
-        --jerk 0 --lift 0 --port "$tmp/port"
-    how=$([ "$across" = 0 ] && echo "500 mm/s2 in all" || echo "as grbl counts")
-    row "points every $spacing mm, $((feed * 60)) mm/min, $how: time / (L/v + v/a)" \
+    on_chip "$bin/chip" "$elf" "$loft" stream "$tmp/dense.loft" --feed "$feed" --jerk 0 \
+        --lift 0 --port "$tmp/port"
+    row "points every $spacing mm, $((feed * 60)) mm/min: time / (L/v + v/a)" \
         "$grbl" "$(over_ideal "$feed")" "<=" "$bound"
-    if [ "$spacing $feed $across" = "0.01 50 0" ]; then
+    if [ "$spacing $feed" = "0.01 50" ]; then
         read -r deviation stops < <(cruise)
         row "the same: deviation of the speed in the cruise" 0.83 "$deviation" "<=" 0.05
         row "the same: stops" 1 "$stops" = 0
     fi
 done <<TABLE
-0.05 50 0 3.21 1.05
-0.05 50 $BEND 3.21 1.05
-0.05 100 $BEND 5.79 1.05
-0.05 100 0 - $SLOWER
-0.01 50 0 13.3 1.05
-0.01 50 $BEND 13.3 1.05
-0.01 100 $BEND 24.0 1.10
-0.01 100 0 - $SLOWER
+0.05 50 3.21 1.05
+0.05 100 5.79 $SLOWER
+0.01 50 13.3 1.05
+0.01 100 24.0 $SLOWER
 TABLE
 on_chip "$bin/chip" "$elf" "$loft" stream $drawing --feed 50 --jerk 0 --lift 0 --port "$tmp/port"
 row "the drawing's curves, as spans, 3000 mm/min: time / (L/v + v/a)" \
