@@ -14,6 +14,7 @@ static void possible_limits_are_accepted(arb *a)
     }
     l.corner  = arb_below(a, 3) ? real_of(arb_decades(a, 0.0005, 1)) : 0;
     l.tol     = real_of(arb_decades(a, 0.001, 1));
+    l.exact   = arb_below(a, 3) ? real_of(arb_between(a, 0, 2)) : 0;
     l.tick_hz = (uint16_t)arb_decades(a, 50, 50000);
     CHECK(loft_limits_check(&l) == LOFT_OK);
 }
