@@ -11,7 +11,8 @@
 #include "base/tool.h"
 #include "send/settings.h"
 
-#define ANSWERS  5.0            /* s that the machine may take to answer */
+#define SILENCE  10.0           /* s of silence until we give up */
+#define ANSWERS  60.0           /* s without this answer; a line may damage many in a row */
 #define MOST     65535u
 #define CHECK_BYTES 4
 #define JERK_MAX 1e7            /* mm/s^3, of lib/motion/limits.h */
@@ -32,10 +33,13 @@ static int ask(talk *t, unsigned at, const uint8_t byte[], unsigned count)
             return tool_error(EX_TEMPFAIL, "stopped: the machine has its old settings");
         if (!talk_pump(t, 20))
             return talk_vanished(t, "before the machine answered ");
-        if (tool_clock() > until || t->sender.phase == LOFT_PHASE_UNFIT)
-            return tool_error(EX_IOERR,
-                              "%s: the machine did not answer in %g s: run the same command again",
-                              t->port, ANSWERS);
+        if (talk_silence(t) > SILENCE || tool_clock() > until ||
+            t->sender.phase == LOFT_PHASE_UNFIT)
+            return tool_error(
+                EX_IOERR,
+                "%s: the machine did not answer: look at cable and power, and run the "
+                "same command again",
+                t->port);
     }
     return 0;
 }
@@ -191,7 +195,7 @@ static void write_wiring(const machine_file *m, uint8_t *wiring)
 
     for (int i = 0; i < ENGINE_AXES; i++) {
         reversed |= m->reversed[i] > 0 ? 1u << i : 0;
-        opens    |= m->limit_opens[i] > 0 ? LOFT_INPUT_ENDS(i) : 0;
+        opens    |= m->limit_opens[i] > 0 ? LOFT_INPUT_ENDS(i) : 0u;
     }
     opens |= m->probe_opens > 0 ? LOFT_INPUT_PROBE : 0;
     opens |= m->buttons_open > 0 ? LOFT_INPUT_STOP | LOFT_INPUT_HOLD | LOFT_INPUT_RESUME : 0;
