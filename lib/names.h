@@ -467,6 +467,7 @@
 #define loft_plan_end              LOFT_NAME(loft_plan_end)
 #define loft_plan_init             LOFT_NAME(loft_plan_init)
 #define loft_plan_next             LOFT_NAME(loft_plan_next)
+#define loft_plan_part             LOFT_NAME(loft_plan_part)
 #define loft_plan_push             LOFT_NAME(loft_plan_push)
 #define loft_planner_begin         LOFT_NAME(loft_planner_begin)
 #define loft_planner_end           LOFT_NAME(loft_planner_end)

@@ -80,7 +80,7 @@ bool loft_machine_plan(loft_machine *m)
     }
     if (loft_planner_done(m->planner))
         loft_drive_end(d);
-    return false;
+    return loft_planner_busy(m->planner);
 }
 
 #else

@@ -86,11 +86,11 @@ void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count);
 /* Give the next frame for the line; 0 when there is none. Call it whenever the line is free. */
 size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX]);
 
-/* Plan one span, if the job has curves, the queue has room and the next span is certain; otherwise
- * return false. loft_machine_push and loft_machine_poll do this once for each item and frame. A
- * main loop with spare time may call it until it returns false.
+/* Plan one span, or do a part of the work, if the job has curves, the queue has room and the next
+ * span is certain; otherwise return false. loft_machine_push and loft_machine_poll do this once for
+ * each item and frame. A main loop with spare time may call it until it returns false.
  *
- *   cost    as loft_plan_next */
+ *   cost    as loft_plan_part */
 bool loft_machine_plan(loft_machine *m);
 
 /* Set the inputs that are closed now, a sum of LOFT_INPUT_, debounced. Call it whenever they are

@@ -13,6 +13,7 @@ enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *m
     p->taken  = p->told = p->spans = 0;
     p->mark   = 0;
     p->ended  = p->rests = true;
+    p->busy   = false;
     return LOFT_OK;
 }
 
@@ -40,7 +41,7 @@ enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *ma
     limits.tick_hz = machine->tick_hz;
     p->taken = p->told = p->spans = 0;
     p->mark  = 0;
-    p->ended = p->rests = false;
+    p->ended = p->rests = p->busy = false;
     return loft_plan_init(&p->plan, &limits, p->memory.moves, p->memory.move_room, p->memory.knots,
                           p->memory.knot_room);
 }
@@ -88,13 +89,14 @@ static bool give_span(loft_planner *p, const loft_span *span, loft_item *out)
 bool loft_planner_next(loft_planner *p, bool hurry, loft_item *out)
 {
     loft_span span;
-    enum loft_plan_state state = loft_plan_next(&p->plan, &span);
+    enum loft_plan_state state = loft_plan_part(&p->plan, &span);
 
     if (state == LOFT_PLAN_WAIT && hurry && loft_planner_room(p) <= p->memory.move_room / 2) {
         loft_plan_end(&p->plan);
-        state = loft_plan_next(&p->plan, &span);
+        state = loft_plan_part(&p->plan, &span);
     }
     p->rests = state == LOFT_PLAN_REST;
+    p->busy  = state == LOFT_PLAN_BUSY;
     return state == LOFT_PLAN_SPAN && give_span(p, &span, out);
 }
 

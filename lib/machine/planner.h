@@ -42,7 +42,8 @@ typedef struct {
     loft_vec at;                        /* where the last curve ends */
     uint32_t taken, told, spans;        /* curves pushed; curves known as executed; spans given */
     uint16_t marks, mark;               /* places in `passed`; the place of the next span */
-    bool ended, rests;                  /* no more curves follow; all are planned */
+    bool ended, rests, busy;            /* no more curves follow; all are planned; a part of that
+                                         * has been done */
 } loft_planner;
 
 /* Prepare, with memory for a queue of `cells` spans. A job must begin before any other call.
@@ -75,11 +76,14 @@ void loft_planner_end(loft_planner *p);
  *           ring is so full that the host may be waiting too (it sends a quarter at a time, and is
  *           told of a quarter at a time). In that case the plan stops where the known curves end
  *   error   rounded to 2^-16 mm, see lib/wire/codec.h
- *   cost    as loft_plan_next */
+ *   cost    as loft_plan_part */
 bool loft_planner_next(loft_planner *p, bool hurry, loft_item *span);
 
 /* Are all curves planned, and do no more follow? */
 static inline bool loft_planner_done(const loft_planner *p)     { return p->ended && p->rests; }
+
+/* Was there no span as that takes more work? Then the next call goes on with it. */
+static inline bool loft_planner_busy(const loft_planner *p)     { return p->busy; }
 
 /* The number of curves that can be pushed now. */
 static inline uint16_t loft_planner_room(const loft_planner *p) { return loft_plan_room(&p->plan); }

@@ -470,7 +470,7 @@ static enum loft_plan_state without_span(loft_plan *plan, enum loft_path_state s
     return LOFT_PLAN_REST;
 }
 
-enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out)
+enum loft_plan_state loft_plan_part(loft_plan *plan, loft_span *out)
 {
     enum loft_path_state state = !ALL && is_due(plan) ? load(plan) : LOFT_PATH_PLACE;
     bool loaded = !ALL && plan->stage != IDLE;
@@ -491,6 +491,16 @@ enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out)
         if (state != LOFT_PATH_PLACE || !ALL)
             return without_span(plan, state);
     }
+}
+
+enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out)
+{
+    enum loft_plan_state state;
+
+    do
+        state = loft_plan_part(plan, out);
+    while (state == LOFT_PLAN_BUSY);
+    return state;
 }
 
 enum loft_status loft_plan_push(loft_plan *plan, const loft_move *move)

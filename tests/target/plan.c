@@ -7,7 +7,7 @@
  */
 
 #include "meter.h"              /* meter_start, meter_now       */
-#include "motion/plan.h"  /* loft_plan                    */
+#include "motion/plan.h"        /* loft_plan                    */
 #include "say.h"                /* say_line                     */
 
 #include "chain.h"              /* chain: after what it is made of */
@@ -91,7 +91,7 @@ static void plan_chain(void)
             take(start);
         }
         const uint32_t start = meter_now();
-        state = loft_plan_next(&plan, &span);
+        state = loft_plan_part(&plan, &span);
         take(start);
         spans += state == LOFT_PLAN_SPAN;
         ticks += state == LOFT_PLAN_SPAN ? span.ticks : 0u;

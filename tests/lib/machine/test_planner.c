@@ -20,6 +20,16 @@ static loft_planner    planner;
 static loft_item       items[CURVES], spans[SPANS];
 static path            track;
 
+/* As the main loop of a machine: again, while there is work. */
+static bool next_of(bool hurry, loft_item *span)
+{
+    do
+        if (loft_planner_next(&planner, hurry, span))
+            return true;
+    while (loft_planner_busy(&planner));
+    return false;
+}
+
 static loft_planner_memory memory_of(uint16_t move_room)
 {
     return (loft_planner_memory){
@@ -124,8 +134,7 @@ static void curves_are_told_when_they_are_behind(arb *a)
         if (next == curves)
             loft_planner_end(&planner);
         for (unsigned n = arb_below(a, 30);
-             n > 0 && given < SPANS && loft_planner_next(&planner, arb_below(a, 2), &spans[given]);
-             n--, idle = 0) {
+             n > 0 && given < SPANS && next_of(arb_below(a, 2), &spans[given]); n--, idle = 0) {
             const uint32_t now = loft_planner_executed(&planner, ++given);
             CHECK(now >= told && now <= next);
             told = now;
@@ -169,7 +178,7 @@ static void the_spans_are_those_of_the_plan(arb *a)
               loft_planner_push(&planner, &items[n]) == LOFT_OK);
     loft_plan_end(&plan);
     loft_planner_end(&planner);
-    while (given < SPANS && loft_planner_next(&planner, arb_below(a, 2), &got) && !check_bad) {
+    while (given < SPANS && next_of(arb_below(a, 2), &got) && !check_bad) {
         state = loft_plan_next(&plan, &span);
         CHECK(state == LOFT_PLAN_SPAN && loft_item_from_span(&want, &span) == LOFT_OK);
         CHECK(want.ticks == got.ticks && memcmp(want.p, got.p, sizeof want.p) == 0);
@@ -201,7 +210,7 @@ static void the_lower_limit_holds(arb *a)
           loft_planner_begin(&planner, &machine, &l, start) == LOFT_OK);
     CHECK(loft_planner_push(&planner, &items[0]) == LOFT_OK);
     loft_planner_end(&planner);
-    while (loft_planner_next(&planner, false, &span))
+    while (next_of(false, &span))
         ticks += span.ticks;
     CHECK_NEAR(ticks, 6500, 65);                    /* 600 mm / 100 mm/s and 100 mm/s / 200 mm/s2,
                                                      * in ms */
