@@ -11,7 +11,7 @@ static int run_make(const tool_command *self, int argc, char **argv)
 
 const tool_command command_make = {
     "make", "VERB [--of NUMBER,..] [FILE|-]",
-    "raise, lower, split or reverse curves; surfaces from curves",
+    "raise, lower, split or reverse curves; surfaces from curves and around holes",
     "Of the curves in FILE (host-tools/LOFT.md), piece by piece, in the same format:\n"
     "  raise    with a degree higher by --of\n"
     "  lower    the nearest curve with a degree lower by --of and the same ends, and how near\n"
@@ -23,6 +23,20 @@ const tool_command command_make = {
     "ends\n"
     "  hull     the same, with ends that are not a knot\n"
     "  revolve  each piece turned about the z axis: four quarters\n"
-    "Pieces of different degrees are raised to the highest one.\n",
+    "  sweep    the first curve, in x and y, along the others, without a twist: --of stations, "
+    "and\n"
+    "           the direction of its x at the start, if not z: STATIONS,X,Y,Z\n"
+    "  coons    between four curves of any kind: v = 0, v = 1, u = 0, u = 1\n"
+    "  gordon   through a network of curves of any kind: the first --of along u, the others along "
+    "v\n"
+    "Pieces of different degrees are raised to the highest one. Curves of a network meet at "
+    "joints.\n"
+    "Through a grid of points, one row in a curve, bicubic patches with the twists\n"
+    "  ferguson 0   adini  of Coons patches   bessel  of parabolas\n"
+    "Of the surfaces in FILE:\n"
+    "  gregory  `coons slopes 3 3` as a Gregory patch, which keeps all slopes with any twists\n"
+    "  fill     the hole with 3 to 8 sides between tensor patches, with their tangent planes: a "
+    "`gb`\n"
+    "           patch of degree --of (5), and the largest angle between the planes\n",
     run_make
 };

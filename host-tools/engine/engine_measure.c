@@ -16,6 +16,11 @@ typedef struct {
     loft_bezier b;
 } part;
 
+typedef struct {
+    part a, b;
+    loft_real within;
+} two;
+
 static double double_of_unit(loft_unit t) { return (double)t / (double)LOFT_UNIT(1.0); }
 
 static int piece_in_type(const piece *p, part *out)
@@ -24,6 +29,15 @@ static int piece_in_type(const piece *p, part *out)
         if (!vec_of(p->p[k], &out->p[k]))
             return LOFT_ERR_RANGE;
     return loft_bezier_init(&out->b, out->p, p->degree);
+}
+
+static int pair_in_type(const piece *a, const piece *b, double tol, two *out)
+{
+    const int status = piece_in_type(a, &out->a);
+
+    if (status != LOFT_OK)
+        return status;
+    return real_of(tol, &out->within) ? piece_in_type(b, &out->b) : LOFT_ERR_RANGE;
 }
 
 static bool cubic_of(const double p[4][ENGINE_AXES], loft_cubic *out)
@@ -83,17 +97,13 @@ static int measure_meet(const piece *a, const piece *b, double tol,
                         engine_meeting out[ENGINE_MEETINGS], size_t *count)
 {
     loft_crossing c[ENGINE_MEETINGS];
-    loft_real within;
-    part p, q;
-    int status = piece_in_type(a, &p);
+    two pair;
+    int status = pair_in_type(a, b, tol, &pair);
 
     *count = 0;
     if (status == LOFT_OK)
-        status = piece_in_type(b, &q);
-    if (status == LOFT_OK && !real_of(tol, &within))
-        status = LOFT_ERR_RANGE;
-    if (status == LOFT_OK)
-        status = loft_bezier_intersect(&p.b, &q.b, within, c, ENGINE_MEETINGS, count);
+        status = loft_bezier_intersect(&pair.a.b, &pair.b.b, pair.within, c, ENGINE_MEETINGS,
+                                       count);
     for (size_t k = 0; status >= LOFT_OK && k < *count; k++)
         take_crossing(&c[k], &out[k]);
     return status == LOFT_SINGULAR ? LOFT_OK : status;
@@ -102,16 +112,11 @@ static int measure_meet(const piece *a, const piece *b, double tol,
 static int measure_join(const piece *a, const piece *b, double tol, engine_joint *out)
 {
     loft_join j;
-    loft_real within;
-    part p, q;
-    int status = piece_in_type(a, &p);
+    two pair;
+    int status = pair_in_type(a, b, tol, &pair);
 
     if (status == LOFT_OK)
-        status = piece_in_type(b, &q);
-    if (status == LOFT_OK && !real_of(tol, &within))
-        status = LOFT_ERR_RANGE;
-    if (status == LOFT_OK)
-        status = loft_join_init(&j, &p.b, &q.b, within);
+        status = loft_join_init(&j, &pair.a.b, &pair.b.b, pair.within);
     if (status != LOFT_OK)
         return status;
     *out = (engine_joint){

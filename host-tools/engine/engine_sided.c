@@ -96,7 +96,12 @@ static int prepare_spatch(engine_sided *e)
 static int prepare_gb(engine_sided *e)
 {
     const int status = prepare_domain(e);
-    return status ? status : (int)loft_gb_init(&e->as.gb, e->p, e->s->n, e->s->m);
+    const loft_vec *split = e->p + loft_gb_count(e->s->n, e->s->m);
+
+    if (status != LOFT_OK)
+        return status;
+    return e->s->split ? loft_gb_init_split(&e->as.gb, e->p, split, e->s->n, e->s->m)
+                       : loft_gb_init(&e->as.gb, e->p, e->s->n, e->s->m);
 }
 
 static int prepare_toric(engine_sided *e)
@@ -450,7 +455,7 @@ static int sided_complete(surface *s)
 {
     const unsigned all = loft_gb_count(s->n, s->m);
 
-    if (s->count != s->n * s->m && s->count != all - 1)
+    if (s->split || (s->count != s->n * s->m && s->count != all - 1))
         return LOFT_OK;
     loft_vec *p = tool_grow(NULL, all * sizeof *p), *net = tool_grow(NULL, all * sizeof *net);
     int status = LOFT_OK;

@@ -12,6 +12,8 @@
 #include "surface/contour.h"                        /* loft_contour */
 #include "surface/tensor/coons.h"                   /* loft_coons_bezier */
 #include "surface/differential.h"                   /* loft_differential */
+#include "surface/tensor/gregory.h"                 /* loft_gregory */
+#include "surface/tensor/nurbs_surface.h"           /* loft_nurbs_surface */
 #include "surface/octant.h"                         /* loft_octant_from_radius */
 #include "surface/pn.h"                             /* loft_pn */
 #include "surface/sphere.h"                         /* loft_sphere */
@@ -35,6 +37,7 @@ struct engine_surface {
     loft_vec *p;
     loft_weighted *weighted;
     loft_vec *net;              /* of a patch that was converted for its sheets, or NULL */
+    loft_real *knot[2];         /* of a NURBS surface */
     union {
         loft_tensor tensor;
         loft_tensor_rational tensor_rational;
@@ -42,6 +45,8 @@ struct engine_surface {
         loft_triangle_rational triangle_rational;
         loft_coons_bezier coons;
         loft_bicubic bicubic;
+        loft_gregory gregory;
+        loft_nurbs_surface nurbs;
         loft_pn pn;
         loft_sphere sphere;
     } as;
@@ -58,6 +63,8 @@ static void surface_close(engine_surface *e)
     free(e->p);
     free(e->weighted);
     free(e->net);
+    free(e->knot[0]);
+    free(e->knot[1]);
     free(e);
 }
 
@@ -130,6 +137,22 @@ static int prepare_sphere(engine_surface *e)
     return real_of(e->s->radius, &e->as.sphere.radius) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
+static int prepare_nurbs(engine_surface *e)
+{
+    const surface *s = e->s;
+
+    for (unsigned along = 0; along < 2; along++) {
+        e->knot[along] = tool_grow(NULL, s->knots[along] * sizeof *e->knot[along]);
+        for (unsigned k = 0; k < s->knots[along]; k++)
+            if (!real_of(s->knot[along][k], &e->knot[along][k]))
+                return LOFT_ERR_RANGE;
+    }
+    return s->rational ? loft_nurbs_surface_init(&e->as.nurbs, e->weighted, s->rows, s->columns,
+                                                 e->knot[0], s->m, e->knot[1], s->n)
+                       : loft_bspline_surface_init(&e->as.nurbs, e->p, s->rows, s->columns,
+                                                   e->knot[0], s->m, e->knot[1], s->n);
+}
+
 static int prepare_surface(engine_surface *e)
 {
     const surface *s = e->s;
@@ -147,6 +170,8 @@ static int prepare_surface(engine_surface *e)
                    ? (int)loft_triangle_rational_init(&e->as.triangle_rational, e->weighted, s->m)
                    : (int)loft_triangle_init(&e->as.triangle, e->p, s->m);
     case SURFACE_COONS:  return prepare_coons(e);
+    case SURFACE_GREGORY: return loft_gregory_init(&e->as.gregory, e->p);
+    case SURFACE_NURBS:  return prepare_nurbs(e);
     case SURFACE_PN:     return prepare_pn(e);
     case SURFACE_OCTANT: return prepare_octant(e);
     case SURFACE_SPHERE: return prepare_sphere(e);
@@ -197,6 +222,7 @@ static int eval_triangle(const engine_surface *e, double u, double v, loft_vec *
 static int surface_eval(const engine_surface *e, double u, double v, double out[ENGINE_AXES])
 {
     int status = LOFT_OK;
+    loft_surface any;
     loft_vec at;
 
     if (e->sided)
@@ -215,6 +241,13 @@ static int surface_eval(const engine_surface *e, double u, double v, double out[
         break;
     case SURFACE_BICUBIC:
         status = loft_bicubic_eval(&e->as.bicubic, LOFT_UNIT(u), LOFT_UNIT(v), &at);
+        break;
+    case SURFACE_GREGORY:
+        status = loft_gregory_eval(&e->as.gregory, LOFT_UNIT(u), LOFT_UNIT(v), &at);
+        break;
+    case SURFACE_NURBS:
+        any = loft_surface_from_nurbs(&e->as.nurbs);
+        status = any.eval(any.surface, LOFT_UNIT(u), LOFT_UNIT(v), &at);
         break;
     case SURFACE_SPHERE: status = eval_sphere(e, u, v, &at); break;
     default: status = eval_triangle(e, u, v, &at); break;
@@ -262,6 +295,7 @@ static int surface_differential(const engine_surface *e, double u, double v, lof
     loft_vec net[16];
     const loft_tensor tensor = { net, 3, 3 };
     const loft_triangle cubic = { net, 3 };
+    loft_real place[2];
     int status;
 
     switch (e->s->kind) {
@@ -270,6 +304,10 @@ static int surface_differential(const engine_surface *e, double u, double v, lof
             return loft_tensor_rational_differential(&e->as.tensor_rational, at.v, at.w, out);
         return loft_tensor_differential(&e->as.tensor, at.v, at.w, out);
     case SURFACE_COONS: return loft_coons_bezier_differential(&e->as.coons, at.v, at.w, out);
+    case SURFACE_GREGORY: return loft_gregory_differential(&e->as.gregory, at.v, at.w, out);
+    case SURFACE_NURBS:
+        loft_nurbs_surface_at(&e->as.nurbs, at.v, at.w, place);
+        return loft_nurbs_surface_differential(&e->as.nurbs, place[0], place[1], out);
     case SURFACE_BICUBIC:
         status = loft_tensor_from_bicubic(&e->as.bicubic, net);
         return status ? status : (int)loft_tensor_differential(&tensor, at.v, at.w, out);
@@ -345,6 +383,8 @@ static int contour_surface(const engine_surface *e, sheet_room *room, loft_surfa
         break;
     case SURFACE_COONS:   *out = loft_surface_from_coons(&e->as.coons);     break;
     case SURFACE_BICUBIC: *out = loft_surface_from_bicubic(&e->as.bicubic); break;
+    case SURFACE_GREGORY: *out = loft_surface_from_gregory(&e->as.gregory); break;
+    case SURFACE_NURBS:   *out = loft_surface_from_nurbs(&e->as.nurbs);     break;
     case SURFACE_SPHERE:  *out = loft_surface_from_sphere(&e->as.sphere);   break;
     default:
         *out = e->s->rational || e->s->kind == SURFACE_OCTANT

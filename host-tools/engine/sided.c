@@ -71,7 +71,7 @@ unsigned sided_points(const surface *s)
     case SURFACE_SPATCH:    return loft_multiindex_count(s->n, s->m);
     case SURFACE_TORIC: return lattice_of(s, &lattice) ? loft_lattice_polygon_count(&lattice) : 0;
     case SURFACE_BASEPOINT: return loft_multiindex_count(3, s->m) - cut_corners(s);
-    case SURFACE_GB:        return loft_gb_count(s->n, s->m);
+    case SURFACE_GB:        return loft_gb_count(s->n, s->m) + (s->split ? s->n : 0);
     default:                return loft_zheng_ball_count(s->n, s->m);
     }
 }
@@ -412,6 +412,7 @@ static void basepoint_net(const surface *s, sided_edge *each, void *context)
 static void zheng_ball_net(const surface *s, sided_edge *each, void *context)
 {
     const unsigned wide = s->m / 2 + 1, high = (s->m + 1) / 2, block = wide * high;
+    const surface_point *middle = s->point + s->count - 1 - (s->split ? s->n : 0);
 
     for (unsigned i = 0; i < s->n; i++) {
         const surface_point *here = s->point + i * block, *next = s->point + (i + 1) % s->n * block;
@@ -424,10 +425,10 @@ static void zheng_ball_net(const surface *s, sided_edge *each, void *context)
         }
         for (unsigned b = 0; b < high && s->m % 2 == 0; b++) {
             const surface_point *last = here + (wide - 1) * high + b;
-            each(context, last, b + 1 < high ? last + 1 : s->point + s->count - 1);
+            each(context, last, b + 1 < high ? last + 1 : middle);
         }
         if (s->m % 2 != 0 && s->kind == SURFACE_GB)
-            each(context, here + block - 1, s->point + s->count - 1);
+            each(context, here + block - 1, middle);
     }
 }
 

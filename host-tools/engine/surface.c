@@ -15,14 +15,20 @@
 
 const char *surface_name(enum surface_kind kind)
 {
-    static const char *const names[SURFACE_KINDS] = {
-        [SURFACE_TENSOR] = "tensor", [SURFACE_TRIANGLE] = "triangle",
-        [SURFACE_COONS] = "coons",   [SURFACE_BICUBIC] = "bicubic",
-        [SURFACE_PN] = "pn",         [SURFACE_SPHERE] = "sphere",
-        [SURFACE_OCTANT] = "octant", [SURFACE_SPATCH] = "spatch",
-        [SURFACE_TORIC] = "toric",   [SURFACE_BASEPOINT] = "basepoint",
-        [SURFACE_RING] = "ring",     [SURFACE_GB] = "gb"
-    };
+    static const char *const names[SURFACE_KINDS] = { [SURFACE_TENSOR] = "tensor",
+                                                      [SURFACE_TRIANGLE] = "triangle",
+                                                      [SURFACE_COONS] = "coons",
+                                                      [SURFACE_BICUBIC] = "bicubic",
+                                                      [SURFACE_PN] = "pn",
+                                                      [SURFACE_SPHERE] = "sphere",
+                                                      [SURFACE_OCTANT] = "octant",
+                                                      [SURFACE_GREGORY] = "gregory",
+                                                      [SURFACE_NURBS] = "nurbs-surface",
+                                                      [SURFACE_SPATCH] = "spatch",
+                                                      [SURFACE_TORIC] = "toric",
+                                                      [SURFACE_BASEPOINT] = "basepoint",
+                                                      [SURFACE_RING] = "ring",
+                                                      [SURFACE_GB] = "gb" };
     return names[kind];
 }
 
@@ -75,6 +81,8 @@ unsigned surface_points(const surface *s)
     case SURFACE_TRIANGLE: return (s->m + 1) * (s->m + 2) / 2;
     case SURFACE_COONS:    return 2 * s->orders * (s->m + s->n + 2);
     case SURFACE_BICUBIC:  return 16;
+    case SURFACE_GREGORY:  return 20;
+    case SURFACE_NURBS:    return s->rows * s->columns;
     case SURFACE_PN:       return 3;
     default:               return 1;
     }
@@ -95,10 +103,22 @@ void surface_add_point(surface *s, const surface_point *p)
     s->point[s->count++] = *p;
 }
 
+void surface_add_knot(surface *s, unsigned along, double knot)
+{
+    unsigned *count = &s->knots[along];
+
+    if ((*count & (*count - 1)) == 0)
+        s->knot[along] = tool_grow(s->knot[along], (*count ? 2 * *count : 1) * sizeof knot);
+    s->knot[along][(*count)++] = knot;
+}
+
 void surfaces_free(surfaces *all)
 {
-    for (size_t i = 0; i < all->count; i++)
+    for (size_t i = 0; i < all->count; i++) {
         free(all->surface[i].point);
+        free(all->surface[i].knot[0]);
+        free(all->surface[i].knot[1]);
+    }
     free(all->surface);
     *all = (surfaces){ 0 };
 }
@@ -124,7 +144,8 @@ int surfaces_read_only(surfaces *all, const char *file)
     if (code == 0 && all->count == 0)
         return tool_error(EX_DATAERR,
                           "%s: no surface in it: begin with tensor, triangle, coons, bicubic, pn, "
-                          "sphere, octant, spatch, toric, basepoint, ring or gb",
+                          "sphere, octant, gregory, nurbs-surface, spatch, toric, basepoint, ring "
+                          "or gb",
                           source_name(file));
     return code;
 }

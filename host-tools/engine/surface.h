@@ -32,6 +32,8 @@ enum surface_kind {
     SURFACE_PN,
     SURFACE_SPHERE,
     SURFACE_OCTANT,
+    SURFACE_GREGORY,
+    SURFACE_NURBS,
     /* with n sides */
     SURFACE_SPATCH,
     SURFACE_TORIC,
@@ -62,6 +64,10 @@ typedef struct surface {
     unsigned m, n;              /* degrees along u and v; a triangle has only m; for n sides m is
                                  * the degree or depth */
     unsigned orders;            /* coons: 1 bilinear, 2 with slopes, 3 with curvatures */
+    unsigned rows, columns;     /* nurbs: of its net                                        */
+    double *knot[2];            /* nurbs: along u and v                                     */
+    unsigned knots[2];
+    bool split;                 /* gb: a second point at each inner corner                  */
     bool rational;              /* some weight was given */
     double radius;              /* sphere, octant: their only point is the centre */
     surface_point *point;
@@ -102,6 +108,7 @@ unsigned surface_points(const surface *s);
 /* Append a surface without points, or a point to the last one. */
 surface *surfaces_add(surfaces *all, enum surface_kind kind, unsigned line);
 void     surface_add_point(surface *s, const surface_point *p);
+void     surface_add_knot(surface *s, unsigned along, double knot);
 void     surfaces_free(surfaces *all);
 
 /* Read `file` ("-" is standard input) if it contains surfaces. Otherwise *all stays empty, and the

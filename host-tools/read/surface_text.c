@@ -129,11 +129,32 @@ static int head_spatch(reading *r)
     return read_coordinates(r);
 }
 
+#define ROWS_MAX 1000
+
+static int head_nurbs(reading *r)
+{
+    double x[4];
+    surface *s = r->now;
+
+    if (lines_numbers_alone(&r->at, x, 4) != 4 || !is_degree(x[0], 1) || !is_degree(x[1], 1) ||
+        x[2] != floor(x[2]) || x[3] != floor(x[3]) || !(x[2] > x[0] && x[2] <= ROWS_MAX) ||
+        !(x[3] > x[1] && x[3] <= ROWS_MAX))
+        return lines_wrong(&r->at, "not two degrees, rows and columns",
+                           "give degrees of 1 to 9 along u and v, then more rows and columns than "
+                           "the degrees, at most 1000");
+    s->m = (unsigned)x[0];
+    s->n = (unsigned)x[1];
+    s->rows = (unsigned)x[2];
+    s->columns = (unsigned)x[3];
+    return 0;
+}
+
 static int head_gb(reading *r)
 {
     if (!sides_and_degree(r, SURFACE_SIDES_MAX) || r->now->m < 3)
         return lines_wrong(&r->at, "not sides and degree",
                            "give two whole numbers, 3 to 8 sides and a degree of 3 to 9");
+    r->now->split = lines_word(&r->at, "split");
     return read_coordinates(r);
 }
 
@@ -183,6 +204,8 @@ static const row rows[] = {
     { SURFACE_PN, head_bare, false, "`x y z : nx ny nz`, with the normal" },
     { SURFACE_SPHERE, head_radius, false, "`x y z`: the centre" },
     { SURFACE_OCTANT, head_radius, false, "`x y z`: the centre" },
+    { SURFACE_GREGORY, head_bare, false, "`x y z`" },
+    { SURFACE_NURBS, head_nurbs, WEIGHTED },
     { SURFACE_SPATCH, head_spatch, WEIGHTED },
     { SURFACE_TORIC, head_bare, true,
       "`x y z`, `x y z : weight` or `x y z : weight coefficient`, a weight of 1/256 to 256" },
@@ -275,6 +298,60 @@ static int domain_line(reading *r)
         return lines_wrong(&r->at, "not a vertex", "give pairs of x and y");
     if (r->now->kind == SURFACE_TORIC)
         r->now->n = r->now->corners;
+    return 0;
+}
+
+
+// Knots
+// -----
+
+static int knot_line(reading *r)
+{
+    const bool u = lines_word(&r->at, "u"), v = !u && lines_word(&r->at, "v");
+    const unsigned along = v ? 1 : 0;
+    surface *s = r->now;
+    double knot;
+    int count;
+
+    if (s == NULL || s->kind != SURFACE_NURBS || (!u && !v))
+        return lines_wrong(&r->at, "knots of no NURBS surface",
+                           "give `knots u ..` and `knots v ..` below `nurbs-surface`");
+    while ((count = lines_numbers(&r->at, &knot, 1)) == 1) {
+        const unsigned held = s->knots[along];
+        if (held > 0 && knot < s->knot[along][held - 1])
+            return lines_wrong(&r->at, "knots that descend", "give them in ascending order");
+        if (held <= ROWS_MAX + SURFACE_DEGREE_MAX + 1)
+            surface_add_knot(s, along, knot);
+    }
+    return count == 0 && lines_over(&r->at)
+               ? 0
+               : lines_wrong(&r->at, "not a knot", "give numbers: rows, or columns, + degree + 1");
+}
+
+/* Without knots: 0 .. 0 1 2 .. m .. m, as for curves. */
+static int end_knots(const lines *at, surface *s)
+{
+    char words[96];
+
+    for (unsigned along = 0; along < 2; along++) {
+        const unsigned degree = along ? s->n : s->m, points = along ? s->columns : s->rows,
+                       pieces = points - degree, count = points + degree + 1;
+        for (unsigned i = 0; i < count && s->knots[along] == i; i++)
+            surface_add_knot(s, along, i <= degree ? 0 : i - degree < pieces ? i - degree : pieces);
+        if (s->knots[along] != count) {
+            snprintf(words, sizeof words, "%u knots %c for %u points of degree %u", s->knots[along],
+                     along ? 'v' : 'u', points, degree);
+            return lines_wrong(at, words, "give as many as points + degree + 1, or none");
+        }
+        const double *k = s->knot[along];
+        for (unsigned i = 0; i < points; i++)
+            if (!(k[i] < k[i + degree + 1]))
+                return lines_wrong(at, "too many equal knots",
+                                   "give each at most degree + 1 times");
+        if (!(k[degree] < k[points]))
+            return lines_wrong(at, "knots that leave no surface",
+                               "let those behind the first `degree` ascend");
+    }
     return 0;
 }
 
@@ -381,7 +458,9 @@ static int end_surface(reading *r)
         surface_add_point(s, &(surface_point){ .w = 1, .c = 1 });
     if (s->kind == SURFACE_TRIANGLE && !r->counted)
         s->m = triangle_degree(s->count);
-    const int code = surface_is_sided(s) ? end_domain(&at, s) : 0;
+    const int code = surface_is_sided(s)          ? end_domain(&at, s)
+                     : s->kind == SURFACE_NURBS ? end_knots(&at, s)
+                                                : 0;
     if (code == 0 && s->kind == SURFACE_GB && engine_sides_f64.complete(s) != 0)
         return lines_wrong(&at, "a net beyond +-32767 mm", "make the part smaller");
     if (code != 0 || (s->m <= SURFACE_DEGREE_MAX && s->count == surface_points(s)))
@@ -402,6 +481,8 @@ static int word_line(reading *r)
 
     if (lines_word(&r->at, "domain"))
         return domain_line(r);
+    if (lines_word(&r->at, "knots"))
+        return knot_line(r);
     const int code = end_surface(r);
     if (code != 0)
         return code;
@@ -409,8 +490,9 @@ static int word_line(reading *r)
         snprintf(words, sizeof words, "`%.*s` is not a kind of surface", length > 20 ? 20 : length,
                  r->at.rest);
         return lines_wrong(&r->at, words,
-                           "give tensor triangle coons bicubic pn sphere octant spatch toric "
-                           "basepoint ring or gb; curves go into a file of their own");
+                           "give tensor triangle coons bicubic pn sphere octant gregory "
+                           "nurbs-surface spatch toric basepoint ring or gb; curves go into a file "
+                           "of their own");
     }
     r->now     = surfaces_add(r->all, kind->kind, r->at.line);
     r->counted = true;

@@ -22,10 +22,14 @@ static const decide_question *question_of(const decide_question all[], unsigned 
 
 static int ask(const decide_question *q, const decide_input *in, const char *what)
 {
-    const int status = q->answer(in);
+    char why[DECIDE_WHY] = "";
+    decide_input asked = *in;
 
+    asked.why = why;
+    const int status = q->answer(&asked);
     return status == 0 ? EX_OK
-                       : tool_error(EX_DATAERR, "%s: %s: %s", what, q->name, engine_status(status));
+                       : tool_error(EX_DATAERR, "%s: %s: %s", what, q->name,
+                                    *why ? why : engine_status(status));
 }
 
 static int ask_of_file(const decide_question *q, const decide_input *numbers, const char *file)
@@ -70,7 +74,7 @@ int decide_run(const tool_command *self, const decide_question *const table[3], 
     if (q == NULL)
         return tool_error(EX_USAGE, "%s: not known to %s: see `loft help %s`", argv[first],
                           self->name, self->name);
-    const decide_input in = { e, &of, NULL, NULL };
+    const decide_input in = { e, &of, NULL, NULL, NULL };
     if (argc - first > (q->takes == DECIDE_NUMBERS ? 1 : 2))
         return tool_error(EX_USAGE, "%s: one %s too many: see `loft help %s`", argv[argc - 1],
                           q->takes == DECIDE_NUMBERS ? "word" : "file", self->name);

@@ -2,8 +2,8 @@
  * decides
  * SPDX-License-Identifier: MIT
  *
- *     engine_decide.c     the answers; engine_make.c: curves and surfaces made of curves; compiled
- *                         once per number type
+ *     engine_decide.c     the answers; engine_make.c, engine_weave.c, engine_fill.c: curves and
+ *                         surfaces made of others; compiled once per number type
  *     engine_pieces.h     what both use
  *     decide.c            what the commands decide and make share
  */
@@ -24,6 +24,7 @@ typedef struct {
     const tool_list *of;
     const struct curves *curves;
     const struct surfaces *surfaces;
+    char *why;                  /* room for DECIDE_WHY: what is wrong, and the remedy */
 } decide_input;
 
 typedef struct {
@@ -36,12 +37,13 @@ typedef struct {
 } decide_question;
 
 #define DECIDE_ANY       1024
+#define DECIDE_WHY       160
 #define DECIDE_QUESTIONS 14
 
 extern const decide_question decide_q16[DECIDE_QUESTIONS], decide_f32[DECIDE_QUESTIONS],
     decide_f64[DECIDE_QUESTIONS];
 
-#define MAKE_VERBS 8
+#define MAKE_VERBS 16
 
 extern const decide_question make_q16[MAKE_VERBS], make_f32[MAKE_VERBS], make_f64[MAKE_VERBS];
 

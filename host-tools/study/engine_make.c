@@ -12,15 +12,10 @@
 #include "base/tool.h"                          /* tool_grow */
 #include "study/decide.h"
 #include "study/engine_pieces.h"                /* visit_pieces, piece_list */
+#include "study/engine_weave.h"
 
 // Curves
 // ------
-
-static void write_points(const decide_input *in, const loft_vec p[], unsigned count)
-{
-    for (unsigned k = 0; k < count; k++)
-        print_vec(in, p[k]);
-}
 
 static void write_bezier(const decide_input *in, const loft_vec p[], unsigned degree)
 {
@@ -184,15 +179,6 @@ static int sections_of(const decide_input *in, piece_list *all, unsigned *degree
     return status;
 }
 
-static void write_tensor(const decide_input *in, unsigned m, unsigned n, const loft_vec net[])
-{
-    decide_input solid = *in;
-
-    solid.curves = NULL;                        /* with z */
-    printf("tensor %u %u\n", m, n);
-    write_points(&solid, net, (m + 1) * (n + 1));
-}
-
 static int make_ruled(const decide_input *in)
 {
     static piece_list all;
@@ -276,4 +262,13 @@ const decide_question ENGINE_OF(make)[MAKE_VERBS] = {
     { "skin", DECIDE_CURVES, 0, 0, "nothing", make_skin },
     { "hull", DECIDE_CURVES, 0, 0, "nothing", make_skin_smooth },
     { "revolve", DECIDE_CURVES, 0, 0, "nothing", make_revolve },
+    { "sweep", DECIDE_CURVES, 1, 4, "a number of stations, and a direction",
+      ENGINE_OF(make_sweep) },
+    { "coons", DECIDE_CURVES, 0, 0, "nothing", ENGINE_OF(make_coons) },
+    { "gordon", DECIDE_CURVES, 1, 1, "the number of curves along u", ENGINE_OF(make_gordon) },
+    { "ferguson", DECIDE_CURVES, 0, 0, "nothing", ENGINE_OF(make_ferguson) },
+    { "adini", DECIDE_CURVES, 0, 0, "nothing", ENGINE_OF(make_adini) },
+    { "bessel", DECIDE_CURVES, 0, 0, "nothing", ENGINE_OF(make_bessel) },
+    { "gregory", DECIDE_SURFACES, 0, 0, "nothing", ENGINE_OF(make_gregory) },
+    { "fill", DECIDE_SURFACES, 0, 1, "a degree, or nothing", ENGINE_OF(make_fill) },
 };

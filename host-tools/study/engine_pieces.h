@@ -49,36 +49,66 @@ typedef struct {
 
 typedef int arc_visit(void *context, const arc_piece *a, size_t number);
 
+/* All pieces of one curve, in order. */
+static inline int visit_curve(const decide_input *in, size_t c, arc_visit *visit, void *context,
+                              size_t *number)
+{
+    const engine_curves *make = in->e->curve;
+    engine_curve *held;
+    int status = make->open(&in->curves->curve[c], &held);
+
+    if (status != LOFT_OK)
+        return status;
+    for (unsigned i = 0; i < make->pieces(held) && status == LOFT_OK; i++) {
+        arc_piece a;
+        piece p;
+        status = make->piece(held, i, &p);
+        a.rational = status == LOFT_OK && piece_is_rational(&p);
+        for (unsigned k = 0; status == LOFT_OK && k <= p.degree; k++) {
+            if (!vec_of(p.p[k], &a.p[k]) || !real_of(p.w[k], &a.w[k].w))
+                status = LOFT_ERR_RANGE;
+            a.w[k].p = a.p[k];
+        }
+        if (status == LOFT_OK)
+            status = loft_bezier_init(&a.b, a.p, p.degree);
+        if (status == LOFT_OK)
+            status = visit(context, &a, (*number)++);
+    }
+    make->close(held);
+    return status;
+}
+
 /* All pieces of all curves, in order. */
 static inline int visit_pieces(const decide_input *in, arc_visit *visit, void *context)
 {
     int status = LOFT_OK;
     size_t number = 0;
 
-    for (size_t c = 0; c < in->curves->count && status == LOFT_OK; c++) {
-        const engine_curves *make = in->e->curve;
-        engine_curve *held;
-        status = make->open(&in->curves->curve[c], &held);
-        if (status != LOFT_OK)
-            return status;
-        for (unsigned i = 0; i < make->pieces(held) && status == LOFT_OK; i++) {
-            arc_piece a;
-            piece p;
-            status = make->piece(held, i, &p);
-            a.rational = status == LOFT_OK && piece_is_rational(&p);
-            for (unsigned k = 0; status == LOFT_OK && k <= p.degree; k++) {
-                if (!vec_of(p.p[k], &a.p[k]) || !real_of(p.w[k], &a.w[k].w))
-                    status = LOFT_ERR_RANGE;
-                a.w[k].p = a.p[k];
-            }
-            if (status == LOFT_OK)
-                status = loft_bezier_init(&a.b, a.p, p.degree);
-            if (status == LOFT_OK)
-                status = visit(context, &a, number++);
-        }
-        make->close(held);
-    }
+    for (size_t c = 0; c < in->curves->count && status == LOFT_OK; c++)
+        status = visit_curve(in, c, visit, context, &number);
     return status;
+}
+
+static inline void write_points(const decide_input *in, const loft_vec p[], unsigned count)
+{
+    for (unsigned k = 0; k < count; k++)
+        print_vec(in, p[k]);
+}
+
+/* Points of a surface: with z. */
+static inline void write_solid(const decide_input *in, const loft_vec p[], unsigned count)
+{
+    decide_input solid = *in;
+
+    solid.curves = NULL;
+    write_points(&solid, p, count);
+}
+
+static inline void write_tensor(const decide_input *in, unsigned m, unsigned n,
+                                const loft_vec net[])
+{
+    printf("tensor %u %u\n", m, n);
+    write_solid(in, net, (m + 1) * (n + 1));
 }
 
 #define HELD 64

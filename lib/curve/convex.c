@@ -63,10 +63,8 @@ enum loft_status loft_polygon_convex(const loft_vec p[], unsigned count, enum lo
     edge before;
     unsigned last = count;
 
-    for (unsigned k = 0; k < count; k++)
-        if (!loft_exact_valid(loft_vec_axis(&p[k], 0)) ||
-            !loft_exact_valid(loft_vec_axis(&p[k], 1)))
-            return LOFT_ERR_RANGE;
+    if (!loft_vec_exact_valid(p, count, 2))
+        return LOFT_ERR_RANGE;
     while (last > 0) {                          /* the last nonnull edge precedes the first */
         before = edge_at(p, count, --last);
         if (!is_null(&before))

@@ -25,6 +25,16 @@ static inline int32_t loft_part(int32_t a, int32_t b)
 #endif
 }
 
+/* x 2^n, at most 2^30; x >= 0. */
+static inline int32_t loft_part_scaled(int32_t x, int n)
+{
+    const int32_t full = INT32_C(1) << 30;
+
+    if (n <= 0)
+        return n > -31 ? x >> -n : 0;
+    return n < 30 && x < full >> n ? (int32_t)((uint32_t)x << n) : full;
+}
+
 /* How often x may be doubled so that it stays below 2^30; x > 0. */
 static inline int loft_doublings(uint32_t x)
 {

@@ -49,8 +49,25 @@ enum loft_status loft_gb_init(loft_gb *g, const loft_vec p[], unsigned sides, un
         if (!loft_vec_valid(p[k]))
             return LOFT_ERR_RANGE;
     g->p = p;
+    g->split = NULL;
     g->sides = (uint8_t)sides;
     g->degree = (uint8_t)degree;
+    return LOFT_OK;
+}
+
+enum loft_status loft_gb_init_split(loft_gb *g, const loft_vec p[], const loft_vec split[],
+                                    unsigned sides, unsigned degree)
+{
+    loft_gb made;
+    const enum loft_status status = loft_gb_init(&made, p, sides, degree);
+
+    if (status != LOFT_OK)
+        return status;
+    for (unsigned k = 0; k < sides; k++)
+        if (!loft_vec_valid(split[k]))
+            return LOFT_ERR_RANGE;
+    made.split = split;
+    *g = made;
     return LOFT_OK;
 }
 
@@ -218,6 +235,14 @@ static enum loft_status border_point(const loft_gb *g, const loft_sci phi[], uns
     return loft_weighted_sum_curve(p, NULL, g->degree, share, out);
 }
 
+/* The point of the ribbon of this side: at its end that of a split corner. */
+static const loft_vec *ribbon_point(const loft_gb *g, unsigned side, unsigned j, unsigned k)
+{
+    return g->split && j + 1 == g->degree && k == 1
+               ? &g->split[side_after(side, g->sides)]
+               : &g->p[loft_gb_place(g->sides, g->degree, side, j, k)];
+}
+
 static void add_row(loft_weighted_sum *sum, const loft_gb *g, const ribbon *r, unsigned side,
                     unsigned k)
 {
@@ -225,8 +250,7 @@ static void add_row(loft_weighted_sum *sum, const loft_gb *g, const ribbon *r, u
 
     loft_weighted_sum_start(&row);
     for (unsigned j = first_of_row(k); j <= g->degree - first_of_row(k); j++)
-        loft_weighted_sum_add(&row, &g->p[loft_gb_place(g->sides, g->degree, side, j, k)],
-                              point_share(r, g->degree, j, k));
+        loft_weighted_sum_add(&row, ribbon_point(g, side, j, k), point_share(r, g->degree, j, k));
     loft_weighted_sum_join(sum, &row, r->across[k]);
 }
 

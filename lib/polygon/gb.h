@@ -37,9 +37,10 @@
 
 LOFT_BEGIN_C
 
-/* The control points are borrowed. Do not fill it yourself: call init. */
+/* The control points are borrowed. Do not fill it yourself: call an init. */
 typedef struct {
     const loft_vec *p;
+    const loft_vec *split;      /* or NULL */
     uint8_t sides, degree;
 } loft_gb;
 
@@ -52,6 +53,20 @@ typedef struct {
  */
 enum loft_status loft_gb_init(loft_gb *g, const loft_vec p[], unsigned sides,
                               unsigned degree) LOFT_CHECKED;
+
+/* The same with two points in place of V^i_11 at each corner: that of the net for the ribbon of
+ * side i, split[i] for the ribbon of side i - 1. So each side has its own slopes across it, also
+ * where the two that meet at a corner have different twists (polygon/hole.h).
+ *
+ *   shape   split[sides], which must outlive the patch
+ *   range   as loft_gb_init
+ *   error   none
+ *   cost    as loft_gb_init
+ *   see     Varady, Rockwood, Salvi, Transfinite surface interpolation over irregular n-sided
+ *           domains (2011): ribbons with rational twists
+ */
+enum loft_status loft_gb_init_split(loft_gb *g, const loft_vec p[], const loft_vec split[],
+                                    unsigned sides, unsigned degree) LOFT_CHECKED;
 
 /* The number of points, V0 included: sides * (degree / 2 + 1) * layers + 1, at most 201.
  *

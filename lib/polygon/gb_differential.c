@@ -21,6 +21,9 @@
  *     V^i_01  d a^(d-1) (c + alpha e / (a + b))
  *     V^i_11  d^2 a^(d-1) s_i h_i + d^2 a^(d-2) beta (1 - s_i) (c - b) e / (a + c)
  *
+ * Of a split corner ribbon i - 1 has the share d^2 a^(d-1) beta (1 - s_(i-1)) h_(i-1), which is of
+ * second order at the vertex. It is added for the second point, and taken from the first.
+ *
  * On a far side s_i is 0/0. All weights have squares of factors that are 0 there. So second
  * derivatives need only the limit of s_i: the quotient of derivatives in any direction that leaves
  * the side.
@@ -110,6 +113,19 @@ static loft_jet moved_jet(const loft_jet *b, const loft_jet *share, const loft_j
     return loft_jet_add(b, &by);
 }
 
+/* Move the share of ribbon i - 1 from V^i_11 to the other point there; `power` is a^(d-1). */
+static void move_share(loft_jet_weighted_sum *s, const loft_gb *g, unsigned i,
+                       const loft_jet *power, const loft_jet *beta, const params *last)
+{
+    const loft_sci m = loft_sci_from_int((int32_t)g->degree);
+    const loft_jet part = mul3(power, beta, &last->before_s), whole = loft_jet_mul(&part, &last->h);
+    loft_jet share = loft_jet_scale(&whole, loft_sci_mul(m, m));
+
+    loft_jet_weighted_sum_add(s, &g->split[i], &share);
+    share = loft_jet_scale(&share, loft_sci_from_int(-1));
+    add_point(s, g, i, 1, 1, &share);
+}
+
 /* The four points of corner i, from the parameters of its two sides. */
 static bool add_corner(loft_jet_weighted_sum *s, const loft_gb *g, const loft_jet phi[], unsigned i,
                        const params *last, const params *here)
@@ -140,6 +156,8 @@ static bool add_corner(loft_jet_weighted_sum *s, const loft_gb *g, const loft_je
     add_point(s, g, i, 1, 1, &x);
     y = loft_jet_mul(&power, a);
     add_point(s, g, i, 0, 0, &y);
+    if (g->split)
+        move_share(s, g, i, &power, &beta, last);
 
     power = loft_jet_scale(&power, m);
     x = moved_jet(b, &beta, &e_c);

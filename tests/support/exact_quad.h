@@ -121,8 +121,8 @@ static inline quad quad_mu(unsigned d, unsigned j, unsigned k, quad alpha, quad 
     return j == k || j == d - k ? (quad)0.5 : 1;
 }
 
-/* All weights by definition; 0/0 becomes 1/2. */
-static inline void quad_weights(unsigned n, unsigned d, const quad phi[], quad out[])
+/* All weights by definition; 0/0 becomes 1/2. With `split` corners those of their second points. */
+static inline void quad_weights(unsigned n, unsigned d, const quad phi[], quad out[], quad split[])
 {
     const unsigned last = loft_gb_count(n, d) - 1;
     quad h[LOFT_SIDES_MAX], along[LOFT_DEGREE_MAX + 1], across[LOFT_DEGREE_MAX + 1];
@@ -145,7 +145,10 @@ static inline void quad_weights(unsigned n, unsigned d, const quad phi[], quad o
         for (unsigned k = 0; k < (d + 1) / 2; k++)
             for (unsigned j = 0; j <= d; j++) {
                 const quad w = quad_mu(d, j, k, alpha, beta) * along[j] * across[k];
-                out[loft_gb_place(n, d, i, j, k)] += w;
+                if (split && j == d - 1 && k == 1)
+                    split[(i + 1) % n] += w;
+                else
+                    out[loft_gb_place(n, d, i, j, k)] += w;
                 out[last] -= w;
             }
     }
@@ -153,14 +156,16 @@ static inline void quad_weights(unsigned n, unsigned d, const quad phi[], quad o
 
 static inline void quad_point(const loft_gb *g, const quad phi[], quad out[LOFT_AXES])
 {
-    quad w[201];
+    quad w[201], split[LOFT_SIDES_MAX] = { 0 };
     const unsigned count = loft_gb_count(g->sides, g->degree);
 
-    quad_weights(g->sides, g->degree, phi, w);
+    quad_weights(g->sides, g->degree, phi, w, g->split ? split : NULL);
     for (int i = 0; i < LOFT_AXES; i++) {
         out[i] = 0;
         for (unsigned k = 0; k < count; k++)
             out[i] += w[k] * (quad)exact_of(g->p[k].axis[i]);
+        for (unsigned k = 0; k < g->sides && g->split; k++)
+            out[i] += split[k] * (quad)exact_of(g->split[k].axis[i]);
     }
 }
 

@@ -228,6 +228,95 @@ static void the_demo_drawing_is_whole(arb *a)
     drawing_free(&d);
 }
 
+/* What has been taken out; the last curve stays, for the next one may be joined to it. */
+static int take_all_but_one(void *context, drawing *d)
+{
+    drawing *all = context;
+
+    for (size_t i = 0; i + 1 < d->count; i++)
+        drawing_add_like(all, &d->curve[i],
+                         i > 0 ? d->curve[i].path != d->curve[i - 1].path
+                               : all->count > 0 &&
+                                     d->curve[i].path != all->curve[all->count - 1].path);
+    drawing_forget(d, d->count - 1);
+    return 0;
+}
+
+static double random_unit(arb *a)      { return (double)(arb_next(a) >> 11) / 9007199254740992.0; }
+
+static char *long_text(arb *a, bool gcode, unsigned lines, size_t *size)
+{
+    char *text = tool_grow(NULL, 100 * lines + 100);
+    double x   = 0;
+
+    *size = 0;
+    for (unsigned n = 0; n < lines; n++) {
+        const double y = 100 * random_unit(a) - 50, from = n % 7 ? x : x + 1;
+        const char *end = n + 1 == lines ? "" : n % 3 ? "\n" : "\r\n";
+        x = 100 * random_unit(a) - 50;
+        if (gcode && n % 97 == 50)
+            *size += (size_t)sprintf(text + *size, "G4 P0.5\n");
+        *size += (size_t)(gcode ? sprintf(text + *size, "G%d X%.4f Y%.4f F900%s", n % 5 > 0, x, y,
+                                          end)
+                                : sprintf(text + *size, "%.4f,0,%.4f,%.4f,1,1,%.4f,0%s", from, from,
+                                          y, x, end));
+    }
+    return text;
+}
+
+/* A file in parts is the same drawing as in one piece, and never much of it is there. */
+static void long_files_are_read_in_parts(arb *a)
+{
+    static char line[3 << 20];
+    char name[64];
+
+    snprintf(name, sizeof name, "%s/long", folder);
+    for (int gcode = 0; gcode < 2; gcode++) {
+        drawing whole = { 0 }, all = { 0 }, d = { .taker = take_all_but_one, .context = &all };
+        size_t size;
+        char *text = long_text(a, gcode, 20000, &size);
+        FILE *f    = fopen(name, "wb");
+        CHECK(size > 500000 && fwrite(text, 1, size, f) == size && fclose(f) == 0);
+        CHECK(drawing_read(&whole, name) == 0 && drawing_read(&d, name) == 0);
+        CHECK(whole.count > 19000 && d.count < 8192 && d.room <= 8192);
+        CHECK(d.count + d.taken == whole.count && d.program == gcode);
+        take_all_but_one(&all, &d);
+        CHECK(all.count == whole.count - 1);
+        for (size_t i = 0; i < all.count && i < whole.count; i++)
+            CHECK(memcmp(all.curve[i].p, whole.curve[i].p, sizeof all.curve[i].p) == 0 &&
+                  all.curve[i].line == whole.curve[i].line &&
+                  all.curve[i].path == whole.curve[i].path);
+        CHECK(whole.events == (gcode ? 206 : 0) && d.events == whole.events);
+        for (size_t k = 0; k < d.events && k < whole.events; k++) {
+            const size_t before = d.event[k].before;
+            CHECK(before == whole.event[k].before && before < whole.count &&
+                  d.event[k].line + 1 == whole.curve[before].line);
+        }
+        drawing_free(&whole);
+        drawing_free(&all);
+        drawing_free(&d);
+
+        d           = (drawing){ .taker = take_all_but_one, .context = &all };
+        f           = fopen(name, "wb");
+        text[size - 100000] = '\0';
+        CHECK(fwrite(text, 1, size, f) == size && fclose(f) == 0);
+        CHECK(drawing_read(&d, name) == EX_DATAERR && strstr(caught, "is not text") != NULL);
+        drawing_free(&d);
+        drawing_free(&all);
+
+        d = (drawing){ .taker = take_all_but_one, .context = &all };
+        f = fopen(name, "wb");
+        memset(line, gcode ? ' ' : ',', sizeof line);
+        memcpy(line, "G1 X1\n", gcode ? 6 : 0);
+        CHECK(fwrite(line, 1, sizeof line, f) == sizeof line && fclose(f) == 0);
+        CHECK(drawing_read(&d, name) == EX_DATAERR && strstr(caught, "more than 1 MB") != NULL);
+        drawing_free(&d);
+        drawing_free(&all);
+        free(text);
+    }
+    remove(name);
+}
+
 int main(void)
 {
     if (mkdtemp(folder) == NULL)
@@ -240,6 +329,7 @@ int main(void)
     PROPERTY(lengths_are_true, 1);
     PROPERTY(boxes_are_tight, 500);
     PROPERTY(the_demo_drawing_is_whole, 1);
+    PROPERTY(long_files_are_read_in_parts, 1);
     rmdir(folder);
     return check_failures();
 }

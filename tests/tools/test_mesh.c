@@ -184,7 +184,7 @@ static bool look_by_slopes(const stencil *s, engine_look *out)
     return true;
 }
 
-/* At a vertex of a GB patch curvatures depend on the direction of approach. */
+/* At a vertex of a GB or a Gregory patch curvatures depend on the direction of approach. */
 static void check_look(const surface *s, const engine_surface *held, unsigned kite, double u,
                        double v)
 {
@@ -199,6 +199,8 @@ static void check_look(const surface *s, const engine_surface *held, unsigned ki
     for (int i = 0; i < 3; i++)
         CHECK_NEAR(got.normal[i], want.normal[i], 1e-6);
     if (s->kind == SURFACE_GB && u == 0 && v == 0)
+        return;
+    if (s->kind == SURFACE_GREGORY && u * (1 - u) == 0 && v * (1 - v) == 0)
         return;
     const double bend = fabs(want.mean) + sqrt(fmax(want.mean * want.mean - want.gauss, 0));
     CHECK_NEAR(got.gauss, want.gauss, 1e-5 * (bend * bend + 1e-4));

@@ -1,7 +1,7 @@
 /* tests/vectors/vectors_curve.c -- readers of the curve systems
  * SPDX-License-Identifier: MIT
  */
-#include "vectors/vectors.h"                /* row, answer, law */
+#include "vectors/vectors_points.h"         /* row, law, expect_vec */
 #include "basis/bernstein.h"
 #include "basis/differences.h"
 #include "curve/bezier.h"
@@ -21,7 +21,6 @@ static law extrapolation(unsigned n, loft_unit t, long double gain)
 
 static bool inside(loft_unit t) { return t >= 0 && t <= LOFT_UNIT(1); }
 
-static unsigned dimension(row *r)   { return row_count(r, "d", LOFT_AXES); }
 static unsigned degree(row *r)      { return row_count(r, "n", LOFT_DEGREE_MAX); }
 
 static loft_bezier curve(row *r, unsigned n, unsigned d, loft_vec p[])
@@ -32,27 +31,6 @@ static loft_bezier curve(row *r, unsigned n, unsigned d, loft_vec p[])
     if (loft_bezier_init(&b, p, n) != LOFT_OK)
         row_complain(r, "the curve was refused");
     return b;
-}
-
-static void expect_vec(row *r, const char *column, enum loft_status status, loft_vec v, unsigned d,
-                       law l)
-{
-    answer *a = answer_new();
-
-    answer_status(r, a, status);
-    answer_vec(a, v, d);
-    row_expect(r, column, a, l);
-}
-
-static void expect_points(row *r, const char *column, enum loft_status status, const loft_vec p[],
-                          unsigned count, unsigned d, law l)
-{
-    answer *a = answer_new();
-
-    answer_status(r, a, status);
-    for (unsigned k = 0; k < count && status == LOFT_OK; k++)
-        answer_vec(a, p[k], d);
-    row_expect(r, column, a, l);
 }
 
 static loft_cubic cubic_of(const loft_vec p[])
@@ -133,14 +111,14 @@ static void bezier_split(row *r)
     const law l = extrapolation(n, t, 1);
 
     const enum loft_status status = loft_bezier_split(&b, t, left, right);
-    expect_points(r, "L", status, left, n + 1, d, l);
-    expect_points(r, "R", status, right, n + 1, d, l);
+    expect_vecs(r, "L", status, left, n + 1, d, l);
+    expect_vecs(r, "R", status, right, n + 1, d, l);
     if (n == 3 && inside(t)) {
         const loft_cubic c = cubic_of(p);
         loft_cubic one, two;
         loft_cubic_split(&c, t, &one, &two);
-        expect_points(r, "L", LOFT_OK, one.p, 4, d, l);
-        expect_points(r, "R", LOFT_OK, two.p, 4, d, l);
+        expect_vecs(r, "L", LOFT_OK, one.p, 4, d, l);
+        expect_vecs(r, "R", LOFT_OK, two.p, 4, d, l);
     }
 }
 
@@ -154,10 +132,10 @@ static void bezier_segment(row *r)
                                 1);
 
     const enum loft_status status = loft_bezier_sub(&b, from, to, out);
-    expect_points(r, "Q", status, out, n + 1, d, l);
+    expect_vecs(r, "Q", status, out, n + 1, d, l);
     if (n == 3 && inside(from) && inside(to)) {
         const loft_cubic c = cubic_of(p), piece = loft_cubic_sub(&c, from, to);
-        expect_points(r, "Q", LOFT_OK, piece.p, 4, d, l);
+        expect_vecs(r, "Q", LOFT_OK, piece.p, 4, d, l);
     }
 }
 
@@ -169,8 +147,8 @@ static void bezier_elevate(row *r)
     const loft_bezier b = curve(r, n, d, p);
 
     const enum loft_status status = loft_bezier_elevate(&b, times, out);
-    expect_points(r, "Q", status, out, n + times + 1, d,
-                  (law){ .lsb = 0.5L + 1 / 131072.0L, .roundings = n + 3 });
+    expect_vecs(r, "Q", status, out, n + times + 1, d,
+                (law){ .lsb = 0.5L + 1 / 131072.0L, .roundings = n + 3 });
 }
 
 static void bezier_deriv(row *r)

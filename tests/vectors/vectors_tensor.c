@@ -1,7 +1,7 @@
 /* tests/vectors/vectors_tensor.c -- readers of the systems of tensor-product patches
  * SPDX-License-Identifier: MIT
  */
-#include "vectors/vectors.h"                /* row, answer, law */
+#include "vectors/vectors_points.h"         /* row, law, expect_vec */
 #include "surface/tensor/tensor.h"
 #include "support/tensor_joins.h"           /* tj_flags: of coordinates that reading rounded */
 
@@ -23,27 +23,6 @@ static loft_tensor patch(row *r, unsigned d, loft_vec p[])
     if (loft_tensor_init(&s, p, m, n) != LOFT_OK)
         row_complain(r, "the patch was refused");
     return s;
-}
-
-static void expect_vec(row *r, const char *column, enum loft_status status, loft_vec v, unsigned d,
-                       law l)
-{
-    answer *a = answer_new();
-
-    answer_status(r, a, status);
-    answer_vec(a, v, d);
-    row_expect(r, column, a, l);
-}
-
-static void expect_net(row *r, const char *column, enum loft_status status, const loft_vec p[],
-                       unsigned count, law l)
-{
-    answer *a = answer_new();
-
-    answer_status(r, a, status);
-    for (unsigned k = 0; k < count && status == LOFT_OK; k++)
-        answer_vec(a, p[k], 1);
-    row_expect(r, column, a, l);
 }
 
 /* Both orders: the transposed net is evaluated along v first. */
@@ -71,11 +50,11 @@ static void tensor_elevate(row *r)
     const loft_tensor s = patch(r, 1, p);
 
     if (row_is(r, "dir", "u"))
-        expect_net(r, "out", loft_tensor_elevate_u(&s, 1, out), out, (s.m + 2u) * (s.n + 1u),
-                   inside(1, 1, 1));
+        expect_vecs(r, "out", loft_tensor_elevate_u(&s, 1, out), out, (s.m + 2u) * (s.n + 1u), 1,
+                    inside(1, 1, 1));
     else if (row_is(r, "dir", "v"))
-        expect_net(r, "out", loft_tensor_elevate_v(&s, 1, out), out, (s.m + 1u) * (s.n + 2u),
-                   inside(1, 1, 1));
+        expect_vecs(r, "out", loft_tensor_elevate_v(&s, 1, out), out, (s.m + 1u) * (s.n + 2u), 1,
+                    inside(1, 1, 1));
     else
         row_complain(r, "column dir is neither u nor v");
 }
@@ -91,8 +70,8 @@ static void tensor_split(row *r)
                     .roundings = 3 * s.m };
 
     const enum loft_status status = loft_tensor_split_u(&s, t, left, right);
-    expect_net(r, "L", status, left, (s.m + 1u) * (s.n + 1u), l);
-    expect_net(r, "R", status, right, (s.m + 1u) * (s.n + 1u), l);
+    expect_vecs(r, "L", status, left, (s.m + 1u) * (s.n + 1u), 1, l);
+    expect_vecs(r, "R", status, right, (s.m + 1u) * (s.n + 1u), 1, l);
 }
 
 /* Where a float rounded coordinates their own flags count, decided by the tests. */

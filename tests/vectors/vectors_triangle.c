@@ -3,6 +3,7 @@
  */
 #include "support/triangles.h"      /* sums, growth3, exact_point */
 #include "vectors/vectors_bary.h"   /* row_bary, and row, answer, law */
+#include "vectors/vectors_points.h" /* expect_vecs */
 #include "curve/bezier.h"           /* LOFT_ELEVATE_MAX */
 #include "surface/triangle/triangle.h"
 #include "surface/triangle/triangle_join.h"
@@ -32,17 +33,6 @@ static net *row_net(row *r, const char *column, bool scalar)
     return x;
 }
 
-static void expect_points(row *r, const char *column, enum loft_status status, const loft_vec p[],
-                          unsigned count, unsigned d, law l)
-{
-    answer *a = answer_new();
-
-    answer_status(r, a, status);
-    for (unsigned k = 0; k < count && status == LOFT_OK; k++)
-        answer_vec(a, p[k], d);
-    row_expect(r, column, a, l);
-}
-
 static law point_law(unsigned rows, long double growth)
 {
     return (law){ .lsb = 0.5L + sums(growth, rows) / 131072,
@@ -60,10 +50,10 @@ static void tri_eval(row *r)
     if (loft_bary_inside(u) &&
         (status != LOFT_OK || !loft_vec_equal(p, loft_triangle_eval(&x->t, u))))
         row_complain(r, "inside the triangle eval and extend differ");
-    expect_points(r, "point", status, &p, 1, x->d, point_law(x->n, growth3(u)));
+    expect_vecs(r, "point", status, &p, 1, x->d, point_law(x->n, growth3(u)));
     if (x->n > 0)
-        expect_points(r, "tangent3", loft_triangle_tangent(&x->t, u, three), three, 3, x->d,
-                      point_law(x->n - 1, growth3(u)));
+        expect_vecs(r, "tangent3", loft_triangle_tangent(&x->t, u, three), three, 3, x->d,
+                    point_law(x->n - 1, growth3(u)));
 }
 
 static void tri_dderiv(row *r)
@@ -83,7 +73,7 @@ static void tri_dderiv(row *r)
         .roundings = 3 * x->n + 3
     };
     const enum loft_status status = loft_triangle_deriv(&x->t, k, z, u, &d);
-    expect_points(r, "D", status, &d, 1, x->d, own);
+    expect_vecs(r, "D", status, &d, 1, x->d, own);
 }
 
 static void tri_elevate(row *r)
@@ -92,9 +82,9 @@ static void tri_elevate(row *r)
     const unsigned times = row_count(r, "m", LOFT_ELEVATE_MAX - x->n);
     static loft_vec out[LOFT_TRIANGLE_POINTS(LOFT_ELEVATE_MAX)];
 
-    expect_points(r, "out", loft_triangle_elevate(&x->t, times, out), out,
-                  LOFT_TRIANGLE_POINTS(x->n + times), x->d,
-                  (law){ .lsb = 0.5L + 1 / 131072.0L, .gain = 1, .roundings = x->n + 3 });
+    expect_vecs(r, "out", loft_triangle_elevate(&x->t, times, out), out,
+                LOFT_TRIANGLE_POINTS(x->n + times), x->d,
+                (law){ .lsb = 0.5L + 1 / 131072.0L, .gain = 1, .roundings = x->n + 3 });
 }
 
 static void tri_split_point(row *r)
@@ -106,9 +96,9 @@ static void tri_split_point(row *r)
     loft_vec part[3][MOST];
 
     const enum loft_status status = loft_triangle_split(&x->t, u, part[0], part[1], part[2]);
-    expect_points(r, "A", status, part[0], count, 1, own);
-    expect_points(r, "B", status, part[1], count, 1, own);
-    expect_points(r, "C", status, part[2], count, 1, own);
+    expect_vecs(r, "A", status, part[0], count, 1, own);
+    expect_vecs(r, "B", status, part[1], count, 1, own);
+    expect_vecs(r, "C", status, part[2], count, 1, own);
 }
 
 static void tri_split4(row *r)
@@ -118,9 +108,9 @@ static void tri_split4(row *r)
     loft_vec out[MOST];
 
     for (unsigned k = 0; k < 4; k++)
-        expect_points(r, column[k], loft_triangle_quarter(&x->t, k, out), out,
-                      LOFT_TRIANGLE_POINTS(x->n), 1,
-                      (law){ .lsb = 0.5L, .gain = 1, .roundings = x->n });
+        expect_vecs(r, column[k], loft_triangle_quarter(&x->t, k, out), out,
+                    LOFT_TRIANGLE_POINTS(x->n), 1,
+                    (law){ .lsb = 0.5L, .gain = 1, .roundings = x->n });
 }
 
 static void tri_reparam(row *r)
@@ -130,8 +120,8 @@ static void tri_reparam(row *r)
     loft_vec out[MOST];
 
     row_barys(r, "V_q16", 3, false, v);
-    expect_points(r, "out", loft_triangle_sub(&x->t, v, out), out, LOFT_TRIANGLE_POINTS(x->n), 1,
-                  point_law(x->n, fmaxl(growth3(v[0]), fmaxl(growth3(v[1]), growth3(v[2])))));
+    expect_vecs(r, "out", loft_triangle_sub(&x->t, v, out), out, LOFT_TRIANGLE_POINTS(x->n), 1,
+                point_law(x->n, fmaxl(growth3(v[0]), fmaxl(growth3(v[1]), growth3(v[2])))));
 }
 
 static void tri_line(row *r)
@@ -140,8 +130,8 @@ static void tri_line(row *r)
     const loft_bary a = row_bary(r, "A_q16", false), b = row_bary(r, "B_q16", false);
     loft_vec out[LOFT_DEGREE_MAX + 1];
 
-    expect_points(r, "curve", loft_triangle_line(&x->t, a, b, out), out, x->n + 1, 1,
-                  point_law(x->n, fmaxl(growth3(a), growth3(b))));
+    expect_vecs(r, "curve", loft_triangle_line(&x->t, a, b, out), out, x->n + 1, 1,
+                point_law(x->n, fmaxl(growth3(a), growth3(b))));
 }
 
 static void tri_polar(row *r)
@@ -151,7 +141,7 @@ static void tri_polar(row *r)
     loft_vec v = { { 0 } };
 
     const enum loft_status status = loft_triangle_polar(&x->t, row_count(r, "l", x->n), a, u, &v);
-    expect_points(r, "value", status, &v, 1, 1, point_law(x->n, fmaxl(growth3(a), growth3(u))));
+    expect_vecs(r, "value", status, &v, 1, 1, point_law(x->n, fmaxl(growth3(a), growth3(u))));
 }
 
 /* The file's x and y are its shares of T1 and T2: they are those of T2 and T3 when the corners move
@@ -169,10 +159,10 @@ static void tri_power(row *r)
     for (unsigned m = 0; m <= n && status == LOFT_OK; m++)
         for (unsigned k = 0; k <= m; k++)
             out[loft_triangle_place(m - k, k)] = moved[loft_triangle_place(n - m, m - k)];
-    expect_points(r, "net", status, out, count, 1,
-                  (law){ .lsb = 0.5L + n * n / 131072.0L,
-                         .gain = (n + 2) * (n + 2) / 4,
-                         .roundings = 4 * n + 4 });
+    expect_vecs(r, "net", status, out, count, 1,
+                (law){ .lsb = 0.5L + n * n / 131072.0L,
+                       .gain = (n + 2) * (n + 2) / 4,
+                       .roundings = 4 * n + 4 });
 }
 
 static void tri_continuation(row *r)
@@ -182,9 +172,9 @@ static void tri_continuation(row *r)
     const unsigned order = row_count(r, "r", x->n);
     loft_vec out[MOST];
 
-    expect_points(r, "c", loft_triangle_join_continue(&x->t, star, order, out), out,
-                  LOFT_TRIANGLE_ROWS(x->n, order), 1,
-                  (law){ .lsb = 0.5L + LSB, .gain = powl(growth3(star), order), .roundings = 1 });
+    expect_vecs(r, "c", loft_triangle_join_continue(&x->t, star, order, out), out,
+                LOFT_TRIANGLE_ROWS(x->n, order), 1,
+                (law){ .lsb = 0.5L + LSB, .gain = powl(growth3(star), order), .roundings = 1 });
 }
 
 /* Where a float rounded a coefficient, the order is that of the rounded ones. */

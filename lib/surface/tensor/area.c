@@ -20,7 +20,7 @@
  */
 #include "surface/tensor/area.h"
 #include "basis/dyadic.h"   /* loft_dyad */
-#include "num/exact.h"      /* loft_exact_valid */
+#include "geom/vec_exact.h" /* loft_vec_exact_valid */
 #include "num/sci.h"        /* loft_sci: areas of any size */
 
 #define MOST ((LOFT_DEGREE_MAX + 1) * (LOFT_DEGREE_MAX + 1))
@@ -153,11 +153,7 @@ static bounds bounds_of(const patch *x)
 
 static bool points_valid(const loft_tensor *s)
 {
-    for (unsigned k = 0; k < (s->m + 1u) * (s->n + 1u); k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_exact_valid(s->p[k].axis[i]))
-                return false;
-    return true;
+    return loft_vec_exact_valid(s->p, (s->m + 1u) * (s->n + 1u), LOFT_AXES);
 }
 
 enum loft_status loft_tensor_area(const loft_tensor *s, loft_real tol, loft_acc *out)

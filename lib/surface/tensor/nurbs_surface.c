@@ -58,6 +58,20 @@ enum loft_status loft_bspline_surface_init(loft_nurbs_surface *s, const loft_vec
     return LOFT_OK;
 }
 
+static loft_real knots_share(const loft_knots *knots, loft_unit t)
+{
+    const loft_unit at = t > 0 ? t < LOFT_UNIT(1) ? t : LOFT_UNIT(1) : 0;
+
+    return loft_acc_round(loft_acc_lerp(loft_to_acc(knots->k[knots->degree]),
+                                        loft_to_acc(knots->k[knots->points]), at));
+}
+
+void loft_nurbs_surface_at(const loft_nurbs_surface *f, loft_unit s, loft_unit t, loft_real out[2])
+{
+    out[0] = knots_share(&f->u, s);
+    out[1] = knots_share(&f->v, t);
+}
+
 /* The place: clamped parameters, their spans, and the B-splines with two derivatives. */
 typedef struct {
     loft_real u, v;
@@ -151,6 +165,22 @@ enum loft_status loft_nurbs_surface_eval(const loft_nurbs_surface *s, loft_real 
     find_spot(s, u, v, &at);
     set_basis(s, &at);
     return point_at(s, &at, out);
+}
+
+static enum loft_status nurbs_surface_at(const void *surface, loft_unit u, loft_unit v,
+                                         loft_vec *out)
+{
+    const loft_nurbs_surface *s = (const loft_nurbs_surface *)surface;
+    loft_real at[2];
+
+    loft_nurbs_surface_at(s, u, v, at);
+    return loft_nurbs_surface_eval(s, at[0], at[1], out);
+}
+
+loft_surface loft_surface_from_nurbs(const loft_nurbs_surface *s)
+{
+    const loft_surface made = { nurbs_surface_at, s, LOFT_SURFACE_SQUARE };
+    return made;
 }
 
 static loft_sci sub_product(loft_sci x, loft_sci a, loft_sci b)

@@ -20,6 +20,7 @@
 #include "basis/knots.h"            /* loft_knots */
 #include "curve/rational.h"         /* loft_weighted */
 #include "surface/differential.h"   /* loft_differential */
+#include "surface/surface.h"        /* loft_surface */
 
 LOFT_BEGIN_C
 
@@ -45,6 +46,14 @@ enum loft_status loft_nurbs_surface_init(loft_nurbs_surface *s, const loft_weigh
 enum loft_status loft_bspline_surface_init(loft_nurbs_surface *s, const loft_vec p[], unsigned rows,
                                            unsigned columns, const loft_real u[], unsigned degree_u,
                                            const loft_real v[], unsigned degree_v) LOFT_CHECKED;
+
+/* The parameters at the shares s and t of the domain, 0..1.
+ *
+ *   range   shares are clamped
+ *   error   q16: 1/2 LSB   f32: 1 ulp   f64: 3 ulp of the largest knot
+ *   cost    two lerps
+ */
+void loft_nurbs_surface_at(const loft_nurbs_surface *f, loft_unit s, loft_unit t, loft_real out[2]);
 
 /* The derivative of order j by u and k by v, j + k <= 2; the point for j = k = 0.
  *
@@ -79,6 +88,13 @@ bool loft_nurbs_surface_regular(const loft_nurbs_surface *s, loft_real u, loft_r
  */
 enum loft_status loft_nurbs_surface_differential(const loft_nurbs_surface *s, loft_real u,
                                                  loft_real v, loft_differential *out) LOFT_CHECKED;
+
+/* Make a loft_surface of it, its domain over 0..1; it must outlive that.
+ *
+ *   error   a point: that of loft_nurbs_surface_eval, at parameters of loft_nurbs_surface_at
+ *   cost    two pointers copied
+ */
+loft_surface loft_surface_from_nurbs(const loft_nurbs_surface *s);
 
 LOFT_END_C
 

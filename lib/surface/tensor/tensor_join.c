@@ -164,11 +164,7 @@ static bool same_direction(edge *e, const loft_tensor *p, const loft_tensor *q)
 
 static bool points_valid(const loft_tensor *s)
 {
-    for (unsigned k = 0; k < (s->m + 1u) * (s->n + 1u); k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (!loft_exact_valid(s->p[k].axis[i]))
-                return false;
-    return true;
+    return loft_vec_exact_valid(s->p, (s->m + 1u) * (s->n + 1u), LOFT_AXES);
 }
 
 static bool edges_meet(const loft_tensor *p, const loft_tensor *q)

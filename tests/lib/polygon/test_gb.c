@@ -8,14 +8,27 @@
 #include "polygon/wachspress.h"
 #include "surface/tensor/tensor.h"
 
-static net points, other;
+static net points, other, halves;
 
-static loft_gb arb_gb(arb *a, unsigned sides, unsigned degree)
+static loft_gb arb_plain_gb(arb *a, unsigned sides, unsigned degree)
 {
-    loft_gb g = { 0, 0, 0 };
+    loft_gb g = { 0 };
 
     arb_net(a, &points, loft_gb_count(sides, degree));
     CHECK(loft_gb_init(&g, points.p, sides, degree) == LOFT_OK);
+    return g;
+}
+
+/* With split corners or without. */
+static loft_gb arb_gb(arb *a, unsigned sides, unsigned degree)
+{
+    loft_gb g = arb_plain_gb(a, sides, degree);
+
+    if (arb_below(a, 2))
+        return g;
+    arb_net(a, &halves, sides);
+    points.largest = fmaxl(points.largest, halves.largest);
+    CHECK(loft_gb_init_split(&g, points.p, halves.p, sides, degree) == LOFT_OK);
     return g;
 }
 
@@ -191,7 +204,7 @@ static void weights_are_those_of_the_definition(arb *a)
 
     arb_phi(a, n, phi);
     quad_phi(phi, n, exact);
-    quad_weights(n, d, exact, want);
+    quad_weights(n, d, exact, want, NULL);
     CHECK(loft_gb_weights(n, d, phi, w) == LOFT_OK);
     for (unsigned k = 0; k < count; k++) {
         CHECK_EXACT(exact_sci(w[k]), (long double)want[k], BY_NUM(0x1p-52L, 0x1p-44L, 0x1p-44L));
@@ -321,7 +334,7 @@ static void over_a_square_it_is_the_tensor_product(arb *a)
     static loft_vec p[(LOFT_DEGREE_MAX + 1) * (LOFT_DEGREE_MAX + 1)];
     const unsigned d = arb_degree(a), layers = (d + 1) / 2, x = arb_below(a, 257),
                    y = arb_below(a, 257);
-    const loft_gb g = arb_gb(a, 4, d);
+    const loft_gb g = arb_plain_gb(a, 4, d);
     arb_domain s = { .n = 4,
                      .v = { spot_raw(0, 0), spot_raw(65536, 0), spot_raw(65536, 65536),
                             spot_raw(0, 65536) } };
@@ -398,6 +411,14 @@ static void derivatives_are_limits_of_differences(arb *a)
     }
 }
 
+/* The point of ribbon i, of a split corner its own. */
+static const loft_vec *row_point(const loft_gb *g, unsigned i, unsigned j, unsigned k)
+{
+    return g->split && k == 1 && j == g->degree - 1u
+               ? &g->split[(i + 1) % g->sides]
+               : &g->p[loft_gb_place(g->sides, g->degree, i, j, k)];
+}
+
 /* On side i, at h_i = 0: S_s is that of the curve, and S_h = d sum B_j(s) (V_j1 - V_j0). */
 static void across_a_side_two_rows_count(arb *a)
 {
@@ -426,7 +447,7 @@ static void across_a_side_two_rows_count(arb *a)
         quad_bernstein(w, d, b, f);
         quad_bernstein(lower, d - 1, b, f);
         for (int x = 0; x < LOFT_AXES; x++) {
-            #define V(j, k) (quad)exact_of(points.p[loft_gb_place(p.n, d, i, j, k)].axis[x])
+            #define V(j, k) (quad)exact_of(row_point(&g, i, j, k)->axis[x])
             quad sum = 0;
             for (unsigned j = 0; j <= d; j++)
                 sum += d * w[j] * (V(j, 1) - V(j, 0)) * h_x +
@@ -444,7 +465,7 @@ static void across_a_side_two_rows_count(arb *a)
 static loft_gb arb_bent(arb *a, arb_domain *p)
 {
     const unsigned n = p->n = 3 + arb_below(a, 6), d = arb_degree(a);
-    loft_gb g = { 0, 0, 0 };
+    loft_gb g = { 0 };
 
     for (unsigned i = 0; i < n; i++)
         p->v[i] = spot_raw(lround(60000 * cos(6.2831853 * i / n)) + (int)arb_below(a, 2000),

@@ -160,6 +160,29 @@ static void one_span_is_a_bezier_patch(arb *a)
                     bound_by_num(LSB, 4 * ulp(s->size), 256 * ulp(s->size)));
 }
 
+/* The corners of the domain are those of the parameters 0..1. */
+static void as_a_surface_it_has_the_domain(arb *a)
+{
+    sample *s = arb_sample(a);
+    const loft_unit u = arb_unit(a), v = arb_unit(a);
+    loft_real at[2];
+    loft_vec p = { { 0 } }, q = { { 0 } };
+
+    if (!s->valid)
+        return;
+    const loft_surface f = loft_surface_from_nurbs(&s->s);
+    loft_nurbs_surface_at(&s->s, 0, LOFT_UNIT(1), at);
+    CHECK_EXACT(exact_of(at[0]), exact_of(s->knot[0][s->degree[0]]), 0);
+    CHECK_EXACT(exact_of(at[1]), exact_of(s->knot[1][s->columns]), 0);
+    loft_nurbs_surface_at(&s->s, u, v, at);
+    const long double from = exact_of(s->knot[0][s->degree[0]]), to = exact_of(s->knot[0][s->rows]);
+    CHECK_EXACT(exact_of(at[0]), from + (to - from) * exact_unit(u),
+                bound_by_num(LSB / 2 + 0x1p-32L, ulp(fmaxl(fabsl(from), fabsl(to))),
+                             3 * ulp(fmaxl(fabsl(from), fabsl(to)))));
+    CHECK(f.eval(f.surface, u, v, &p) == loft_nurbs_surface_eval(&s->s, at[0], at[1], &q) &&
+          loft_vec_equal(p, q));
+}
+
 static void mistakes_are_refused(arb *a)
 {
     sample *s = arb_sample(a);
@@ -181,6 +204,7 @@ int main(void)
     PROPERTY(points_and_derivatives_are_within_their_bound, 200);
     PROPERTY(normals_are_perpendicular_where_there_is_one,  200);
     PROPERTY(one_span_is_a_bezier_patch,                    500);
+    PROPERTY(as_a_surface_it_has_the_domain,                300);
     PROPERTY(mistakes_are_refused,                           50);
     return check_failures();
 }
