@@ -224,8 +224,9 @@ static int run(const tool_command *self, int argc, char **argv)
     harmonic_free(&s);
     if (code == 0 && error > 1e-6L)
         return tool_error(EX_DATAERR,
-                          "%s: the error is above 1e-6: the polygon is too narrow somewhere",
-                          source_name(file));
+                          "%s: the error is above 1e-6, %.2g: the polygon is too narrow "
+                          "somewhere: widen it there, or cut it in two",
+                          source_name(file), (double)error);
     return code;
 }
 

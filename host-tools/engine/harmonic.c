@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/harmonic_basis.h"
+#include "engine/harmonic_poles.h"
 #include "base/least.h"          /* least_squares, least_room */
 
 #define PLACES 4000 /* of a boundary sample, at most     */
@@ -27,6 +27,7 @@ typedef struct {
     harmonic_target target;
     harmonic_place *place; /* to fit */
     size_t places;
+    harmonic_planes planes; /* once a recipe has poles */
 } problem;
 
 /* A corner of a turn over a whole number has no singularity: the polynomial does it, unless the
@@ -34,17 +35,6 @@ typedef struct {
 static bool is_regular(long double power)
 {
     return power > 1.5L && fabsl(power - roundl(power)) < 1e-13L;
-}
-
-static void place_poles(const problem *p, long double ratio, harmonic_series *s)
-{
-    harmonic_root *root = least_room(p->places * sizeof *root);
-
-    for (unsigned i = 0; i < p->shape.sides; i++)
-        harmonic_corner_poles(&p->shape, i, p->place, p->places, ratio, root, s);
-    for (unsigned i = 0; i < p->shape.feet; i++)
-        harmonic_foot_poles(&p->shape, &p->shape.foot[i], ratio, s);
-    free(root);
 }
 
 static void round_poles(harmonic_series *s, long double grain)
@@ -66,6 +56,15 @@ static void find_places(problem *p, const harmonic_series *s)
     while (harmonic_walk(&p->shape, s, step, 30, NULL, 0) > PLACES)
         step *= 1.1L;
     p->places = harmonic_walk(&p->shape, s, step, 30, p->place, PLACES);
+}
+
+static void place_poles(problem *p, long double ratio, harmonic_series *s)
+{
+    if (p->planes.cut == NULL) {
+        find_places(p, NULL);
+        harmonic_planes_of(&p->shape, p->place, p->places, &p->planes);
+    }
+    harmonic_put_poles(&p->planes, ratio, s);
 }
 
 static void lay_out(problem *p, recipe r, harmonic_series *s)
@@ -198,14 +197,15 @@ static void sample_error(const problem *p, harmonic_series *s)
 static const recipe recipes[] = {
     { 2, 2, 0 },     { 3, 3, 0 },       { 3, 9, 0 },       { 4, 4, 0 },   { 4, 12, 0 },
     { 6, 6, 0 },     { 6, 18, 0 },      { 8, 8, 0 },       { 8, 24, 0 },  { 11, 11, 0 },
-    { 11, 33, 0 },   { 15, 15, 0 },     { 15, 45, 0 },     { 6, 10, 3 },  { 8, 14, 2 },
-    { 9, 14, 1.6L }, { 10, 16, 1.35L }, { 20, 20, 1.35L }, { 20, 20, 0 }, { 20, 60, 0 },
-    { 15, 80, 0 },   { 20, 100, 0 }
+    { 11, 33, 0 }, { 15, 15, 0 },   { 15, 45, 0 },     { 6, 10, 3 },      { 6, 12, 2.4L },
+    { 8, 14, 2 },  { 9, 14, 1.6L }, { 10, 16, 1.35L }, { 10, 16, 1.25L }, { 20, 20, 0 },
+    { 20, 60, 0 }, { 15, 80, 0 },   { 20, 100, 0 }
 };
 
 static void start(double v[][2], unsigned sides, harmonic_target target, problem *p)
 {
     p->target = target;
+    p->planes.cut = NULL;
     harmonic_shape_of(v, sides, &p->shape);
     p->place = least_room(PLACES * sizeof *p->place);
     find_places(p, NULL);
@@ -266,6 +266,7 @@ bool harmonic_solve(double v[][2], unsigned sides, harmonic_target target, harmo
             !(recipes[i].ratio > 0))
             i++;
     free(p.place);
+    harmonic_planes_free(&p.planes);
     return is_reached(out, target);
 }
 
@@ -276,7 +277,8 @@ void harmonic_at(const harmonic_series *s, const double at[2], long double phi[]
     long double term[TERMS];
 
     harmonic_shape_of(copy.v, s->sides, &h);
-    harmonic_terms(&h, s, (long double)at[0] + I * (long double)at[1], -1, term);
+    const harmonic_point z = (long double)at[0] + I * (long double)at[1];
+    harmonic_terms(&h, s, z, harmonic_edge_at(&h, z), term);
     for (unsigned i = 0; i < s->sides; i++) {
         phi[i] = 0;
         for (unsigned k = 0; k < s->terms; k++)

@@ -155,26 +155,12 @@ static long double distance_to(const harmonic_shape *h, harmonic_point z, unsign
     return cabsl(z - a - fminl(fmaxl(t, 0), 1) * d);
 }
 
-long double harmonic_distance(const harmonic_shape *h, harmonic_point z)
+int harmonic_edge_at(const harmonic_shape *h, harmonic_point z)
 {
-    long double least = distance_to(h, z, 0);
-
-    for (unsigned e = 1; e < h->sides; e++)
-        least = fminl(least, distance_to(h, z, e));
-    return least;
-}
-
-bool harmonic_outside(const harmonic_shape *h, harmonic_point z)
-{
-    bool outside = true;
-
-    for (unsigned e = 0; e < h->sides; e++) {
-        const harmonic_point a = h->v[e], b = h->v[(e + 1) % h->sides];
-        const bool above = cimagl(a) > cimagl(z), rises = cimagl(b) > cimagl(z);
-        if (above != rises && (cross(b - a, z - a) > 0) == rises)
-            outside = !outside;
-    }
-    return outside;
+    for (unsigned e = 0; e < h->sides; e++)
+        if (distance_to(h, z, e) <= 1e-15L * h->reach)
+            return (int)e;
+    return -1;
 }
 
 /* How near the nearest edge is that does not end at this corner; its own edges count with their
@@ -252,12 +238,12 @@ static long double pole_scale(const harmonic_shape *h, const harmonic_series *s,
 
     for (unsigned i = 0; i < h->sides; pole += s->corner_poles[i++]) {
         const long double off = cabsl(z - h->v[i]);
-        if (!(off > 0) || s->corner_poles[i] == 0)
-            continue;
-        const harmonic_point root = cexpl(harmonic_log(h, i, z, (int)e) / 2);
-        const long double slope = 2 * off / cabsl(root);
-        for (unsigned k = 0; k < s->corner_poles[i]; k++)
-            least = fminl(least, slope * cabsl(root - (pole[k][0] + I * pole[k][1])));
+        const harmonic_point root = off > 0 ? cexpl(harmonic_log(h, i, z, (int)e) / 2) : 0;
+        for (unsigned k = 0; k < s->corner_poles[i]; k++) {
+            const long double apart = cabsl(root - (pole[k][0] + I * pole[k][1])),
+                              slope = off > 0 ? 2 * off / cabsl(root) : apart * h->far[i];
+            least = fminl(least, slope * apart);
+        }
     }
     for (unsigned k = 0; k < s->poles; k++)
         least = fminl(least, cabsl(z - (pole[k][0] + I * pole[k][1])));

@@ -46,6 +46,9 @@ void harmonic_terms(const harmonic_shape *h, const harmonic_series *s, harmonic_
 /* ln((z - v) / far) at a corner, with the angle followed along the boundary. */
 harmonic_point harmonic_log(const harmonic_shape *h, unsigned at, harmonic_point z, int edge);
 
+/* The edge that z lies on within the rounding of doubles, or -1. */
+int harmonic_edge_at(const harmonic_shape *h, harmonic_point z);
+
 /* A place on the boundary, and its distance along the edge. */
 typedef struct {
     unsigned edge;
@@ -60,25 +63,6 @@ typedef struct {
  *   shape   out[most]; s may be null */
 size_t harmonic_walk(const harmonic_shape *h, const harmonic_series *s, long double step,
                      unsigned least, harmonic_place out[], size_t most);
-
-/* Is z outside? And how far from the boundary? */
-bool harmonic_outside(const harmonic_shape *h, harmonic_point z);
-long double harmonic_distance(const harmonic_shape *h, harmonic_point z);
-
-/* A place of the boundary in the plane of a corner's root. */
-typedef struct {
-    double x, y;
-} harmonic_root;
-
-/* Append the poles of a corner, and those behind a foot, in steps of `ratio`, to the series.
- * `place` are places around the whole boundary in their order.
- *
- *   shape   root[count]: room to work in */
-void harmonic_corner_poles(const harmonic_shape *h, unsigned i, const harmonic_place place[],
-                           size_t count, long double ratio, harmonic_root root[],
-                           harmonic_series *s);
-void harmonic_foot_poles(const harmonic_shape *h, const harmonic_foot *foot, long double ratio,
-                         harmonic_series *s);
 
 /* A bound of the error on the whole boundary, at most about 1.5 times the largest error there when
  * `sampled` is about that one. Infinite when there is none. Sets s->points. */

@@ -21,7 +21,7 @@ static inline loft_acc harmonic_acc(long double x)
 
 /* The table of a series that was solved for this number type; its two arrays are the caller's to
  * free. False, with an empty table, when
- * a coefficient does not fit, or a corner's count of poles. */
+ * a coefficient does not fit. */
 static inline bool harmonic_table_of(const harmonic_series *s, loft_harmonic_table *out)
 {
     const size_t count = (size_t)s->terms * s->sides;
@@ -49,8 +49,7 @@ static inline bool harmonic_table_of(const harmonic_series *s, loft_harmonic_tab
                                   { 0 } };
     for (unsigned i = 0; i < s->sides; i++) {
         out->powers[i] = (uint8_t)s->powers[i];
-        out->corner_poles[i] = (uint8_t)s->corner_poles[i];
-        fits = fits && s->corner_poles[i] <= UINT8_MAX;
+        out->corner_poles[i] = (uint16_t)s->corner_poles[i];
     }
     if (fits)
         return true;

@@ -276,7 +276,7 @@ static void add_corner(const loft_harmonic *h, unsigned at, const loft_harmonic_
     if (h->table->corner_poles[at] == 0)
         return;
     root = exponential(scaled(l, loft_sci_from_unit(LOFT_UNIT(0.5))));
-    for (int k = h->table->corner_poles[at]; k-- > 0;)
+    for (unsigned k = h->table->corner_poles[at]; k-- > 0;)
         add_corner_pole(pole++, root, by, s);
 }
 

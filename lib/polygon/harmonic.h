@@ -54,7 +54,7 @@ typedef struct {
     uint8_t powers[LOFT_SIDES_MAX];             /* of w at each corner                  */
     uint8_t straight;                           /* bit i: at corner i the first one is
                                                  * (w - zeta) / (power - 1)             */
-    uint8_t corner_poles[LOFT_SIDES_MAX];       /* poles of s at each corner            */
+    uint16_t corner_poles[LOFT_SIDES_MAX];      /* poles of s at each corner            */
 } loft_harmonic_table;
 
 /* What the series has at a corner. */
@@ -93,8 +93,8 @@ enum loft_status loft_harmonic_init(loft_harmonic *h, const loft_domain *domain,
  *           that are nowhere narrower than 1/10: q16: 2^-22 with 5..125 terms   f32: 2^-30
  *           f64: 6e-14 with 5..361, but 1e-12 for a star of 8 sides and 2e-12 for a spiral.
  *           Narrow polygons, as channels of 1:1000 that turn by 10 degrees, slits of 1:5000 and
- *           corners of 1 degree, have at most 8e-7 with up to 1300 terms in q16. The
- *           host refuses what is above 1e-6, after some 12 s at most.
+ *           corners of 1 degree, have at most 3e-7 with 150 to 1300 terms in q16. The
+ *           host refuses what is above 1e-6, after some 15 s at most.
  *           On edges and at vertices as loft_domain_edge. Inside, none is below 2^-48 or above 1
  *   cost    per corner an angle, a sine, a cosine, a logarithm and an exponential, twice where it
  *           has poles; per term a product of complex numbers and one per coordinate, per pole an

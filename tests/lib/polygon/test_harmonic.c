@@ -5,7 +5,7 @@
 #include "support/arb_polygon.h"            /* exact_sci, spot_raw */
 #include "support/solved.h"
 
-#define SHAPES 22
+#define SHAPES        23
 #define NARROW_TARGET ((harmonic_target){ 5e-7L, 4e-7L, 0, 3e-13L })
 
 /* Polygons that ask for everything: corners of all kinds, straight and nearly so, a vertex that is
@@ -95,6 +95,14 @@ static const struct {
         { 50, 25 },
         { 50, 50 },
         { 0, 50 } } },
+    { "fork",
+      6,
+      { { 26.1, -0.468 },
+        { 27.149, 0.755 },
+        { 2.026, -0.682 },
+        { 23.439, -0.811 },
+        { 29.516, -0.844 },
+        { 15.011, -0.323 } } },
     { "octagon",
       8,
       { { 2, 0 },
