@@ -154,7 +154,7 @@ DRAWING ?= tests/drawings/demo.svg
 ## Draw it on the simulated machine: counted pulses, drawn.png   DRAWING=file.svg MACHINE=file
 .PHONY: demo
 demo: tools
-	@host-tools/demo.sh $(TOOL_OUT)/loft "$(DRAWING)" build/demo $(MACHINE)
+	@host-tools/demo.sh draw $(TOOL_OUT)/loft "$(DRAWING)" build/demo $(MACHINE)
 
 SURFACES ?= tests/drawings/patch.loft
 TOOL     ?= ball:4
@@ -162,7 +162,7 @@ CUSP     ?= 0.05
 ## Mill surfaces on the simulated machine: left.png   SURFACES=file.loft TOOL=ball:4 CUSP=0.05
 .PHONY: demo-mill
 demo-mill: tools
-	@host-tools/demo_mill.sh $(TOOL_OUT)/loft "$(SURFACES)" build/demo-mill $(TOOL) $(CUSP)
+	@host-tools/demo.sh mill $(TOOL_OUT)/loft "$(SURFACES)" build/demo-mill $(TOOL) $(CUSP)
 
 # --- on a fresh machine ---------------------------------------------------------------------------
 HOST_PACKAGES := gcc g++ libc6-dev make pkg-config clang clang-format libclang-rt-14-dev \
@@ -194,7 +194,7 @@ deps-target:
 	    busybox-static cpio xz-utils libgpiod-dev
 
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them --------------
-CHECK_STAGES := lint test test-axes test-tools check-vectors-all \
+CHECK_STAGES := lint test test-axes test-effort test-tools check-vectors-all \
                 test-mixed+test-cplusplus+test-readme+test-examples+test-peer+test-model test-e2e
 
 ## Check everything: rules of the house, all tests under sanitizers, vectors, README, whole jobs

@@ -1,19 +1,29 @@
 #!/bin/bash
-# host-tools/demo.sh -- runs the main job on the simulated machine: from a drawing, through a pty,
-# to counted pulses and a picture
+# host-tools/demo.sh -- runs a whole job on the simulated machine: from a drawing or from surfaces,
+# through a pty, to counted pulses and a picture
 # SPDX-License-Identifier: MIT
-# usage: host-tools/demo.sh LOFT DRAWING DIRECTORY [MACHINE-FILE]
+# usage: host-tools/demo.sh draw LOFT DRAWING DIRECTORY [MACHINE-FILE]
+#        host-tools/demo.sh mill LOFT SURFACES DIRECTORY TOOL CUSP
 set -eu
-loft=$1 drawing=$2 out=$3
-is=(--steps 320 --slots 80) as=()
-[ $# -lt 4 ] || { is=(--machine "$4"); as=(--machine "$4"); }
+what=$1 loft=$2 input=$3 out=$4; shift 4
+is=(--steps 320 --slots 80) as=() job=$input tol=0.005
 mkdir -p "$out"
-rm -f "$out/machine" "$out/pulses.csv" "$out/drawn.png"
+rm -f "$out/machine" "$out/pulses.csv" "$out/drawn.png" "$out/left.png"
 
 machine=
 clean_up() { [ -z "$machine" ] || kill "$machine" 2>/dev/null || true; rm -f "$out/machine"; }
 trap clean_up EXIT
 trap 'exit 130' INT TERM
+
+if [ "$what" = mill ]; then
+    tool=$1 cusp=$2 job=$out/path.loft
+    "$loft" mill "$input" --tool "$tool" --cusp "$cusp" >"$job"
+    grep '^#' "$job"
+else
+    [ $# = 0 ] || { is=(--machine "$1"); as=(--machine "$1")
+        tol=$(awk -F= -v tol=$tol '/^tolerance/ { tol = $2 + 0 } END { print tol }' "$1"); }
+    as+=(--record "$out/pulses.csv")
+fi
 
 "$loft" simulate --speed fast "${is[@]}" --link "$out/machine" --record "$out/pulses.csv" --once \
     >"$out/machine.log" 2>&1 &
@@ -23,9 +33,14 @@ for _ in $(seq 100); do
     kill -0 "$machine" 2>/dev/null || { cat "$out/machine.log" >&2; exit 70; }
     sleep 0.05
 done
-
-"$loft" stream "$drawing" ${as[@]+"${as[@]}"} --port "$out/machine" --record "$out/pulses.csv"
+"$loft" stream "$job" ${as[@]+"${as[@]}"} --port "$out/machine"
 wait "$machine" || { code=$?; machine=; cat "$out/machine.log" >&2; exit $code; }
 machine=
-"$loft" plot "$drawing" --record "$out/pulses.csv" --error 0 --output "$out/drawn.png"
-echo "picture: $out/drawn.png"
+
+if [ "$what" = mill ]; then
+    "$loft" mill "$input" --tool "$tool" --record "$out/pulses.csv" -o "$out/left.png"
+else
+    "$loft" plot "$input" --record "$out/pulses.csv" --error 0 --tol "$tol" \
+        --output "$out/drawn.png"
+    echo "picture: $out/drawn.png"
+fi

@@ -52,6 +52,27 @@
 #  define LOFT_MACHINE_OVERRIDE_LIMITS 1
 #endif
 
+/* Outputs of a machine beside its motors (laser, spindle, relays) that actions among its spans set,
+ * 0..15; with 0 it takes no actions, so no pauses either.
+ * Cost: 2.3 kB of flash on an AVR; 13 bytes of RAM each, and 24. */
+#ifndef LOFT_MACHINE_OUTPUTS
+#  define LOFT_MACHINE_OUTPUTS 2
+#endif
+#if LOFT_MACHINE_OUTPUTS < 0 || LOFT_MACHINE_OUTPUTS > 15
+#  error "LOFT_MACHINE_OUTPUTS must be 0..15"
+#endif
+
+/* How much work the planner does.
+ *   1: places are not guessed twice, paces are raised less, and a call of loft_plan_part does a
+ *      part of the work: for small chips
+ *   2: all of it, as soon as a span is asked for */
+#ifndef LOFT_PLAN_EFFORT
+#  define LOFT_PLAN_EFFORT 2
+#endif
+#if LOFT_PLAN_EFFORT < 1 || LOFT_PLAN_EFFORT > 2
+#  error "LOFT_PLAN_EFFORT must be 1 or 2"
+#endif
+
 /* May a machine plan by itself, so that curves can be sent to it? 1: those that are given memory
  * for it do (lib/machine/planner.h). Cost: the code of lib/motion/plan in the firmware, whether
  * memory is given or not. */

@@ -16,11 +16,11 @@
  * needed, because the contexts share single bytes.
  *
  * If an interrupt that computes in every slot is too long, let it take the pins from a ring, and
- * fill the ring with loft_drive_run, many slots at once. atmega328p/port.c does so, with a main of
- * its own. On an ATmega328P at 16 MHz with three axes (avr-gcc 5.4, simulated) a slot then takes 95
- * cycles. Making the slots of a tick and the next tick takes 2,900 on average. All interrupts take
- * 0.62 of the time at 40,000 slots per second with every axis pulsing in each of them. Preparing a
- * span, in loft_machine_poll, takes 20,000.
+ * fill the ring with loft_drive_take, many slots at once. atmega328p/port.c does so, with a main of
+ * its own. On an ATmega328P at 16 MHz with three axes (avr-gcc 5.4, simulated) a slot then takes 61
+ * cycles, 32 of them the pulse, and making it 25. All interrupts take 0.62 of the time at 80,000
+ * slots per second with every axis pulsing in each of them. Preparing a span, in loft_machine_poll,
+ * takes 20,000.
  */
 #ifndef LOFT_PORT_H
 #define LOFT_PORT_H

@@ -82,6 +82,26 @@ $(foreach t,$(CURVE_TESTS),$(eval $(call axes_test,$(t),1,num geom basis curve))
 test-axes: $(AXES_EACH)
 	@for t in $(AXES_EACH); do echo "echo '-- $$t'; $$t"; done | bash tests/house/beside.sh
 
+# --- the planner with the effort of a chip: its bounds on times are wider ------------------------
+CHIP_TESTS := plan planner timing
+CHIP_ROOMS := num geom basis curve kinematics motion wire machine
+CHIP_SRC   := $(foreach r,$(CHIP_ROOMS),$(sort $(wildcard lib/$(r)/*.c)))
+build/effort/lib/%.o: lib/%.c | lib/names.h
+	@mkdir -p $(@D)
+	$(SAY) "  CC  $@"
+	$(Q)$(CC) $(INCLUDE) $(TESTED) $(STD) $(DEPS) $(SANITIZE) -DLOFT_NUM=LOFT_Q16 \
+	    -DLOFT_PLAN_EFFORT=1 -c $< -o $@
+build/effort/%: test_%.c $(patsubst %.c,build/effort/%.o,$(CHIP_SRC))
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(INCLUDE) -Itests $(TESTED) $(STD) $(DEPS) -MF $@.d -MT $@ $(SANITIZE) \
+	    -DLOFT_NUM=LOFT_Q16 -DLOFT_PLAN_EFFORT=1 $< $(filter %.o,$^) -lm -o $@
+-include $(patsubst %.c,build/effort/%.d,$(CHIP_SRC)) $(CHIP_TESTS:%=build/effort/%.d)
+
+## Run the planner's tests with the effort of a chip, LOFT_PLAN_EFFORT 1
+.PHONY: test-effort
+test-effort: $(CHIP_TESTS:%=build/effort/%)
+	@for t in $^; do echo "echo '-- $$t'; $$t"; done | bash tests/house/beside.sh
+
 # --- exact results: one line per CSV of a folder --------------------------------------------------
 VECTORS ?= tests/vectors
 VECTOR_SRC := $(sort $(wildcard tests/vectors/*.c)) host-tools/study/engine_chapter.c \
@@ -205,6 +225,17 @@ $(foreach n,$(NUMS),$(eval $(call swept,$(n))))
 sweep-offset: $(foreach n,$(NUMS),build/sweep/$(n)/offset)
 	@for t in $^; do LOFT_CASES=$(or $(LOFT_CASES),1000000) $$t || exit 1; done
 
+build/sweep/harmonic: tests/lib/polygon/sweep_harmonic.c $(SOLVER_OBJ) build/q16x$(AXES)/libloft.a
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(INCLUDE) -Ihost-tools $(BUILT) $(STD) $(call num_flag,q16) \
+	    $(filter %.c %.o %.a,$^) -lm -o $@
+
+## Solve LOFT_CASES (1000) random polygons for harmonic coordinates, half an hour of processor time
+.PHONY: sweep-harmonic
+sweep-harmonic: build/sweep/harmonic
+	@$<
+
 FUZZ_SECONDS ?= 60
 ## Fuzz the input from the line with libFuzzer for FUZZ_SECONDS (60)
 .PHONY: fuzz
@@ -227,24 +258,35 @@ build/fuzz/tools.a: $(patsubst %.c,build/fuzz/tools/%.o,$(TOOL_TESTED) $(LIB_SRC
 	$(SAY) "  AR  $@"
 	$(Q)rm -f $@; $(AR) rcs $@ $^
 
-# fuzz_reader NAME, folder: build its program and feed it, beginning with the folder's seeds
+# fuzz_reader NAME, folder, seeds: build its program and feed it, beginning with the seeds
 define fuzz_reader
 	@mkdir -p build/fuzz/$(1)
 	clang $(FUZZED) -Itests -fsanitize=fuzzer tests/$(2)/fuzz_$(1).c $< \
 	    $(shell pkg-config --libs libxml-2.0 zlib pangocairo) -lm -o build/fuzz/$(1)_fuzz
+	LSAN_OPTIONS=suppressions=tests/tools/fuzz.supp \
 	build/fuzz/$(1)_fuzz -max_len=4000 -timeout=20 -max_total_time=$(FUZZ_SECONDS) \
-	    -print_final_stats=1 build/fuzz/$(1) tests/$(2)/seeds
+	    -print_final_stats=1 build/fuzz/$(1) $(3)
 endef
 
 ## Fuzz the SVG reader with libFuzzer for FUZZ_SECONDS (60)
 .PHONY: fuzz-svg
 fuzz-svg: build/fuzz/tools.a
-	$(call fuzz_reader,svg,tools)
+	$(call fuzz_reader,svg,tools,tests/tools/seeds)
 
 ## Fuzz the reader of G-code with libFuzzer for FUZZ_SECONDS (60)
 .PHONY: fuzz-gcode
 fuzz-gcode: build/fuzz/tools.a
-	$(call fuzz_reader,gcode,gcode)
+	$(call fuzz_reader,gcode,gcode,tests/gcode/seeds)
+
+## Fuzz the readers of .loft and CSV with libFuzzer for FUZZ_SECONDS (60)
+.PHONY: fuzz-loft
+fuzz-loft: build/fuzz/tools.a
+	$(call fuzz_reader,loft,tools,tests/drawings)
+
+## Fuzz the reader of machine files with libFuzzer for FUZZ_SECONDS (60)
+.PHONY: fuzz-machine
+fuzz-machine: build/fuzz/tools.a
+	$(call fuzz_reader,machine,tools,tests/tools/seeds_machine)
 
 # --- whole jobs -----------------------------------------------------------------------------------
 ## Run whole jobs: the command, sanitized, on the simulated machine   CASE=one of tests/e2e/e2e.sh

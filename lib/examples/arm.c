@@ -8,7 +8,6 @@ static const loft_limits limits = {
     /* degrees, s */
     .max_speed = { LOFT_REAL(90), LOFT_REAL(60), LOFT_REAL(120) },
     .max_accel = { LOFT_REAL(300), LOFT_REAL(200), LOFT_REAL(400) },
-    .corner = LOFT_REAL(0.1),
     .tol = LOFT_REAL(0.05),
     .tick_hz = 100,
 };

@@ -6,7 +6,6 @@
 static const loft_limits limits = {
     .max_speed = { LOFT_REAL(200), LOFT_REAL(200), LOFT_REAL(20) }, /* mm, s */
     .max_accel = { LOFT_REAL(1000), LOFT_REAL(1000), LOFT_REAL(200) },
-    .corner = LOFT_REAL(0.02),
     .tol = LOFT_REAL(0.01),
     .tick_hz = 1000,
 };

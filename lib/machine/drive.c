@@ -33,6 +33,9 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
         loft_queue_init(&d->queue, config->cell, config->cells) != LOFT_OK)
         return LOFT_ERR_RANGE;
 
+    d->output_count = config->outputs < LOFT_MACHINE_OUTPUTS ? config->outputs
+                                                             : LOFT_MACHINE_OUTPUTS;
+    loft_outputs_clear(&d->outputs);
     d->axis = config->axis;
     d->kind = LOFT_SPANS;
     d->tick_hz = config->tick_hz;
@@ -64,6 +67,7 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind,
         loft_queue_init(&d->queue, d->queue.cell, d->queue.count) != LOFT_OK)
         return LOFT_ERR_RANGE;          /* never after loft_drive_init */
 
+    loft_outputs_init(&d->outputs, start);
     loft_points_init(&d->points);
     d->kind = (uint8_t)kind;
     loft_place_copy(d->from, start);
@@ -107,8 +111,20 @@ static bool point_valid(const loft_drive *d, const loft_item *item)
     return item->ticks == 1;
 }
 
+/* An action has one tick, in which it goes straight. */
+static bool action_valid(const loft_drive *d, const loft_item *item)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (abs_difference(steps_of(d, i, d->end[i]), steps_of(d, i, item->p[2][i])) + 1 >
+            REACH_PER_TICK)
+            return false;
+    return loft_item_action(item).output <= d->output_count;
+}
+
 static bool span_valid(const loft_drive *d, const loft_item *item)
 {
+    if (LOFT_MACHINE_OUTPUTS > 0 && item->ticks == 0)
+        return action_valid(d, item);
     if (item->ticks < 1 || item->ticks > LOFT_SPAN_TICKS_MAX)
         return false;
     const uint32_t reach = REACH_PER_TICK * (uint32_t)item->ticks;
@@ -124,13 +140,21 @@ static bool span_valid(const loft_drive *d, const loft_item *item)
     return true;
 }
 
+/* The span that ends where the next one begins. Before a span that follows an action it counts as
+ * at rest: so a moving one passes as planned. */
+static const volatile loft_item *span_before(const loft_drive *d)
+{
+    const volatile loft_item *last = d->fresh ? NULL : loft_queue_last(&d->queue);
+
+    return last && last->ticks > 0 ? last : NULL;
+}
+
 static enum loft_status queue_span(loft_drive *d, const loft_item *item)
 {
     uint8_t limit = LOFT_OVERRIDE_LIMIT_ONE;
 
-    if (LOFT_MACHINE_OVERRIDE_LIMITS || d->percent > 100)
-        limit = loft_override_limit_of(item, d->end, d->fresh ? NULL : loft_queue_last(&d->queue),
-                                       d->axis, d->tick_hz);
+    if ((LOFT_MACHINE_OVERRIDE_LIMITS || d->percent > 100) && item->ticks > 0)
+        limit = loft_override_limit_of(item, d->end, span_before(d), d->axis, d->tick_hz);
     return loft_queue_push(&d->queue, item, limit);
 }
 

@@ -19,6 +19,7 @@
 #define LOFT_MACHINE_DRIVE_H
 
 #include "machine/override_limit.h"     /* loft_override_limit_of, loft_axis_config       */
+#include "machine/outputs.h"            /* loft_outputs                        */
 #include "machine/points.h"             /* loft_points                         */
 #include "machine/queue.h"              /* loft_queue, loft_item               */
 #include "machine/pace.h"               /* loft_pace                           */
@@ -39,6 +40,7 @@ typedef struct {
     uint16_t ramp;                      /* ticks from full pace to a stop; make the queue longer */
     volatile loft_cell *cell;           /* memory of the queue */
     uint16_t cells;
+    uint8_t  outputs;                   /* that actions may set, 0..LOFT_MACHINE_OUTPUTS */
 } loft_drive_config;
 
 /* A report of the drive. */
@@ -68,6 +70,8 @@ typedef struct {
     loft_pace    pace;                  /* tick */
     loft_queue   queue;                 /* tick and main loop */
     loft_points  points;                /* in the queue, in a job of points */
+    loft_outputs outputs;               /* tick */
+    uint8_t      output_count;
     loft_drive_walk walk[2];            /* of this item and, when ready, of the next one */
     uint8_t      which;                 /* walk[which] is the current walk */
     volatile uint8_t ready, ready_item; /* main loop: walk[!which] is prepared, for this item */
@@ -125,11 +129,13 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind,
 enum loft_status loft_drive_place(loft_drive *d, uint8_t axes,
                                   const int32_t position[LOFT_AXES]) LOFT_CHECKED;
 
-/* Append an item. An item is ignored when the job is over or being aborted.
+/* Append an item. An item is ignored when the job is over or being aborted. An action lasts one
+ * tick. Before a pause the plan must come to rest: the machine stops there, as in a hold, until it
+ * is resumed. All outputs are off before and after a job.
  *
  *   range   no axis goes faster than LOFT_STEP_SLOTS_MAX steps per tick, otherwise LOFT_ERR_RANGE
  *           (for spans the hull of the cubic counts, which may be three times as fast as the
- *           cubic); room, otherwise LOFT_ERR_SPACE */
+ *           cubic); an action is of an output that is there; room, otherwise LOFT_ERR_SPACE */
 enum loft_status loft_drive_push(loft_drive *d, const loft_item *item) LOFT_CHECKED;
 
 /* No more items follow. The job is done when all are executed. */
@@ -181,13 +187,20 @@ static inline void loft_drive_tick(loft_drive *d)
         loft_drive_next(d);
 }
 
+/* The level of output number `output`, from 1, in the tick that runs. Call it after
+ * loft_drive_tick, in its context; 0 if there is no such output. */
+static inline uint16_t loft_drive_output(const loft_drive *d, int output)
+{
+    return loft_outputs_now(&d->outputs, output);
+}
+
 /* Give the pins of this slot.
  *
  *   cost    loft_step_next and a 16-bit count */
 loft_pins loft_drive_slot(loft_drive *d);
 
-/* Give the pins of the next `count` slots at once, or of fewer: see loft_step_run. */
-uint8_t loft_drive_run(loft_drive *d, uint8_t step[], uint8_t count, uint8_t *dir);
+/* Take the next slots, for loft_step_give: see loft_step_take. */
+loft_step_tick *loft_drive_take(loft_drive *d, uint8_t *count, uint8_t *dir);
 
 LOFT_END_C
 

@@ -24,6 +24,7 @@ enum { NO_TICK = 0, TICK = 1, LAST_TICK = 2 };     /* LAST_TICK: of its item */
 static void count_ticks(loft_drive *d)
 {
     if (d->prepared) {
+        loft_outputs_run(&d->outputs);
         d->ticks += d->running != NO_TICK;
         d->executed += d->running == LAST_TICK;
         d->running = d->prepared;
@@ -121,7 +122,7 @@ static uint16_t allowed_level(const loft_drive *d)
                               (before ? (before - 1) * unit : 0);
         if (level > most)
             level = (uint16_t)most;
-        before += cell->item.ticks;
+        before += loft_item_lasts(&cell->item);
     }
     return level;
 }
@@ -144,6 +145,7 @@ static void finish_job(loft_drive *d, enum loft_machine_state state)
 {
     d->starved = 0;
     d->state = (uint8_t)state;
+    loft_outputs_clear(&d->outputs);
     d->active = 0;
 }
 
@@ -152,6 +154,7 @@ static void stand_still(loft_drive *d, bool ended)
 {
     if (!loft_step_done(&d->step))
         return;
+    loft_outputs_rest(&d->outputs);
     if (d->ahead == 0 && ended)
         finish_job(d, LOFT_STATE_DONE);
     else if (d->abort)
@@ -229,13 +232,34 @@ static bool next_point(loft_drive *d)
     return true;
 }
 
+/* The tick that is prepared ends there. */
+static void aim_axis(loft_drive *d, int axis, loft_real at)
+{
+    loft_outputs_aim(&d->outputs, axis, loft_raw_from_real(at));
+    d->target[axis] = loft_steps_of(at, loft_drive_gear(d, axis));
+}
+
+/* In its tick an action does what it says from then on. The plan rests at a pause, so nothing moves
+ * that would have to slow down. */
+static void obey_action(loft_drive *d, const volatile loft_item *item)
+{
+    const loft_action action = loft_item_action(item);
+
+    if (action.output > 0) {
+        loft_outputs_take(&d->outputs, &action, d->tick_hz);
+        return;
+    }
+    d->hold = 1;
+    loft_pace_stop(&d->pace);
+}
+
 static void aim_at_middle(loft_drive *d, const volatile loft_item *item)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_real half = loft_walk3_middle(
             loft_real_from_raw(d->from[i]), loft_real_from_raw(item->p[0][i]),
             loft_real_from_raw(item->p[1][i]), loft_real_from_raw(item->p[2][i]));
-        d->target[i] = loft_steps_of(half, loft_drive_gear(d, i));
+        aim_axis(d, i, half);
     }
 }
 
@@ -249,6 +273,8 @@ static bool next_span(loft_drive *d)
         return false;
     const bool ready = walk_is_ready(d);
     d->item++;
+    if (LOFT_MACHINE_OUTPUTS > 0 && item->ticks == 0)
+        obey_action(d, item);
     if (item->ticks == 2)
         aim_at_middle(d, item);
     if (item->ticks >= WALKED) {
@@ -259,7 +285,7 @@ static bool next_span(loft_drive *d)
         d->ready = 0;
     }
     loft_place_copy(d->from, item->p[2]);
-    d->left = item->ticks;
+    d->left = loft_item_lasts(item);
     d->limit = loft_queue_cell(&d->queue, 0)->tag;
     return loft_queue_poll(&d->queue);
 }
@@ -269,14 +295,16 @@ static bool next_target(loft_drive *d)
 {
     const bool begun = d->left == 0;
 
+    loft_outputs_begin(&d->outputs);
     if (begun && !(d->kind == LOFT_POINTS ? next_point(d) : next_span(d)))
         return false;
     d->ahead--;
     if (--d->left == 0) {
         for (int i = 0; i < LOFT_AXES; i++)
-            d->target[i] = d->kind == LOFT_POINTS ? d->from[i]
-                                                  : loft_steps_of(loft_real_from_raw(d->from[i]),
-                                                                  loft_drive_gear(d, i));
+            if (d->kind == LOFT_POINTS)
+                d->target[i] = d->from[i];
+            else
+                aim_axis(d, i, loft_real_from_raw(d->from[i]));
         return true;
     }
     if (begun && d->left + 1 < WALKED)
@@ -284,8 +312,7 @@ static bool next_target(loft_drive *d)
     loft_drive_walk *walk = &d->walk[d->which];
     for (int i = 0; i < LOFT_AXES; i++)
         if (walk->moves & 1u << i)
-            d->target[i] = loft_steps_of(loft_walk3_step(&walk->axis[i], false),
-                                         loft_drive_gear(d, i));
+            aim_axis(d, i, loft_walk3_step(&walk->axis[i], false));
     return true;
 }
 
@@ -327,8 +354,10 @@ void loft_drive_next(loft_drive *d)
         finish_job(d, LOFT_STATE_FAULT);    /* never with items that loft_drive_push took */
         return;
     }
-    if (loft_step_load(&d->step, d->target, slots) > slots)
+    const uint16_t lasts = loft_step_load(&d->step, d->target, slots);
+    if (lasts > slots)
         d->slowed++;
+    loft_outputs_prepare(&d->outputs, d->slots, lasts);
     d->prepared = d->left ? TICK : LAST_TICK;
     d->state = d->abort ? LOFT_STATE_STOPPING : d->hold ? LOFT_STATE_HOLDING : LOFT_STATE_RUNNING;
 }
@@ -354,10 +383,10 @@ loft_pins loft_drive_slot(loft_drive *d)
     return loft_step_next(&d->step);
 }
 
-uint8_t loft_drive_run(loft_drive *d, uint8_t step[], uint8_t count, uint8_t *dir)
+loft_step_tick *loft_drive_take(loft_drive *d, uint8_t *count, uint8_t *dir)
 {
-    const uint8_t given = loft_step_run(&d->step, step, count, dir);
+    loft_step_tick *taken = loft_step_take(&d->step, count, dir);
 
-    count_slots(d, given);
-    return given;
+    count_slots(d, *count);
+    return taken;
 }

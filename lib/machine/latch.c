@@ -59,7 +59,7 @@ uint16_t loft_latch_sample(loft_latch *l, uint16_t inputs)
     return 0;
 }
 
-void loft_latch_keep(loft_latch *l, const volatile int32_t *position)
+void loft_latch_keep(loft_latch *l, const int32_t position[LOFT_AXES])
 {
     if (!l->waits)
         return;

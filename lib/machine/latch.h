@@ -6,7 +6,7 @@
  * with its place, once the input has been back for as many samples.
  *
  *     main loop   loft_latch_arm when the job begins; loft_latch_sample each ms
- *     slot        loft_latch_sense, while loft_latch_waits
+ *     slot        loft_latch_keep, while loft_latch_waits, where inputs are loft_latch_wanted
  *
  * A guard of LOFT_GUARD_EDGE first waits until the input has been otherwise for as many samples.
  */
@@ -46,7 +46,7 @@ static inline const int32_t *loft_latch_place(const loft_latch *l)
     return l->guard.inputs ? l->place : NULL;
 }
 
-/* Is a change awaited? Otherwise the two functions below have no effect. */
+/* Is a change awaited? Otherwise loft_latch_keep has no effect. */
 static inline bool loft_latch_waits(const loft_latch *l)        { return l->waits; }
 
 /* Of these closed inputs, those of the guard that are as it wants. */
@@ -56,15 +56,7 @@ static inline uint16_t loft_latch_wanted(const loft_latch *l, uint16_t closed)
 }
 
 /* An input of the guard is as it wants: keep the position, LOFT_AXES steps. */
-void loft_latch_keep(loft_latch *l, const volatile int32_t *position);
-
-/* Do so if these closed inputs are. */
-static inline void loft_latch_sense(loft_latch *l, uint16_t closed,
-                                    const volatile int32_t *position)
-{
-    if (l->waits && loft_latch_wanted(l, closed))
-        loft_latch_keep(l, position);
-}
+void loft_latch_keep(loft_latch *l, const int32_t position[LOFT_AXES]);
 
 LOFT_END_C
 

@@ -143,11 +143,13 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
     drive.ramp = config->ramp;
     drive.cell = config->cell;
     drive.cells = config->cells;
+    drive.outputs = config->info.outputs;
 
     config->info.queue  = config->cells;
     config->info.points = loft_points_capacity(config->cells);
     config->info.kinds  = (uint8_t)(1u << LOFT_SPANS | 1u << LOFT_POINTS | LOFT_TAKES_PLACES |
                                    (config->settings.get ? LOFT_TAKES_SETTINGS : 0) |
+                                   (LOFT_MACHINE_OUTPUTS ? LOFT_TAKES_ACTIONS : 0) |
                                    (config->senses ? LOFT_TAKES_GUARDS : 0));
     config->info.curves = 0;
     m->job.kind = LOFT_SPANS;

@@ -130,7 +130,12 @@ static inline bool loft_machine_senses(const loft_machine *m)
 }
 static inline void loft_machine_sense(loft_machine *m, uint16_t inputs)
 {
-    loft_latch_sense(&m->latch, inputs, m->drive.step.position);
+    int32_t position[LOFT_AXES];
+
+    if (!loft_latch_waits(&m->latch) || !loft_latch_wanted(&m->latch, inputs))
+        return;
+    loft_step_position(&m->drive.step, position);
+    loft_latch_keep(&m->latch, position);
 }
 
 LOFT_END_C

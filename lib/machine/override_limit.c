@@ -122,7 +122,7 @@ uint8_t loft_override_limit_of(const loft_item *item, const int32_t from[LOFT_AX
 {
     const uint32_t seconds = ((uint32_t)item->ticks << 22) / (tick_hz < 50 ? 50 : tick_hz) << 2;
     uint16_t limit = 256;
-    bool far = false;
+    bool far = false, moves = false;
 
     for (int i = 0; i < LOFT_AXES && limit > LOFT_OVERRIDE_LIMIT_ONE + 1; i++) {
         const int32_t d[3] = { raw_difference(from[i], item->p[0][i], &far),
@@ -131,9 +131,13 @@ uint8_t loft_override_limit_of(const loft_item *item, const int32_t from[LOFT_AX
         const int32_t e = before ? raw_difference(before->p[1][i], before->p[2][i], &far) : 0;
         if (far || velocity_jumps(d[0], item->ticks, e, before ? before->ticks : 1))
             return LOFT_OVERRIDE_LIMIT_ONE;
-        if (d[0] || d[1] || d[2])
+        if (d[0] || d[1] || d[2]) {
+            moves = true;
             limit = min_u16(limit, axis_limit(d, &axis[i], seconds));
+        }
     }
+    if (!moves)
+        return LOFT_OVERRIDE_LIMIT_ONE;
     return (uint8_t)((limit < LOFT_OVERRIDE_LIMIT_ONE + 1 ? LOFT_OVERRIDE_LIMIT_ONE + 1 : limit) -
                      1);
 }

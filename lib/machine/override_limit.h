@@ -20,7 +20,8 @@ LOFT_BEGIN_C
  *
  *   shape   from: where it begins; before: the span that ends there, NULL at rest. Speeds are those
  *           of the hull of the cubic's derivative, acceleration that at both ends, where it is
- *           largest. The result is r^2 = 1 if the velocity jumps at the beginning
+ *           largest. The result is r^2 = 1 if the velocity jumps at the beginning, and for a
+ *           span that stands still: it waits, and no wait becomes shorter
  *   units   raw Q16.16 mm
  *   range   ticks 1..LOFT_SPAN_TICKS_MAX; any coordinates; a limit of 0 does not limit
  *   error   never above the exact limit, except for the rounding of the points to 2^-16 mm, which

@@ -58,6 +58,9 @@ uint16_t loft_pace_level(const loft_pace *p, unsigned percent);
  *   range   level 0..4 loft_pace_full(p) */
 static inline void loft_pace_aim(loft_pace *p, uint16_t level)  { p->aim = level; }
 
+/* Stop at once, with the aim 0. Only where the plan stands still does no motion stop with it. */
+static inline void loft_pace_stop(loft_pace *p)     { p->level = p->aim = p->root = 0; }
+
 /* The slots that the next tick lasts; 0 while time is stopped.
  *
  *   error   1 slot and 0.3 % of the law above; fractions are carried to the next tick; at pace 1

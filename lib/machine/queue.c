@@ -86,7 +86,7 @@ uint16_t loft_queue_look(loft_queue *q)
 {
     if (loft_queue_full(q) || !q->cell[q->seen].tag)
         return 0;
-    const uint16_t ticks = q->cell[q->seen].item.ticks;
+    const uint16_t ticks = loft_item_lasts(&q->cell[q->seen].item);
     q->seen = next_cell(q, q->seen);
     q->looked++;
     return ticks;

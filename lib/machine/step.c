@@ -3,196 +3,277 @@
  */
 #include "machine/step.h"
 
+#include "machine/queue.h"      /* LOFT_BARRIER */
+
 /* Bresenham's line, per axis. After slot j = 0..n of a tick with c <= n steps in n slots
  *
  *     pulses = floor((j c + h) / n),    h = floor(n / 2)
  *
  * This is j c / n rounded to nearest: n * pulses lies in j c + h - n + 1 .. j c + h. So pulses - j
  * c / n lies within -(n - 1 - h) / n .. h / n, and both ends are at most 1/2 in absolute value.
- * After slot n it is c + floor(h / n) = c. `error` is the remainder (j c + h) mod n, minus n,
- * modulo 2^16. So a pulse is due when a 16-bit sum wraps. Each slot does
+ * After slot n it is c + floor(h / n) = c. Each slot does
  *
- *     error += c;   if (it has wrapped) { error -= n; pulse }
+ *     phase += rate;   if (it has wrapped) { phase -= wrap; pulse }
  *
- * Range: the remainder is below n, and c <= n <= 32767, so a sum wraps at most once.
+ * with W = UINT_MAX + 1, in one of two ways.
+ *
+ * Long ticks: phase is the remainder (j c + h) mod n, minus n, modulo W; rate = c; wrap = n. The
+ * remainder is below n, and c <= n <= 32767, so a sum wraps at most once.
+ *
+ * Short ones: nothing is taken off, so a pulse is the carry of an addition and no more.
+ * The true phase j c + h, times W / n, would pass a multiple of W at each pulse. It is rounded
+ * down: with F = floor((2^32 - 1) / n) and share(m) = floor(m F W / 2^32),
+ *
+ *     rate = share(c)             lacks e of W c / n
+ *     phase = share(h + 1)        is d above W h / n, at the beginning
+ *
+ * With r the remainder of slot j, 0 <= r < n, the phase is right as long as it stays within the
+ * same multiple of W as the true one: 0 <= d - j e + r W / n < W. The right side holds for r = n -
+ * 1, as d < W / n and e >= 0. The left one holds for j = n, r = 0 if n e <= d:
+ *
+ *     W = 2^32   e <= c <= n,  d >= W / n - (h + 1):   n^2 + h + 1 <= W / n, so n <= 1625
+ *     W = 2^16   e <= 1,       d >= W / n - 1:         n + 1 <= W / n,       so n <= 255
+ *
+ * where W = 2^16: m F / 2^16 lies below W m / n by at most m / 2^16 < 1 / n, so rounding it down
+ * differs from rounding W m / n down where that is an integer alone, and then by 1.
  *
  * Direction: the direction bits of a tick are set in its first slot. An axis that reverses must not
  * pulse in that slot, which it would do if h + c >= n. Then the tick gets one more slot in front
  * for the direction alone (`lead`). It is for all axes, so that they stay together on the line.
  */
+#if UINT_MAX == 65535u
+#  define SHARE_OF(inverse, count) ((unsigned)((inverse) * (count) >> 16))
+typedef uint32_t wide_phase;
+#else
+#  define SHARE_OF(inverse, count) ((unsigned)((inverse) * (count)))
+typedef uint64_t wide_phase;
+#endif
+#if defined(__AVR__)
+#  define APART __attribute__((noinline))   /* less stack under an interrupt */
+#else
+#  define APART
+#endif
+#define PHASE_BITS (4 * sizeof(wide_phase))
+
 enum loft_status loft_step_place(loft_step *s, const int32_t position[LOFT_AXES])
 {
+    loft_step_tick *t = &s->tick[s->which];
+
     for (int i = 0; i < LOFT_AXES; i++)
         if (position[i] < -LOFT_STEP_REACH || position[i] > LOFT_STEP_REACH)
             return LOFT_ERR_RANGE;
 
-    for (int i = 0; i < LOFT_AXES; i++)
-        s->position[i] = s->target[i] = position[i];
+    for (int i = 0; i < LOFT_AXES; i++) {
+        t->axis[i].from = position[i];
+        t->axis[i].count = 0;
+        t->axis[i].rate = 0;
+    }
+    t->slots = t->left = 0;
+    t->first = 0;
     return LOFT_OK;
 }
 
 enum loft_status loft_step_init(loft_step *s, const int32_t position[LOFT_AXES])
 {
+    s->which = 0;
     if (loft_step_place(s, position) != LOFT_OK)
         return LOFT_ERR_RANGE;
-    s->which = 0;
     s->busy = 0;
-    s->dir = s->target_dir = 0;
+    s->tick[0].dir = 0;
     s->changes = 0;
     s->full = 0;
     return LOFT_OK;
 }
 
+#define ALL_AXES (1u << LOFT_AXES)
+
+static int32_t position_after(const loft_step_axis *axis, uint16_t pulses, bool back)
+{
+    return back ? axis->from - (int32_t)pulses : axis->from + (int32_t)pulses;
+}
+
+/* Set phases and rates by the counts and slots of a tick. Gives whether an axis that has turned
+ * pulses in the first slot. */
+static bool set_rates(loft_step *s, loft_step_tick *t, uint8_t turned)
+{
+    const uint16_t slots = t->slots;
+    const unsigned half = slots / 2u;
+    const bool brief = loft_step_short(t);
+    loft_step_axis *axis = t->axis;
+    bool lead = false;
+
+    if (brief && slots != s->tick[s->which].slots)
+        s->inverse = UINT32_MAX / slots;
+    const uint32_t inverse = s->inverse;
+    t->first = brief ? SHARE_OF(inverse, half + 1u) : half - slots;
+    for (; turned != 1; axis++, turned = (uint8_t)(turned >> 1)) {     /* ALL_AXES ends it */
+        const uint16_t count = axis->count;
+        axis->phase = t->first;
+        axis->rate = brief ? SHARE_OF(inverse, count) : count;
+        if (turned & 1u && half + count >= slots)
+            lead = true;
+    }
+    return lead;
+}
+
 /* The difference of two positions has at most 32 bits: 2^30 + 2^30 = 2^31, as unsigned. */
 uint16_t loft_step_load(loft_step *s, const int32_t target[LOFT_AXES], uint16_t slots)
 {
-    volatile loft_step_tick *t = &s->tick[!s->which];   /* the slot ignores it until `full` */
-    uint8_t dir = s->target_dir, turned = 0;
-    bool lead = false;
+    loft_step_tick *t = &s->tick[!s->which];    /* the slot ignores it until `full` */
+    const loft_step_tick *last = &s->tick[s->which];    /* its end is where this one begins */
+    const loft_step_axis *begin = last->axis;
+    loft_step_axis *axis = t->axis;
+    const uint8_t dir = last->dir;
+    uint8_t turned = ALL_AXES;
 
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const bool back = target[i] < s->target[i];
-        const uint32_t count = back ? (uint32_t)s->target[i] - (uint32_t)target[i]
-                                    : (uint32_t)target[i] - (uint32_t)s->target[i];
-        const uint8_t bit = (uint8_t)(1u << i);
+    for (uint8_t bit = 1; bit != ALL_AXES; bit = (uint8_t)(bit << 1), axis++, begin++) {
+        const int32_t from = position_after(begin, begin->count, dir & bit), to = *target++;
+        uint32_t count = (uint32_t)to - (uint32_t)from;
+        uint8_t way = 0;
 
-        if (count && back != ((dir & bit) != 0)) {
-            dir ^= bit;
-            turned |= bit;
+        if (to < from) {
+            count = 0u - count;
+            way = bit;
         }
+        if (count)
+            turned |= (uint8_t)((dir ^ way) & bit);
         if (count > slots)
             slots = (uint16_t)count;
-        t->axis[i].count = (uint16_t)count;
-        s->target[i] = target[i];
+        axis->count = (uint16_t)count;
+        axis->from = from;
     }
-    const uint16_t half = (uint16_t)(slots / 2u), error = (uint16_t)(half - slots);
-    for (int i = 0; i < LOFT_AXES; i++) {
-        t->axis[i].error = error;
-        if ((turned & (1u << i)) && (uint16_t)(half + t->axis[i].count) >= slots)
-            lead = true;
-    }
-    t->slots = t->left = slots;
-    t->dir = s->target_dir = dir;
-    t->lead = lead;
+    t->slots = slots;
+    t->dir = (uint8_t)((dir ^ turned) & (ALL_AXES - 1u));
+    t->left = (uint16_t)(slots + set_rates(s, t, turned));
+    slots = t->left;
+    LOFT_BARRIER();
     s->full = 1;
-    return (uint16_t)(slots + lead);
+    return slots;
 }
 
-#define ALL_AXES (1u << LOFT_AXES)
+static uint16_t wrap_of(const loft_step_tick *t) { return loft_step_short(t) ? 0 : t->slots; }
 
-/* Begin the prepared tick. Gives false in the slot for its direction alone. */
-static bool take_tick(loft_step *s)
+/* The tick that runs, begun if it must be. NULL: there is none, or this slot is for its direction
+ * alone. */
+static loft_step_tick *running_tick(loft_step *s)
 {
-    s->which ^= 1;
-    s->busy = 1;
-    s->full = 0;
-    s->dir = s->tick[s->which].dir;
-    return !s->tick[s->which].lead;
+    if (!s->busy) {
+        if (!s->full)
+            return NULL;
+        s->which ^= 1;
+        s->busy = 1;
+        s->changes++;
+        LOFT_BARRIER();
+        s->full = 0;
+    }
+    loft_step_tick *t = &s->tick[s->which];
+    if (t->left <= t->slots)
+        return t;
+    t->left = t->slots;
+    return NULL;
 }
 
-static void use_slots(loft_step *s, volatile loft_step_tick *t, uint8_t count)
+static void use_slots(loft_step *s, loft_step_tick *t, uint8_t count)
 {
     const uint16_t left = (uint16_t)(t->left - count);
 
     t->left = left;
-    if (left == 0)
+    s->changes++;
+    if (left == 0) {
+        LOFT_BARRIER();
         s->busy = 0;
+    }
 }
 
 loft_pins loft_step_next(loft_step *s)
 {
-    loft_pins pins = { 0, 0 };
+    loft_step_tick *t = running_tick(s);
+    loft_pins pins = { 0, s->tick[s->which].dir };
 
-    const bool now = s->busy || (s->full && take_tick(s));
-    pins.dir = s->dir;
-    if (!now)
+    if (!t)
         return pins;
-
-    volatile loft_step_tick *t = &s->tick[s->which];
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const uint16_t count = t->axis[i].count, sum = (uint16_t)(t->axis[i].error + count);
-        const uint8_t bit = (uint8_t)(1u << i);
-        t->axis[i].error = sum;
-        if (sum >= count)
+    const unsigned wrap = wrap_of(t);
+    loft_step_axis *axis = t->axis;
+    for (uint8_t bit = 1; bit != ALL_AXES; bit = (uint8_t)(bit << 1), axis++) {
+        const unsigned rate = axis->rate, phase = axis->phase + rate;
+        axis->phase = phase;
+        if (phase >= rate)
             continue;
-        t->axis[i].error = (uint16_t)(sum - t->slots);
+        axis->phase = phase - wrap;
         pins.step |= bit;
-        s->position[i] += pins.dir & bit ? -1 : 1;
     }
-    if (pins.step)
-        s->changes++;
     use_slots(s, t, 1);
     return pins;
 }
 
-/* Run one axis for `count` slots, all in registers. The bits go to `step`. Gives its pulses. */
-static uint8_t run_axis(volatile loft_step_axis *axis, uint16_t slots, uint8_t bit, uint8_t step[],
-                        uint8_t count)
+loft_step_tick *loft_step_take(loft_step *s, uint8_t *count, uint8_t *dir)
 {
-    const uint16_t add = axis->count;
-    uint16_t error = axis->error;
-    uint8_t pulses = 0;
+    loft_step_tick *t = running_tick(s);
 
-#if defined(__AVR__)
-    uint8_t byte;       /* the carry of the sum is the pulse, which C cannot express */
-    __asm__ volatile(
-        "1: add %A[error], %A[add]\n adc %B[error], %B[add]\n brcc 2f\n sub %A[error], %A[slots]\n "
-        "sbc %B[error], %B[slots]\n"
-        "   ld %[byte], %a[step]\n or %[byte], %[bit]\n st %a[step], %[byte]\n inc %[pulses]\n"
-        "2: adiw %[step], 1\n dec %[count]\n brne 1b\n"
-        : [error] "+&r"(error), [step] "+&e"(step), [count] "+&r"(count), [pulses] "+&r"(pulses),
-          [byte] "=&r"(byte)
-        : [add] "r"(add), [slots] "r"(slots), [bit] "r"(bit)
-        : "memory");
-#else
+    *dir = s->tick[s->which].dir;
+    if (!t) {
+        if (s->busy)                                /* the slot for the direction */
+            *count = 1;
+        return NULL;
+    }
+    if (*count > t->left)
+        *count = (uint8_t)t->left;
+    use_slots(s, t, *count);
+    return t;
+}
+
+/* Run one axis for `count` slots, all in registers. The bits go to `step`. */
+static void run_axis(loft_step_axis *axis, unsigned wrap, uint8_t bit, uint8_t step[],
+                     uint8_t count)
+{
+    const unsigned rate = axis->rate;
+    unsigned phase = axis->phase;
+
     for (; count; count--, step++) {
-        error = (uint16_t)(error + add);
-        if (error < add) {
-            error = (uint16_t)(error - slots);
+        phase += rate;
+        if (phase < rate) {
+            phase -= wrap;
             *step |= bit;
-            pulses++;
         }
     }
-#endif
-    axis->error = error;
-    return pulses;
+    axis->phase = phase;
 }
 
-uint8_t loft_step_run(loft_step *s, uint8_t step[], uint8_t count, uint8_t *dir)
+void loft_step_give(loft_step_tick *taken, uint8_t step[], uint8_t count)
 {
-    const bool now = s->busy || (s->full && take_tick(s));
+    loft_step_axis *axis = taken->axis;
 
-    volatile loft_step_tick *t = &s->tick[s->which];
-    if (!now && s->busy)                            /* the slot for the direction */
-        count = 1;
-    if (now && count > t->left)
-        count = (uint8_t)t->left;
     for (uint8_t k = 0; k < count; k++)
         step[k] = 0;
-    *dir = s->dir;
-    if (!now)
-        return count;
-    volatile loft_step_axis *axis = t->axis;
-    volatile int32_t *position = s->position;
-    for (uint8_t bit = 1; bit != ALL_AXES; bit = (uint8_t)(bit << 1), axis++, position++) {
-        if (axis->count == 0)
-            continue;
-        const int32_t pulses = run_axis(axis, t->slots, bit, step, count);
-        *position += *dir & bit ? -pulses : pulses;
-    }
-    s->changes++;
-    use_slots(s, t, count);
-    return count;
+    for (uint8_t bit = 1; bit != ALL_AXES; bit = (uint8_t)(bit << 1), axis++)
+        if (axis->rate)
+            run_axis(axis, wrap_of(taken), bit, step, count);
 }
 
+/* The pulses so far are the wraps of the phase or, in a long tick, those of Bresenham's line, where
+ * j c + h < 2^30. */
+static APART int32_t position_in(const loft_step_tick *t, const loft_step_axis *axis, bool back)
+{
+    const unsigned wrap = wrap_of(t), first = t->first + wrap;
+    const wide_phase sum = (wide_phase)(uint16_t)(t->slots - t->left) * axis->rate + first;
+
+    return position_after(axis, (uint16_t)(wrap ? (uint32_t)sum / wrap : sum >> PHASE_BITS), back);
+}
+
+/* A tick that was begun counts at its next slot at the latest: until then its position is that of
+ * the end of the tick before. */
 void loft_step_position(const loft_step *s, int32_t position[LOFT_AXES])
 {
     uint8_t changes;
 
     do {
         changes = s->changes;
-        for (int i = 0; i < LOFT_AXES; i++)
-            position[i] = s->position[i];
+        LOFT_BARRIER();
+        const loft_step_tick *t = &s->tick[s->which];
+        uint8_t dir = t->dir;
+        for (uint8_t i = 0; i < LOFT_AXES; i++, dir = (uint8_t)(dir >> 1))
+            position[i] = position_in(t, &t->axis[i], dir & 1u);
+        LOFT_BARRIER();
     } while (changes != s->changes);
 }
 

@@ -7,16 +7,19 @@
  * Two contexts share a loft_step. loft_step_next runs in the timer interrupt, once per slot, and is
  * short. loft_step_load prepares the tick after the running one, in the main loop or in an
  * interrupt that may itself be interrupted. They share one byte (`full`), so no lock is needed on
- * any machine with one core. span.h has the order of calls and the worst cost of each. 72 bytes.
+ * any machine with one core. span.h has the order of calls and the worst cost of each.
  */
 #ifndef LOFT_MACHINE_STEP_H
 #define LOFT_MACHINE_STEP_H
+
+#include <limits.h>     /* UINT_MAX */
 
 #include "num/num.h"    /* loft_real */
 
 LOFT_BEGIN_C
 
 #define LOFT_STEP_SLOTS_MAX 32767               /* slots of one tick, and steps of one axis in it */
+#define LOFT_STEP_SHORT (UINT_MAX == 65535u ? 255u : 1625u)     /* slots of one that is short */
 #define LOFT_STEP_REACH ((int32_t)1 << 30)      /* positions lie within +-LOFT_STEP_REACH steps */
 
 /* The pins in one slot: bit i is axis i. */
@@ -25,32 +28,33 @@ typedef struct {
     uint8_t dir;        /* 1: toward minus; changes at least one slot before a pulse */
 } loft_pins;
 
-/* One axis in a tick. */
+/* One axis in a tick. It pulses in a slot in which phase + rate exceeds an unsigned. */
 typedef struct {
+    unsigned phase, rate;
     uint16_t count;                     /* pulses, at most `slots` */
-    uint16_t error;                     /* of Bresenham's line: see step.c */
+    int32_t from;                       /* steps: the position at the beginning of the tick */
 } loft_step_axis;
 
 /* A tick. */
 typedef struct {
     loft_step_axis axis[LOFT_AXES];
-    uint16_t slots, left;               /* left: remaining slots */
+    unsigned first;                     /* the phase at the beginning: see step.c */
+    uint16_t slots;
+    uint16_t left;                      /* remaining; slots + 1: one in front for `dir` alone */
     uint8_t dir;
-    bool lead;                          /* one slot in front for the direction bits alone */
 } loft_step_tick;
+
+/* Is it short, so that a pulse is the carry of phase + rate, and nothing is taken off the phase? */
+static inline bool loft_step_short(const loft_step_tick *t) { return t->slots <= LOFT_STEP_SHORT; }
 
 /* The struct is complete so that it can be static; the fields may change without notice. */
 typedef struct {
-    volatile int32_t position[LOFT_AXES];       /* steps: the sum of all pulses so far */
-    volatile loft_step_tick tick[2];
+    loft_step_tick tick[2];
     volatile uint8_t which;                     /* tick[which] runs, the other is being prepared */
     volatile uint8_t busy;                      /* the running tick has slots left */
     volatile uint8_t full;                      /* the other tick is prepared */
-    volatile uint8_t changes;                   /* counts pulse slots, for loft_step_position */
-    uint8_t dir;
-
-    int32_t target[LOFT_AXES];                  /* where the prepared tick ends */
-    uint8_t target_dir;
+    volatile uint8_t changes;                   /* counts changes, for loft_step_position */
+    uint32_t inverse;                           /* 2^32 over the slots of the last short tick */
 } loft_step;
 
 /* Prepare at `position`, with no tick.
@@ -72,8 +76,8 @@ enum loft_status loft_step_place(loft_step *s, const int32_t position[LOFT_AXES]
  *   range   loft_step_room(s); slots 1..LOFT_STEP_SLOTS_MAX; |target| <= LOFT_STEP_REACH; no axis
  *           moves more than LOFT_STEP_SLOTS_MAX steps
  *   error   within 1/2 step of the straight line from the last target to this one, after every slot
- *   cost    no multiplication: at most 820 cycles of an ATmega328P, 190 instructions of a
- *           Cortex-M4; called from one context only */
+ *   cost    a multiplication per axis, and a division where `slots` differs from that of the
+ *           tick before; called from one context only */
 uint16_t loft_step_load(loft_step *s, const int32_t target[LOFT_AXES], uint16_t slots);
 
 /* May a tick be prepared? */
@@ -84,23 +88,29 @@ static inline bool loft_step_done(const loft_step *s)       { return !s->full &&
 
 /* Give the pins of the next slot.
  *
- *   cost    per axis a 16-bit addition, comparison and subtraction and, with a pulse, a 32-bit
- *           count; no division, no multiplication: at most 550 cycles of an ATmega328P, 150
- *           instructions of a Cortex-M4; meant for the timer interrupt */
+ *   cost    per axis an addition and, with a pulse, a subtraction; no division, no multiplication;
+ *           meant for the timer interrupt */
 loft_pins loft_step_next(loft_step *s);
 
-/* Give the pins of the next `count` slots at once, or of fewer, up to the end of a tick. step[k]
- * are the step bits of slot k, *dir the direction bits of all of them. Returns their number, at
- * least 1. The state afterwards equals that after as many calls of loft_step_next.
+/* Take the next *count slots at once, or fewer, up to the end of a tick: *count becomes their
+ * number, at least 1, and *dir the direction bits of all of them. They then count as given. Returns
+ * the tick of which they are, for loft_step_give or a loop of the port's own. NULL: no pulse is in
+ * them. For a port with a buffer of slots, which an interrupt of few instructions, or none, empties
  *
- *   range   count 1..255
- *   cost    a tenth of loft_step_next per slot and axis; an axis without steps costs nothing. For a
- *           port with a buffer of slots, which an interrupt of few instructions empties */
-uint8_t loft_step_run(loft_step *s, uint8_t step[], uint8_t count, uint8_t *dir);
+ *   range   *count 1..255 */
+loft_step_tick *loft_step_take(loft_step *s, uint8_t *count, uint8_t *dir);
 
-/* The position, read while the interrupt runs: all axes of the same slot.
+/* Give the slots that were taken: step[k] are the step bits of slot k. The state afterwards equals
+ * that after as many calls of loft_step_next.
  *
- *   cost    repeats the read when a pulse came in between */
+ *   cost    a tenth of loft_step_next per slot and axis; an axis without steps costs nothing */
+void loft_step_give(loft_step_tick *taken, uint8_t step[], uint8_t count);
+
+/* The position: the sum of all pulses that were given, all axes of the same slot. It may be read in
+ * any context.
+ *
+ *   cost    a multiplication per axis, in a tick of more than 255 slots (1625 where `unsigned` has
+ *           32 bits) also a division; repeats the read when a slot came in between */
 void loft_step_position(const loft_step *s, int32_t position[LOFT_AXES]);
 
 /* mm to the nearest step. Sender and machine use the same rounding.

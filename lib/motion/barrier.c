@@ -100,8 +100,9 @@ static bool set_pace(const loft_knot *k, pace at[3])
     return true;
 }
 
-/* --- derivatives ---------------------------------------------------------------------------------
- */
+
+// Derivatives
+// -----------
 
 /* What a change of b, b', b'' by 1 each, 2^-12, adds to the part of a limit, as relative changes of
  * the three control values. */
@@ -177,8 +178,6 @@ static bool add_axis(const problem *p, unsigned k, const loft_coord leg[3], int 
         if (at) {
             row_of(knot, n, a.d2[n], a.d1[n] / 2, 0, row);
             add_barrier(at, row, accel, m);
-        }
-        if (at) {
             const int64_t root = x->root, own = (jerk * x->time >> 16) * x->time >> 21;
             row_of(knot, n, (j.d3 * root >> 16) + own, (int64_t)j.d2[n] * 3 / 2 * root >> 16,
                    (int64_t)j.d1[n] / 2 * root >> 16, row);
@@ -193,9 +192,13 @@ static bool add_axis(const problem *p, unsigned k, const loft_coord leg[3], int 
 static int32_t speed_part(int32_t b, int32_t top)
 {
     top = top < LOFT_BARRIER_FASTEST ? top : LOFT_BARRIER_FASTEST;
-    return b >= top >> 4 ? ONE : (int32_t)(((uint32_t)b << 9) / ((uint32_t)top >> 11));
+    if (b >= top >> 4)
+        return ONE;
+    const int shift = top < INT32_C(1) << 20 ? 0 : 7;
+    return (int32_t)(((uint32_t)b << (16 - shift)) / ((uint32_t)top >> (4 + shift)));
 }
-/* (b / 2^20) / (top / 2^24) = b 2^4 / top; 2^16 of it: b 2^9 / (top / 2^11) */
+/* (b / 2^20) / (top / 2^24) = b 2^4 / top; 2^16 of it: b 2^(16 - s) / (top / 2^(4 + s)). Where top
+ * is below 2^20, b is below 2^16 and all of it fits with s = 0. */
 
 static bool add_interval(const problem *p, unsigned k, column *at)
 {
@@ -258,8 +261,9 @@ static void set_derivatives(problem *p)
             add_tie(&p->knot[k], &p->at[k]);
 }
 
-/* --- a step --------------------------------------------------------------------------------------
- */
+
+// A step
+// ------
 
 /* x * part, of 2^-24. */
 static int64_t times(int64_t x, int64_t part)
@@ -348,10 +352,8 @@ static bool go(problem *p)
 /* The even pace that all limits allow. */
 static void set_even(const problem *p)
 {
-    int32_t b = LOFT_V2_ONE;
+    const int32_t b = loft_timing_least(p->knot, p->count);
 
-    for (unsigned k = 1; k + 2 < p->count; k++)
-        b = p->knot[k].goal < b ? p->knot[k].goal : b;
     for (unsigned k = 0; k < p->count; k++)
         p->knot[k].v2 = b - b / 16;
 }

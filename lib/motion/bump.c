@@ -23,18 +23,7 @@
  */
 #include "motion/bump.h"
 
-#include "motion/guess.h" /* LOFT_PLAN_EFFORT */
-#include "num/part.h"     /* loft_part, loft_part_root */
-
-#define FULL ((int32_t)1 << 30)
-
-/* x 2^n, at most FULL. */
-static inline int32_t scaled(int32_t x, int n)
-{
-    if (n <= 0)
-        return n > -31 ? x >> -n : 0;
-    return n < 30 && x < FULL >> n ? (int32_t)((uint32_t)x << n) : FULL;
-}
+#include "num/part.h" /* loft_part, loft_part_root */
 
 static inline int32_t shifted(int32_t x, int n) { return (int32_t)((uint32_t)x << n); }
 static inline uint32_t size_of(int32_t x) { return (uint32_t)(x < 0 ? -x : x); }
@@ -184,13 +173,14 @@ typedef struct {
 /* Does jerk hold on the way to a pace whose inverse root is set: before and with all of it? */
 static bool jumps(const interval *t, const legs *e, int32_t accel, int32_t jerk)
 {
-    const int32_t most = scaled(accel, t->power);
+    const int32_t most = loft_part_scaled(accel, t->power);
     forms now, all;
 
     set_forms(&all, &t->all, e);
     set_forms(&now, &t->now, e);
     for (int n = 0; n < 3; n++) {
-        const int32_t held = loft_part(scaled(jerk, t->power + t->at[n].half - 1), t->at[n].root);
+        const int32_t held = loft_part(loft_part_scaled(jerk, t->power + t->at[n].half - 1),
+                                       t->at[n].root);
         if (!holds(all.accel[n], most) || !holds(all.jerk[n], held) || !holds(now.jerk[n], held))
             return false;
     }
@@ -200,7 +190,7 @@ static bool jumps(const interval *t, const legs *e, int32_t accel, int32_t jerk)
 /* The part, `by` at most, with which the limits of an axis hold. */
 static int32_t axis_part(const interval *t, const legs *e, int32_t accel, int32_t jerk, int32_t by)
 {
-    const int32_t most = scaled(accel, t->power);
+    const int32_t most = loft_part_scaled(accel, t->power);
     int32_t held[3], fall[3];
     forms now, all;
 
@@ -209,7 +199,7 @@ static int32_t axis_part(const interval *t, const legs *e, int32_t accel, int32_
                 holds(all.accel[2], most);
     for (int n = 0; n < 3; n++) {
         /* root / 2^(17 - half) */
-        held[n] = loft_part(scaled(jerk, t->power + t->at[n].half - 1), t->at[n].root);
+        held[n] = loft_part(loft_part_scaled(jerk, t->power + t->at[n].half - 1), t->at[n].root);
         fall[n] = 2 * loft_part(held[n], t->at[n].drop);
         good = good && holds(all.jerk[n], held[n] - fall[n]);
     }

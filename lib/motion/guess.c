@@ -13,8 +13,9 @@
 #define STEPS       8               /* towards the least time */
 #define WHOLE       12              /* periods before a sharp place that become whole */
 
-/* --- the pace ------------------------------------------------------------------------------------
- */
+
+// The pace
+// --------
 
 /* The last knots before an open end are not smooth yet. */
 static void set_pace(loft_guess_round *g, const loft_period *period)
@@ -29,16 +30,9 @@ static void set_pace(loft_guess_round *g, const loft_period *period)
     g->knot[g->count - 1].v2 = g->knot[g->count - 2].v2;
 }
 
-/* --- knots ---------------------------------------------------------------------------------------
- */
 
-static void tie(loft_guess_round *g)
-{
-    for (int k = 0; k < 3 && g->placed == 0; k++)
-        g->knot[k].point = g->knot[0].on.at;
-    for (int k = 1; k <= 3 && g->ended; k++)
-        g->knot[g->count - k].point = g->knot[g->count - 1].on.at;
-}
+// Knots
+// -----
 
 /* Knots that do not matter any more. */
 static void forget(loft_guess_round *g)
@@ -99,7 +93,7 @@ static void load(loft_guess_round *g, const loft_period *period)
     const unsigned known = g->loaded, from = g->placed < 3 ? 3 : g->placed;
 
     loft_tube_load(g->knot, known > 1 ? known - 1 : 1, g->count - 1u);
-    tie(g);
+    loft_tube_tie(g->knot, g->count, g->placed == 0, g->ended);
     if (from + 3 < g->count) {
         loft_tube_measure(period, g->knot, from, g->count - 3u);
         loft_tube_smooth(g->knot, from, g->count - 3u, SWEEPS);
@@ -112,8 +106,9 @@ static void load(loft_guess_round *g, const loft_period *period)
     g->filling = false;
 }
 
-/* --- places --------------------------------------------------------------------------------------
- */
+
+// Places
+// ------
 
 /* The time from the last place to knot k. */
 static int64_t time_to(const loft_guess_round *g, unsigned k)
@@ -192,6 +187,7 @@ static void take(loft_guess_round *g, loft_path_place *out)
     out->feed   = next->feed < p->feed ? next->feed : p->feed;
     out->number = p->number;
     out->skip   = p->skip > next->skip ? p->skip : next->skip;
+    out->loose  = p->loose && next->loose;
     out->sharp  = g->time == 0 && p->sharp;
     out->s = 0;
 }
@@ -215,6 +211,7 @@ static void next_place(loft_guess_round *g, unsigned end)
     int64_t gone = 0;
     bool to_sharp = time_to(g, sharp) <= step && (sharp < end || g->ended);
     loft_coord skip = 0, feed = g->knot[g->at].on.feed;
+    bool loose = g->knot[g->at].on.loose;
 
     for (int n = 0; n < 3; n++) {
         pass(g, step * (n + 1) / 4 - gone, end);
@@ -222,6 +219,7 @@ static void next_place(loft_guess_round *g, unsigned end)
         place_here(g, &q[-1].inner[n]);
         skip = g->knot[g->at].on.skip > skip ? g->knot[g->at].on.skip : skip;
         feed = g->knot[g->at].on.feed < feed ? g->knot[g->at].on.feed : feed;
+        loose = loose && g->knot[g->at].on.loose;
     }
     pass(g, step - gone, end);
     if (to_sharp) {
@@ -231,6 +229,7 @@ static void next_place(loft_guess_round *g, unsigned end)
     take(g, &q->on);
     q->on.feed = q->on.feed < feed ? q->on.feed : feed;
     q[-1].on.skip = q[-1].on.skip > skip ? q[-1].on.skip : skip;
+    q[-1].on.loose = q[-1].on.loose && loose;
     g->queued++;
     g->arrived = g->ended && g->at == end;
 }

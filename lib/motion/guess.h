@@ -12,12 +12,6 @@
 
 LOFT_BEGIN_C
 
-/* 1: small chips: places are not guessed twice, limits are used a little less, and no call takes
- * longer than a part of the work. 2: all effort. */
-#ifndef LOFT_PLAN_EFFORT
-#  define LOFT_PLAN_EFFORT 2
-#endif
-
 #define LOFT_GUESS_KNOTS (LOFT_PLAN_EFFORT > 1 ? 80 : 8)
 #define LOFT_GUESS_QUEUE 4
 #define LOFT_GUESS_ROUNDS (LOFT_PLAN_EFFORT > 1 ? 2 : 1)  /* the second begins better */

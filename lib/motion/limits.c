@@ -5,7 +5,6 @@
 
 #define TOL_MIN      LOFT_REAL(0.0009765625)
 #define TOL_MAX      LOFT_REAL(1)
-#define CORNER_MAX   LOFT_REAL(1)
 #define EXACT_MAX    LOFT_REAL(2)
 
 static enum loft_status within(loft_real x, loft_real min, loft_real max)
@@ -28,7 +27,7 @@ enum loft_status loft_limits_check(const loft_limits *limits)
         return status;
     if (!(limits->corner >= 0) || !(limits->exact >= 0) || limits->tick_hz == 0)
         return LOFT_ERR_ARG;
-    return limits->corner > CORNER_MAX || limits->exact > EXACT_MAX || limits->tick_hz < 50 ||
+    return limits->corner > TOL_MAX || limits->exact > EXACT_MAX || limits->tick_hz < 50 ||
                    limits->tick_hz > 50000u
                ? LOFT_ERR_RANGE
                : LOFT_OK;

@@ -19,9 +19,10 @@ typedef struct {
     loft_real max_speed[LOFT_AXES];     /* mm/s, 1/64..16383 */
     loft_real max_accel[LOFT_AXES];     /* mm/s^2, 1..16383 */
     uint32_t  max_jerk[LOFT_AXES];      /* mm/s^3, to 10,000,000; 0: not limited */
-    loft_real corner;                   /* mm, 0..1; not used yet: corners are rounded within tol */
     loft_real tol;                      /* how far spans may leave the path, rounding included, mm,
                                          * 1/1024..1 */
+    loft_real corner;                   /* 0..1: the same, up to 32 times this along the path from
+                                         * where it turns by more than 5 degrees; at least tol */
     loft_real exact;                    /* 0..2: it stops where a curve's direction, of length 1,
                                          * differs by more from that of the last one: 2 sin(turn
                                          * / 2); 0: nowhere */

@@ -14,12 +14,19 @@
  *     v = min(sqrt(8 a tol), 2.9 (j tol^2)^(1/3)) / w
  *
  * since a change of velocity v w that takes T = sqrt(4 v w / j) leaves the corner by j T^3 / 40.
+ *
+ * Where corners have a larger tolerance, that is the one at joints that turn by more than 5
+ * degrees, at the scale of the tolerance as well. It holds on ways from a place to the next that
+ * are wholly within 31 times itself from them.
  */
 #include "motion/path.h"
 
 #include "geom/normal.h"    /* loft_vec_unit */
 
 #define ONE         1024                            /* a period, in times of corners */
+/* Little effort: away from corners places are farther apart, so fewer of them look ahead as far. */
+#define STEP_MAX    (LOFT_PLAN_EFFORT > 1 ? ONE : ONE * 7 / 4)
+#define STEPS       12                              /* and more to the next corner */
 #define TIME_MAX    ((int32_t)256 * ONE)
 #define FAR         ((int64_t)1 << 30)              /* what is farther has no effect */
 #define CAP_MAX     (4 * LOFT_COORD_MM)
@@ -27,13 +34,15 @@
 #define UNIT        16384                           /* of directions */
 #define SCALES      5
 #define SHARP       1430                            /* 5 degrees */
+#define NEAR        31                              /* tolerances of a corner */
 #define AHEAD       6                               /* places that are settled */
 #define DUST        4                               /* arcs that are no longer are nothing */
 
 static loft_coord least(loft_coord a, loft_coord b) { return a < b ? a : b; }
 
-/* --- launches ------------------------------------------------------------------------------------
- */
+
+// Launches
+// --------
 
 /* X(n). */
 static int64_t launched(loft_coord jerk, int32_t n)
@@ -82,8 +91,9 @@ static loft_coord cap_of(const loft_path *path, const int16_t u[], loft_real fee
     return least(least(along(p->speed, u), loft_period_speed(p, feed)), CAP_MAX) + 1;
 }
 
-/* --- curves --------------------------------------------------------------------------------------
- */
+
+// Curves
+// ------
 
 static loft_move *move_at(const loft_path *path, unsigned i)
 {
@@ -138,8 +148,9 @@ static void direction(loft_vec u, int16_t out[])
         out[i] = (int16_t)((loft_raw_from_real(u.axis[i]) + 2) >> 2);
 }
 
-/* --- corners -------------------------------------------------------------------------------------
- */
+
+// Corners
+// -------
 
 /* The square of the turn between two directions, 2^-28. */
 static int64_t turn(const int16_t a[], const int16_t b[])
@@ -227,7 +238,7 @@ static bool probe(const loft_path *path, unsigned i, bool back, loft_coord l, lo
 
 /* The most that the axes allow across the path, where its velocity changes by `v` of length
  * `size`. */
-static loft_coord swing(const loft_period *p, const loft_coord v[], loft_coord size)
+static loft_coord swing(const loft_period *p, loft_coord tol, const loft_coord v[], loft_coord size)
 {
     int64_t accel = CAP_MAX, jerk = CAP_MAX;
     bool soft = false;
@@ -240,31 +251,82 @@ static loft_coord swing(const loft_period *p, const loft_coord v[], loft_coord s
             jerk = (int64_t)p->jerk[i] * size / part;
         soft = soft || p->jerk[i] > 0;
     }
-    const uint64_t change = (uint64_t)jerk * (uint64_t)p->tol / 4096 * (uint64_t)p->tol / 4096;
-    const loft_coord by_accel = (loft_coord)loft_coord_sqrt((uint64_t)(8 * accel * p->tol)),
+    const uint64_t change = (uint64_t)jerk * (uint64_t)tol / 4096 * (uint64_t)tol / 4096;
+    const loft_coord by_accel = (loft_coord)loft_coord_sqrt((uint64_t)(8 * accel * tol)),
                      by_jerk = (loft_coord)(29 * (int64_t)loft_coord_cbrt(change) * 256 / 10);
     return soft ? least(by_accel, by_jerk) : by_accel / 2;
 }
 
-/* The speed with which the joint before stretch i may be passed. */
-static loft_coord joint_speed(const loft_path *path, unsigned i)
+/* By what the path turns at the joint before stretch i, at the scale l; false: not known. */
+static bool turn_at(const loft_path *path, unsigned i, loft_coord l, loft_coord out[])
+{
+    loft_coord b[LOFT_AXES];
+
+    if (!probe(path, i, true, l, out) || !probe(path, i, false, l, b))
+        return false;
+    for (int j = 0; j < LOFT_AXES; j++)
+        out[j] += b[j];
+    return true;
+}
+
+/* Does the joint before stretch i have the tolerance of corners? */
+static bool is_corner(const loft_path *path, unsigned i)
 {
     const loft_coord tol = path->period->tol;
-    loft_coord speed = CAP_MAX, a[LOFT_AXES], b[LOFT_AXES];
+    loft_coord a[LOFT_AXES];
 
-    for (int k = 0; k < SCALES; k++) {
-        const loft_coord l = tol << k;
-        if (!probe(path, i, true, l, a) || !probe(path, i, false, l, b))
-            break;
-        for (int j = 0; j < LOFT_AXES; j++)
-            a[j] += b[j];
+    return path->period->more > 0 && is_sharp(&path->stretch[i - 1], &path->stretch[i]) &&
+           turn_at(path, i, tol, a) && (int64_t)loft_coord_length(a) * UNIT > (int64_t)tol * SHARP;
+}
+
+/* The speed with which the joint before stretch i may be passed. */
+static loft_coord joint_speed(const loft_path *path, unsigned i, bool corner)
+{
+    const loft_period *p = path->period;
+    const loft_coord tol = p->tol + (corner ? p->more : 0);
+    loft_coord speed = CAP_MAX, a[LOFT_AXES];
+
+    for (int k = 0; k < SCALES && turn_at(path, i, tol << k, a); k++) {
         const loft_coord size = loft_coord_length(a);
         if ((int64_t)size * 10 > (int64_t)tol * 13) {
-            const int64_t v = (int64_t)swing(path->period, a, size) * l / size;
+            const int64_t v = ((int64_t)swing(p, tol, a, size) << k) * tol / size;
             speed = v < speed ? (loft_coord)v : speed;
         }
     }
     return speed;
+}
+
+static void drop_zone(loft_path *path)
+{
+    path->zones--;
+    for (unsigned k = 0; k < path->zones; k++)
+        path->zone[k] = path->zone[k + 1];
+}
+
+/* It is near a corner at s. Zones that meet are one. */
+static void add_zone(loft_path *path, int64_t s)
+{
+    const loft_period *p = path->period;
+    const int64_t reach = (int64_t)(p->tol + p->more) * NEAR;
+    loft_path_zone *last = &path->zone[path->zones > 0 ? path->zones - 1u : 0];
+
+    if (path->zones > 0 && s - reach <= last->to) {
+        last->to = s + reach;
+        return;
+    }
+    if (path->zones == LOFT_PATH_ZONES)
+        drop_zone(path);
+    path->zone[path->zones++] = (loft_path_zone){ s - reach, s + reach };
+}
+
+/* Is it near corners all the way? */
+static bool is_loose(const loft_path *path, int64_t from, int64_t to)
+{
+    bool inside = false;
+
+    for (unsigned k = 0; k < path->zones; k++)
+        inside = inside || (path->zone[k].from <= from && to <= path->zone[k].to);
+    return inside;
 }
 
 static loft_path_corner corner_of(int64_t s, loft_coord speed, loft_coord jerk, bool sharp)
@@ -297,13 +359,22 @@ static void look_at_joint(loft_path *path)
 {
     const unsigned i = path->looked;
     const loft_path_stretch *before = &path->stretch[i - 1], *after = &path->stretch[i];
-    const loft_coord speed = joint_speed(path, i), cap = least(before->cap, after->cap);
+    const bool corner = is_corner(path, i);
+    const loft_coord speed = joint_speed(path, i, corner), cap = least(before->cap, after->cap);
 
+    if (corner)
+        add_zone(path, after->s);
     if (speed < cap)
         add_corner(path, corner_of(after->s, speed > 1 ? speed : 1,
                                    least(jerk_along(path->period, before->to, cap),
                                          jerk_along(path->period, after->from, cap)),
                                    is_sharp(before, after)));
+}
+
+/* The largest scale at which a joint is looked at. */
+static loft_coord scale_most(const loft_path *path)
+{
+    return (path->period->tol + path->period->more) << (SCALES - 1);
 }
 
 static int64_t scanned(const loft_path *path) { return path->scan.s + path->scan.length; }
@@ -315,7 +386,7 @@ static void forget(loft_path *path)
     const int64_t from = path->looked < path->stretches ? path->stretch[path->looked].s
                                                         : scanned(path);
 
-    while (n + 1u < path->looked && path->stretch[n + 1].s < from - (path->period->tol << SCALES))
+    while (n + 1u < path->looked && path->stretch[n + 1].s < from - 2 * (int64_t)scale_most(path))
         n++;
     if (n == 0 && path->stretches == LOFT_PATH_STRETCHES)
         n = path->looked > 1 ? (path->looked - 1u + 1) / 2 : 0;
@@ -328,10 +399,10 @@ static void forget(loft_path *path)
 /* Find corners as far ahead as there is room. */
 static void scan(loft_path *path)
 {
-    const loft_coord need = path->period->tol << (SCALES - 1);
+    const loft_coord need = scale_most(path);
 
     for (;;) {
-        if (path->corners + 2 >= LOFT_PATH_CORNERS)
+        if (path->corners + 2 >= LOFT_PATH_CORNERS || path->zones == LOFT_PATH_ZONES)
             break;
         if (path->stretches == LOFT_PATH_STRETCHES)
             forget(path);
@@ -342,6 +413,7 @@ static void scan(loft_path *path)
                                    path->stretches == LOFT_PATH_STRETCHES);
         const unsigned before = path->looked;
         while (path->looked < path->stretches && path->corners + 2 < LOFT_PATH_CORNERS &&
+               path->zones < LOFT_PATH_ZONES &&
                (all || scanned(path) - path->stretch[path->looked].s > need)) {
             if (path->looked > 0)
                 look_at_joint(path);
@@ -353,8 +425,9 @@ static void scan(loft_path *path)
     path->known = path->looked < path->stretches ? path->stretch[path->looked].s : scanned(path);
 }
 
-/* --- places --------------------------------------------------------------------------------------
- */
+
+// Places
+// ------
 
 /* Where a corner lets the next place be, `part` of a period later. */
 static int64_t corner_allows(const loft_path_corner *c, int64_t s, int32_t part)
@@ -408,6 +481,17 @@ static void drop_corners(loft_path *path, loft_coord cap)
     path->corners = (uint8_t)n;
 }
 
+/* Zones that are behind all places; where it can only go on so, one more. */
+static void drop_zones(loft_path *path)
+{
+    const int64_t from = path->queued > 0 ? path->queue[0].s : path->s;
+
+    while (path->zones > 0 && path->zone[0].to < from)
+        drop_zone(path);
+    if (path->zones == LOFT_PATH_ZONES && path->s >= path->known)
+        drop_zone(path);
+}
+
 static const loft_path_corner *next_sharp(const loft_path *path)
 {
     const loft_path_corner *found = NULL;
@@ -418,12 +502,29 @@ static const loft_path_corner *next_sharp(const loft_path *path)
     return found;
 }
 
+/* The time to the next place: it grows by a 24th from one to the next while the path is known `far`
+ * ahead. */
+static int32_t step_here(const loft_path *path, bool far)
+{
+    int32_t step = far ? least(path->step + path->step / 24, STEP_MAX)
+                       : path->step - path->step / 8;
+
+    for (unsigned i = 0; i < path->corners && step > ONE; i++) {
+        const loft_path_corner *c = &path->corner[i];
+        const int64_t off = c->s > path->s ? c->s - path->s : path->s - c->s;
+        step = least(step, (launch_time(c->jerk, off + c->way) - c->time) / STEPS);
+    }
+    return step > ONE ? step : ONE;
+}
+
 /* Whole periods to the next sharp corner: all of them somewhat shorter or longer. */
-static int64_t next_s(const loft_path *path, loft_coord cap)
+static int64_t next_s(loft_path *path, loft_coord cap, bool far)
 {
     const loft_path_corner *c = next_sharp(path);
-    int64_t to = allowed(path, cap, ONE);
+    int64_t to;
 
+    path->step = step_here(path, far);
+    to = allowed(path, cap, path->step);
     if (!c)
         return to;
     if (to < c->s) {
@@ -496,7 +597,7 @@ static enum loft_path_state start(loft_path *path, loft_path_place *out)
     place_at(&path->walk, 0, &out->at);
     out->number = path->walk.number;
     out->feed   = loft_period_speed(path->period, move_of(path, out->number)->feed);
-    out->sharp  = false;
+    out->sharp  = out->loose = false;
     out->s = 0;
     return LOFT_PATH_PLACE;
 }
@@ -529,9 +630,11 @@ static enum loft_path_state march(loft_path *path, loft_path_place *out)
 {
     if (!path->begun)
         return start(path, out);
+    drop_zones(path);
     scan(path);
     if (path->s >= path->known) {
         drop_corners(path, cap_here(path));
+        drop_zones(path);
         scan(path);
     }
     if (path->s >= path->known && path->count == path->room)
@@ -541,8 +644,9 @@ static enum loft_path_state march(loft_path *path, loft_path_place *out)
         return ends ? LOFT_PATH_END : LOFT_PATH_WAIT;
     const loft_coord cap = cap_here(path);
     const bool full = path->count == path->room || path->corners + 2 >= LOFT_PATH_CORNERS ||
-                      path->ended;
-    const bool near = path->known - path->s < reach(path, cap);
+                      path->zones == LOFT_PATH_ZONES || path->ended;
+    const int64_t left = path->known - path->s, need = reach(path, cap);
+    const bool near = left < need;
     if (!ends && near && !full)
         return LOFT_PATH_WAIT;
     drop_corners(path, cap);
@@ -552,9 +656,10 @@ static enum loft_path_state march(loft_path *path, loft_path_place *out)
         path->corner[path->corners++] = corner_of(path->known, 0,
                                                   jerk_along(path->period, e->to, e->cap), ends);
     }
-    const int64_t next = next_s(path, cap), to = next < path->known ? next : path->known;
+    const int64_t next = next_s(path, cap, ends || left > 2 * need),
+                  to = next < path->known ? next : path->known;
     path->corners = (uint8_t)kept;
-    out->sharp = false;
+    out->sharp = out->loose = false;
     for (unsigned i = 0; i < path->corners; i++)
         out->sharp = out->sharp || (path->corner[i].sharp && path->corner[i].s == to);
     out->feed = walk_to(path, &path->walk, to, &out->at);
@@ -565,8 +670,9 @@ static enum loft_path_state march(loft_path *path, loft_path_place *out)
     return LOFT_PATH_PLACE;
 }
 
-/* --- the cubic through places --------------------------------------------------------------------
- */
+
+// The cubic through places
+// ------------------------
 
 static void legs_of(const loft_position *a, const loft_position *b, loft_coord leg[])
 {
@@ -669,8 +775,9 @@ loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const lo
     }
 }
 
-/* --- checked places ------------------------------------------------------------------------------
- */
+
+// Checked places
+// --------------
 
 /* The places around the way from place k to the next. */
 static void four(const loft_path_place queue[], unsigned count, unsigned k,
@@ -734,14 +841,14 @@ static void halve(loft_path *path, unsigned k)
     q[1].feed = walk_to(path, &w, q[1].s, &q[1].at);
     q[1].feed = least(q[1].feed, q[2].feed);
     q[1].number = w.number;
-    q[1].sharp = false;
+    q[1].sharp = q[1].loose = false;
 }
 
 /* A place in the middle, if less is skipped then: not of teeth that the tolerance swallows. */
 static bool is_better_halved(loft_path *path, unsigned k)
 {
     loft_path_place *q = &path->queue[k];
-    const loft_coord whole = q->skip, most = path->period->tol * 13 / 20;
+    const loft_coord whole = q->skip, most = loft_path_tol(path->period, q) * 13 / 20;
 
     halve(path, k);
     const loft_coord first = skipped(path, k), last = skipped(path, k + 1);
@@ -759,7 +866,8 @@ static bool is_halved(loft_path *path, unsigned k)
     loft_path_place *q = &path->queue[k];
 
     q->skip = skipped(path, k);
-    return q->skip > path->period->tol / 4 && path->queued < LOFT_PATH_QUEUE &&
+    q->loose = is_loose(path, q[0].s, q[1].s);
+    return q->skip > loft_path_tol(path->period, q) / 4 && path->queued < LOFT_PATH_QUEUE &&
            q[1].s - q[0].s >= 64 && is_better_halved(path, k);
 }
 
@@ -836,8 +944,10 @@ void loft_path_begin(loft_path *path)
     path->walk.s = 0;
     path->walk.length = 0;
     path->check = path->scan = path->walk;
+    path->zones = 0;
     path->stretches = path->looked = path->corners = path->queued = path->settled = 0;
     path->s = path->known = 0;
+    path->step = ONE;
 }
 
 void loft_path_init(loft_path *path, const loft_period *period, loft_move moves[], uint16_t room)

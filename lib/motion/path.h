@@ -27,6 +27,8 @@ typedef struct {
 /* Corners that are known ahead, and stretches of the path around one. */
 #define LOFT_PATH_CORNERS   48
 #define LOFT_PATH_STRETCHES 40
+/* Parts of the path near corners: the next ones, if they have a tolerance of their own. */
+#define LOFT_PATH_ZONES     16
 /* Places that are checked before they are given. */
 #define LOFT_PATH_QUEUE     24
 
@@ -38,6 +40,11 @@ typedef struct {
     int32_t   time;         /* and how long that takes, 2^-10 periods */
     bool      sharp;        /* a place goes onto it */
 } loft_path_corner;
+
+/* A part of the path that is near corners. */
+typedef struct {
+    int64_t from, to;
+} loft_path_zone;
 
 /* A nearly straight part of the path. */
 typedef struct {
@@ -65,7 +72,14 @@ typedef struct {
     int64_t    s;           /* from the start of the chain */
     uint16_t   number;      /* of its curve */
     bool       sharp;       /* it is a corner */
+    bool       loose;       /* up to the next one it is near corners */
 } loft_path_place;
+
+/* How far the motion may be from the path, from this place to the next. */
+static inline loft_coord loft_path_tol(const loft_period *p, const loft_path_place *from)
+{
+    return p->tol + (from->loose ? p->more : 0);
+}
 
 enum loft_path_state { LOFT_PATH_PLACE, LOFT_PATH_WAIT, LOFT_PATH_END };
 
@@ -85,7 +99,10 @@ typedef struct {
     int64_t            known;               /* what the corners are known of */
     loft_path_corner   corner[LOFT_PATH_CORNERS];
     uint8_t            corners;
+    loft_path_zone     zone[LOFT_PATH_ZONES];
+    uint8_t            zones;
     int64_t            s;                   /* of the last place */
+    int32_t            step;                /* to it, 2^-10 periods */
     loft_path_place    queue[LOFT_PATH_QUEUE];
     uint8_t            queued, settled;     /* how many of them are known to be close enough? */
     bool               last;                /* is the last of them the end? */

@@ -83,6 +83,8 @@ void loft_period_init(loft_period *period, const loft_limits *limits)
                                       : 1;
 
     period->tol = loft_coord_of(loft_to_acc(limits->tol));
+    const loft_coord corner = loft_coord_of(loft_to_acc(limits->corner));
+    period->more = corner > period->tol ? corner - period->tol : 0;
     const int32_t exact = loft_raw_from_real(limits->exact) / 4;
     period->exact = exact * exact;
     period->tick_hz = limits->tick_hz;

@@ -20,8 +20,9 @@ typedef struct {
     loft_coord speed[LOFT_AXES];     /* v h, at most 2^28; of 2^-16 mm a multiple of 3 */
     loft_coord accel[LOFT_AXES];     /* a h^2, a multiple of 6 */
     loft_coord jerk[LOFT_AXES];      /* j h^3, a multiple of 6, limited or not */
-    loft_coord tol;                  /* how far from the path */
-    loft_coord tube;                 /* how much of it is for the smooth path */
+    loft_coord tol;                  /* how far from the path, */
+    loft_coord more;                 /* and so much farther near corners */
+    loft_coord tube;                 /* how much of tol is for the smooth path */
     loft_coord off;                  /* and for spans, to be off its samples */
     uint16_t  joined;               /* how many periods a span may last */
     int32_t   exact;                /* the square of loft_limits.exact, 2^-28; 0: no stops */

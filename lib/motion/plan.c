@@ -7,6 +7,8 @@
  */
 #include "motion/plan.h"
 
+#include "motion/aim.h" /* loft_aim_raise */
+
 #define BEHIND    4
 #define SMOOTHING 24 /* knots whose points may still move */
 #define ALL       (LOFT_PLAN_EFFORT > 1)
@@ -19,8 +21,9 @@
 #define MARGIN    4  /* of them, by which is seen if ones before hinder */
 #define CREEP     (LOFT_V2_ONE / 1024)
 
-/* --- knots ---------------------------------------------------------------------------------------
- */
+
+// Knots
+// -----
 
 static void forget(loft_plan *plan)
 {
@@ -99,6 +102,8 @@ static enum loft_path_state fill(loft_plan *plan)
         close_chain(plan);
     if (state != LOFT_PATH_PLACE)
         return state;
+    if (plan->count == 0)
+        loft_emit_begin(&plan->emit, &plan->period, plan->guess.path.from);
     if (plan->count == 2 && is_far(plan, &plan->knot[1].on, &p))
         append_start(plan);
     append(plan, &p);
@@ -115,10 +120,7 @@ static void begin_smoothing(loft_plan *plan)
     const unsigned from = first_loose(plan);
 
     loft_tube_load(plan->knot, plan->known > 1 ? plan->known - 1u : 1, plan->count - 1u);
-    for (int k = 0; k < 3 && plan->placed == 0; k++)
-        plan->knot[k].point = plan->knot[0].on.at;
-    for (unsigned k = 1; k <= 3 && plan->ended; k++)
-        plan->knot[plan->count - k].point = plan->knot[plan->count - 1].on.at;
+    loft_tube_tie(plan->knot, plan->count, plan->placed == 0, plan->ended);
     if (from + 3 < plan->count)
         loft_tube_measure(&plan->period, plan->knot, from, plan->count - 3u);
 }
@@ -133,8 +135,9 @@ static void place(loft_plan *plan)
     plan->loaded = plan->count;
 }
 
-/* --- timing --------------------------------------------------------------------------------------
- */
+
+// Timing
+// ------
 
 static loft_timing timing_of(const loft_plan *plan)
 {
@@ -147,23 +150,14 @@ static loft_timing timing_of(const loft_plan *plan)
     return timing;
 }
 
-/* The even pace that all limits allow from knot to knot. */
-static int32_t evenly(const loft_plan *plan)
-{
-    int32_t b = LOFT_V2_ONE;
-
-    for (unsigned k = 1; k + 2 < plan->count; k++)
-        b = plan->knot[k].goal < b ? plan->knot[k].goal : b;
-    return b - b / 32;
-}
-
 /* A pace for knots that have none: a creep, or, where the chain is known as a whole, an even one.
  */
 static void creep(loft_plan *plan)
 {
     const unsigned from = plan->timed, to = plan->placed;
     const loft_timing timing = timing_of(plan);
-    int32_t b = plan->ended && from == 0 ? evenly(plan) : CREEP;
+    const int32_t even = loft_timing_least(plan->knot, plan->count);
+    int32_t b = plan->ended && from == 0 ? even - even / 32 : CREEP;
 
     for (;; b /= 2) {
         for (unsigned k = from; k < to; k++)
@@ -222,7 +216,7 @@ static bool raise(loft_plan *plan)
     return false;
 }
 
-enum stage { IDLE, FILLING, SMOOTHING_THEM, PLACING, RAISING };
+enum stage { IDLE, FILLING, SMOOTHING_THEM, PLACING, AIMING, RAISING };
 
 static void begin_raising(loft_plan *plan, unsigned sweeps)
 {
@@ -233,37 +227,35 @@ static void begin_raising(loft_plan *plan, unsigned sweeps)
     plan->sweeps = (uint8_t)sweeps;
 }
 
-static void time_knots(loft_plan *plan, unsigned sweeps)
+static void aim(loft_plan *plan)
 {
-    begin_smoothing(plan);
-    if (first_loose(plan) + 3 < plan->count)
-        loft_tube_smooth(plan->knot, first_loose(plan), plan->count - 3u, SWEEPS);
-    place(plan);
-    begin_raising(plan, sweeps);
-    while (!raise(plan)) {
-    }
+    const loft_timing timing = timing_of(plan);
+    loft_aim_raise(&timing);
 }
 
-/* The whole chain is known and none of it has been used: its timing is a better guess than the
- * first one was. */
-static void refine(loft_plan *plan)
+/* Where the whole chain is known and none of it has been used, its timing is a better guess than
+ * the first one was: make its knots again. */
+static bool refine(loft_plan *plan)
 {
-    for (int n = 0; n < REFINED && plan->ended; n++) {
-        if (!loft_guess_again(&plan->guess, plan->knot, plan->count))
-            break;
-        plan->count = plan->placed = plan->timed = plan->known = 0;
-        plan->ended = false;
-        while (fill(plan) == LOFT_PATH_PLACE) {
-        }
-        time_knots(plan, 2 * RAISES);
-    }
+    if (!plan->ended || plan->known > 0 || plan->refined == REFINED ||
+        !loft_guess_again(&plan->guess, plan->knot, plan->count))
+        return false;
+    plan->count = plan->placed = plan->timed = 0;
+    plan->ended = false;
+    plan->refined++;
+    plan->stage = FILLING;
+    return true;
+}
+
+/* How often all of a part is raised. */
+static unsigned sweeps_of(const loft_plan *plan)
+{
+    return plan->known > 0 ? RAISES : plan->refined > 0 ? 2 * RAISES : 4 * RAISES;
 }
 
 /* All that was loaded is timed. */
 static void finish_load(loft_plan *plan)
 {
-    if (plan->ended && plan->known == 0)
-        refine(plan);
     const unsigned end = plan->placed - 2u;
     const unsigned look = plan->room - SMOOTHING - STEP - BEHIND;
     const unsigned sure = plan->ended ? end : end > look ? end - look : 0;
@@ -311,11 +303,15 @@ static enum loft_path_state load(loft_plan *plan)
         break;
     case PLACING:
         place(plan);
-        begin_raising(plan, plan->known == 0 ? 4 * RAISES : RAISES);
+        begin_raising(plan, sweeps_of(plan));
+        plan->stage = ALL ? RAISING : AIMING;
+        break;
+    case AIMING:
+        aim(plan);
         plan->stage = RAISING;
         break;
     case RAISING:
-        if (raise(plan))
+        if (raise(plan) && !refine(plan))
             finish_load(plan);
         break;
     }
@@ -328,8 +324,9 @@ static bool is_due(const loft_plan *plan)
     return plan->stage != IDLE || (!plan->ended && plan->at.knot > BEHIND + STEP / 2);
 }
 
-/* --- samples -------------------------------------------------------------------------------------
- */
+
+// Samples
+// -------
 
 /* Is all of it as good as straight? */
 static bool is_straight(const loft_plan *plan)
@@ -453,6 +450,7 @@ static void begin(loft_plan *plan)
     plan->count = plan->loaded = plan->placed = plan->timed = plan->sure = 0;
     plan->ended = false;
     plan->stage = IDLE;
+    plan->refined = 0;
     plan->at = (loft_sample){ 0, 0 };
     plan->steps = plan->step = 0;
     loft_emit_begin(&plan->emit, &plan->period, plan->guess.path.from);
@@ -482,8 +480,6 @@ enum loft_plan_state loft_plan_part(loft_plan *plan, loft_span *out)
         }
         if (plan->emit.ended)
             begin(plan);
-        if (plan->count == 0)
-            loft_emit_begin(&plan->emit, &plan->period, plan->guess.path.from);
         if (sample(plan))
             continue;
         if (!loaded)

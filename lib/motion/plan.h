@@ -44,7 +44,8 @@ typedef struct {
     uint16_t sure;                      /* knots before which it never changes */
     uint16_t known, old;                /* while more are made: `loaded` and `timed` before */
     uint16_t near;                      /* how many before `old` are raised? */
-    uint8_t stage, sweep, sweeps, part; /* of making them */
+    uint8_t stage, sweep, sweeps, part; /* of making them, */
+    uint8_t refined;                    /* which has been done again so often */
     int32_t first;                      /* the pace of the first ones that are raised, before */
     int64_t time;                       /* and the time of all */
     bool ended;                         /* is the last knot the end of the chain? */

@@ -32,13 +32,14 @@
  * A call costs at most, in cycles of an ATmega328P (-Os), in instructions of a Cortex-M0 and M4
  * (-O2), for three axes in q16; and bytes (`make check-calls`):
  *
- *   loft_step_next           550      220     150     loft_step 72
- *   loft_step_run          1,710    1,310   1,110     (20 slots)
- *   loft_step_load           820      290     190
+ *   loft_step_next           330      140     110     loft_step 128
+ *   loft_step_take           220       80      60
+ *   loft_step_give         1,600    1,000     700     (20 slots)
+ *   loft_step_load         1,800      480     210
  *   loft_pace_next         1,500      270     170     loft_pace 16
  *   loft_forward_next        850      120     100     loft_forward 152
  *   loft_steps_of            340       60      10
- *   loft_step_position       200       20      20
+ *   loft_step_position       620      270     110
  *   loft_span_walk        46,600   11,000   2,900     loft_span 52
  */
 #ifndef LOFT_MOTION_SPAN_H

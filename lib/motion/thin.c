@@ -41,8 +41,9 @@
 #define SLACK       64      /* units, a quarter of a grain, by which what is wanted of a span may be
                              * beyond the limits */
 
-/* --- the spline ----------------------------------------------------------------------------------
- */
+
+// The spline
+// ----------
 
 /* Periods from knot a to knot b. */
 static int32_t from_to(const loft_thin *t, unsigned a, unsigned b)
@@ -94,8 +95,9 @@ static ends_of_axis ends_of(const loft_thin *t, unsigned k, int i, const rates *
     return e;
 }
 
-/* --- fewer knots ---------------------------------------------------------------------------------
- */
+
+// Fewer knots
+// -----------
 
 /* The points at both sides of knot j without it, and by how much the three are missed. */
 typedef struct {
@@ -242,8 +244,9 @@ static bool take_out(loft_thin *t, unsigned j)
     return false;
 }
 
-/* --- grains --------------------------------------------------------------------------------------
- */
+
+// Grains
+// ------
 
 typedef struct {
     int64_t v, n0, n1;
@@ -362,8 +365,9 @@ static void set_span(loft_thin *t, loft_span *out)
     t->passed = t->point[FIRST + 1].number;
 }
 
-/* --- one by one ----------------------------------------------------------------------------------
- */
+
+// One by one
+// ----------
 
 void loft_thin_begin(loft_thin *thin, const loft_period *period, loft_vec from)
 {

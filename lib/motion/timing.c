@@ -16,6 +16,7 @@
 
 #define EASY        32      /* knots before an open end */
 #define FINE        1000
+#define BACK        (LOFT_PLAN_EFFORT < 2)  /* from the end: a knot can rise when the next has */
 
 typedef struct {
     int32_t b, slope;
@@ -131,6 +132,8 @@ bool loft_timing_holds(const loft_period *period, const loft_knot knot[], unsign
     return true;
 }
 
+/* part = 2^15 r, r = J / D3: b = 2^24 r^(2/3) = 2^24 (part^2 / 2^30)^(1/3)
+ *      = 2^14 (part^2)^(1/3) = 2^7 (part^2 2^21)^(1/3) */
 int32_t loft_timing_even(const loft_period *period, const loft_knot knot[], unsigned k)
 {
     int64_t b = knot[k].top;
@@ -154,12 +157,17 @@ int32_t loft_timing_even(const loft_period *period, const loft_knot knot[], unsi
     }
     return b > LOFT_V2_MIN ? (int32_t)b : LOFT_V2_MIN;
 }
-/* part = 2^15 r, r = J / D3: b = 2^24 r^(2/3) = 2^24 (part^2 / 2^30)^(1/3)
- *      = 2^14 (part^2)^(1/3) = 2^7 (part^2 2^21)^(1/3) */
 
-/* Towards an open end little is used of the limits, so that what comes later can still raise
- * it. */
-static int share_of(const loft_timing *t, unsigned k)
+int32_t loft_timing_least(const loft_knot knot[], unsigned count)
+{
+    int32_t b = LOFT_V2_ONE;
+
+    for (unsigned k = 1; k + 2 < count; k++)
+        b = knot[k].goal < b ? knot[k].goal : b;
+    return b;
+}
+
+int loft_timing_share(const loft_timing *t, unsigned k)
 {
     return !t->open || k + EASY <= t->end ? 64 : 10 + 16 * (int)(t->end - k) / EASY;
 }
@@ -167,7 +175,7 @@ static int share_of(const loft_timing *t, unsigned k)
 bool loft_timing_all_hold(const loft_timing *t, unsigned from, unsigned to)
 {
     for (unsigned k = from; k < to; k++)
-        if (!loft_timing_holds(t->period, t->knot, k, share_of(t, k)))
+        if (!loft_timing_holds(t->period, t->knot, k, loft_timing_share(t, k)))
             return false;
     return true;
 }
@@ -201,7 +209,8 @@ static int32_t add_at(const bump *b, unsigned k)
 static void shorten(bump *b, unsigned k)
 {
     const int32_t add[3] = { add_at(b, k), add_at(b, k + 1), add_at(b, k + 2) };
-    const int32_t part = loft_bump_part(b->t->period, b->t->knot, k, share_of(b->t, k), add);
+    const int32_t part = loft_bump_part(b->t->period, b->t->knot, k, loft_timing_share(b->t, k),
+                                        add);
 
     if (part < LOFT_BUMP_ONE)
         b->by = (b->by >> 15) * part + (int32_t)((uint32_t)(b->by & 32767) * (uint32_t)part >> 15);
@@ -249,8 +258,8 @@ void loft_timing_raise_part(const loft_timing *t, unsigned shift, unsigned part)
     static const uint16_t *const parts[] = { widest, wider, middle, narrower, narrowest };
     const unsigned width = 16u >> part, step = width > 1 ? width / 2 : 1;
 
-    for (unsigned k = t->from + shift % step; k < t->to; k += step) {
-        bump b = { t, parts[part], k, width, 0 };
+    for (unsigned n = (BACK ? 0u - shift : shift) % step; t->from + n < t->to; n += step) {
+        bump b = { t, parts[part], BACK ? t->to - 1 - n : t->from + n, width, 0 };
         (void)raise(&b);
     }
 }

@@ -29,6 +29,9 @@ bool loft_timing_holds(const loft_period *period, const loft_knot knot[], unsign
 /* The squared pace with which all limits are held between knot k and the next, if it is even. */
 int32_t loft_timing_even(const loft_period *period, const loft_knot knot[], unsigned k);
 
+/* The least of these from the second knot to the last but two: an even pace for all of them. */
+int32_t loft_timing_least(const loft_knot knot[], unsigned count);
+
 /* What may be raised: v2[from .. to - 1]. Limits are held between knots before `end` and the next
  * ones; `open`: the path goes on behind it. */
 typedef struct {
@@ -37,6 +40,10 @@ typedef struct {
     unsigned           from, to, end;
     bool               open;
 } loft_timing;
+
+/* The 64ths of acceleration and jerk that are used between knot k and the next: towards an open end
+ * little, so that what comes later can still raise it. */
+int loft_timing_share(const loft_timing *timing, unsigned k);
 
 /* Are all limits held from knot `from` to knot `to`, as far as they may be used? */
 bool loft_timing_all_hold(const loft_timing *timing, unsigned from, unsigned to);

@@ -40,6 +40,14 @@ void loft_tube_load(loft_knot knot[], unsigned from, unsigned to)
             knot[k].point.axis[i] = centre(knot, k, i);
 }
 
+void loft_tube_tie(loft_knot knot[], unsigned count, bool begins, bool ends)
+{
+    for (int k = 0; k < 3 && begins; k++)
+        knot[k].point = knot[0].on.at;
+    for (unsigned k = 1; k <= 3 && ends; k++)
+        knot[count - k].point = knot[count - 1].on.at;
+}
+
 /* The centre of a knot; of the first one that is kept, its place. */
 static void centre_of(const loft_knot knot[], unsigned k, loft_coord out[])
 {
@@ -100,13 +108,25 @@ static loft_coord left_between(const loft_period *p, const loft_knot knot[], uns
     const loft_coord x = k > 1 ? off_at(knot, k, before, here) : 0,
                      y = off_at(knot, k + 1, here, behind), z = off_between(knot, k, here);
     const loft_coord most = x > y ? x : y;
-    return p->tube - knot[k].on.skip - (most > z ? most : z);
+    return p->tube + (knot[k].on.loose ? p->more : 0) - knot[k].on.skip - (most > z ? most : z);
+}
+
+/* 6/7 of the least tolerance on the ways that the point matters for. */
+static loft_coord most_room(const loft_period *p, const loft_knot knot[], unsigned k)
+{
+    loft_coord tol = p->tol + p->more;
+
+    for (unsigned i = k - 2; i <= k + 1; i++) {
+        const loft_coord x = loft_path_tol(p, &knot[i].on);
+        tol = x < tol ? x : tol;
+    }
+    return tol - tol / 7;
 }
 
 void loft_tube_measure(const loft_period *p, loft_knot knot[], unsigned from, unsigned to)
 {
     for (unsigned k = from; k < to; k++)
-        knot[k].room = p->tol - p->tol / 7;
+        knot[k].room = most_room(p, knot, k);
     for (unsigned k = from - 2; k < to; k++) {
         const loft_coord left = left_between(p, knot, k);
         for (unsigned i = k - 1; i <= k + 2; i++)

@@ -19,6 +19,7 @@ typedef struct {
     int32_t         v2;     /* control value of the squared pace, 2^-24: timing.h */
     int32_t         top;    /* the most that speed allows it to be, up to the next knot */
     int32_t         goal;   /* the most that all limits allow an even one, up to the next knot */
+    int32_t         aim;    /* what v2 is moved to, at first: aim.h */
 } loft_knot;
 
 /* Put the control points from..to - 1 where the path through the knots has them.
@@ -26,6 +27,13 @@ typedef struct {
  *   range   0 < from <= to < n
  */
 void loft_tube_load(loft_knot knot[], unsigned from, unsigned to);
+
+/* The control points of the first three knots are where the path begins, if it does; those of the
+ * last three where it ends.
+ *
+ *   range   count >= 3
+ */
+void loft_tube_tie(loft_knot knot[], unsigned count, bool begins, bool ends);
 
 /* Set how far the control points from..to - 1, which three others precede and follow, may be moved.
  *

@@ -3,6 +3,7 @@
  */
 #include "wire/codec.h"
 
+#include "wire/action_code.h"   /* loft_action_encode */
 #include "wire/curve_code.h"    /* loft_curve_encode */
 #include "wire/point_code.h"    /* loft_point_encode */
 #include "wire/varint.h"        /* loft_varint_encode */
@@ -13,6 +14,12 @@
 static bool is_point(enum loft_kind kind)
 {
     return kind == LOFT_POINTS || kind == LOFT_POINTS_FINE;
+}
+
+/* An action among spans. After it there is no change, for its points inside are none. */
+static bool is_action(enum loft_kind kind, const loft_item *item)
+{
+    return LOFT_MACHINE_OUTPUTS > 0 && kind == LOFT_SPANS && item->ticks == 0;
 }
 
 void loft_predictor_init(loft_predictor *p, const int32_t start[LOFT_AXES])
@@ -26,7 +33,9 @@ void loft_predictor_init(loft_predictor *p, const int32_t start[LOFT_AXES])
 void loft_predictor_next(loft_predictor *p, enum loft_kind kind, const loft_item *item)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
-        const uint32_t before = is_point(kind) ? p->position[i] : (uint32_t)item->p[1][i];
+        const uint32_t before = is_point(kind)     ? p->position[i]
+                                : is_action(kind, item) ? (uint32_t)item->p[2][i]
+                                                        : (uint32_t)item->p[1][i];
         const uint32_t change = p->change[i];
         p->position[i] = (uint32_t)item->p[2][i];
         p->change[i]   = p->position[i] - before;
@@ -59,6 +68,8 @@ uint32_t loft_predictor_seal(const loft_predictor *p)
  * exactly. */
 static uint8_t put_span(uint8_t *byte, const loft_predictor *p, const loft_item *item)
 {
+    if (is_action(LOFT_SPANS, item))
+        return loft_action_encode(byte, p, item);
     uint8_t n = loft_varint_encode(byte, item->ticks);
     for (int i = 0; i < LOFT_AXES; i++) {
         const uint32_t p0 = p->position[i],          p1 = (uint32_t)item->p[0][i];
@@ -72,6 +83,8 @@ static uint8_t put_span(uint8_t *byte, const loft_predictor *p, const loft_item 
 
 static const uint8_t *get_span(const uint8_t *byte, const loft_predictor *p, loft_item *item)
 {
+    if (LOFT_MACHINE_OUTPUTS > 0 && *byte == 0)
+        return loft_action_decode(byte, p, item);
     item->ticks = (uint16_t)loft_varint_decode(&byte);
     for (int i = 0; i < LOFT_AXES; i++) {
         const uint32_t p0 = p->position[i];
@@ -89,6 +102,8 @@ static const uint8_t *get_span(const uint8_t *byte, const loft_predictor *p, lof
 static uint8_t span_size(const uint8_t *byte, uint8_t left)
 {
     const uint8_t *at = byte;
+    if (LOFT_MACHINE_OUTPUTS > 0 && left > 0 && *byte == 0)
+        return loft_action_size(byte, left);
     uint8_t size = loft_varint_size(byte, left);
     if (size == 0 || size > 2)
         return 0;
@@ -197,7 +212,7 @@ enum loft_status loft_packer_push(loft_packer *p, const loft_item *item)
     const bool still = is_point(kind) && point_is_still(kind, &p->predictor, item);
     uint8_t byte[LOFT_CURVE_BYTES], n;
 
-    if (item->ticks < 1 || item->ticks > max_ticks(kind))
+    if ((item->ticks < 1 && !is_action(kind, item)) || item->ticks > max_ticks(kind))
         return LOFT_ERR_RANGE;
     if (p->count == 255)
         return LOFT_ERR_SPACE;

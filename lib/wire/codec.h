@@ -3,7 +3,8 @@
  *
  * A job is a row of items of one kind, numbered from 0:
  *
- *   spans     a cubic in time per axis, in mm as raw Q16.16, for a whole number of ticks
+ *   spans     a cubic in time per axis, in mm as raw Q16.16, for a whole number of ticks; among
+ *             them actions (action_code.h)
  *   points    a position in machine steps, one per tick: its second difference or, in fine units,
  *             its third
  *   curves    a cubic in mm as raw Q16.16 and a feed, for a machine that plans
@@ -31,9 +32,17 @@ enum loft_kind {
 typedef struct {
     int32_t  p[3][LOFT_AXES];   /* spans, curves: p1 p2 p3, raw Q16.16 mm; points: p[2] in steps,
                                  * p[0] and p[1] are 0 */
-    uint16_t ticks;             /* spans: 1..LOFT_SPAN_TICKS_MAX; points: 1; curves: the feed,
-                                 * 1..65535 mm/min */
+    uint16_t ticks;             /* spans: 1..LOFT_SPAN_TICKS_MAX, 0: an action, of one tick; points:
+                                 * 1; curves: the feed, 1..65535 mm/min */
 } loft_item;
+
+/* The ticks that a span or a point lasts. */
+static inline uint16_t loft_item_lasts(const volatile loft_item *item)
+{
+    const uint16_t ticks = item->ticks;
+
+    return LOFT_MACHINE_OUTPUTS > 0 && ticks == 0 ? 1 : ticks;
+}
 
 /* The largest size of a span or a point in bytes, with residuals of five bytes (curves:
  * curve_code.h). A frame must have room for it. */

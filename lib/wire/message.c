@@ -392,6 +392,7 @@ size_t loft_welcome_encode(const loft_welcome *m, uint8_t session, uint8_t wire[
     put16(&w, m->curves);
     put16(&w, m->points);
     put16(&w, m->closed);
+    put8(&w, m->outputs);
     return finish_frame(&w);
 }
 
@@ -418,7 +419,8 @@ enum loft_status loft_welcome_decode(const loft_frame *f, loft_welcome *m)
     }
     if (f->count > r.at)
         m->points = get16(&r);
-    m->closed = f->count > r.at ? get16(&r) : 0;
+    m->closed  = f->count > r.at ? get16(&r) : 0;
+    m->outputs = f->count > r.at ? get8(&r) : 0;
     return end_read(&r, sound);
 }
 

@@ -97,6 +97,7 @@ enum loft_verb {
 /* What a machine can do besides its kinds of items: bits of `kinds`. */
 #define LOFT_TAKES_GUARDS 0x01u         /* a JOB with a guard   */
 #define LOFT_TAKES_PLACES 0x80u         /* LOFT_PLACE           */
+#define LOFT_TAKES_ACTIONS 0x20u        /* actions among spans  */
 #define LOFT_TAKES_SETTINGS 0x40u       /* LOFT_SET             */
 
 /* A guard ends a job when an input changes: see machine/latch.h. */
@@ -195,6 +196,7 @@ typedef struct {
     uint16_t curves;                    /* curves that fit its plan; 0: it does not plan */
     uint16_t points;                    /* points that fit its queue at least */
     uint16_t closed;                    /* closed inputs */
+    uint8_t  outputs;                   /* that actions may set: 1 .. outputs */
 } loft_welcome;
 
 /* One per axis after each WELCOME. */

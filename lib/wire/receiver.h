@@ -41,6 +41,7 @@ typedef struct {
     uint16_t curves;                    /* curves that fit the plan */
     uint8_t  kinds;                     /* 1 << enum loft_kind: items of this kind are accepted;
                                          * LOFT_TAKES_ */
+    uint8_t  outputs;                   /* 0..LOFT_MACHINE_OUTPUTS that the board has */
     loft_axis_config axis[LOFT_AXES];
 } loft_machine_info;
 

@@ -19,6 +19,7 @@
 #define LOFT_RING_BYTES 128u
 #include "port.h"
 #include "ring.h"
+#include "slots.h"
 #include "switches.h"
 
 #ifndef LOFT_BAUD
@@ -28,19 +29,13 @@
 #  define LOFT_TICK_HZ 1000
 #endif
 #ifndef LOFT_SLOTS
-#  define LOFT_SLOTS 40             /* per tick of 1 ms: 40,000 steps per second and axis */
-#endif
-#ifndef LOFT_INVERT
-#  define LOFT_INVERT 0             /* bits of PORTD to invert */
-#endif
-#ifndef PULSE
-#  define PULSE 19                  /* cycles: makes the pulses 2 us long, enough for all drivers */
+#  define LOFT_SLOTS 80             /* per tick of 1 ms: 80,000 steps per second and axis */
 #endif
 #define ANSWER_MOST (47 + 4 * LOFT_AXES)    /* bytes of STATUS, the longest answer: WIRE.md */
-#define CELLS 14                    /* as many as fit in RAM */
+#define CELLS 12                    /* as many as fit in RAM */
 
 /* The machine. steps/mm, mm/s, mm/s^2, mm/s^3 */
-#define AXIS { LOFT_RAW(250), LOFT_RAW(160), LOFT_RAW(500), 10000 }
+#define AXIS { LOFT_RAW(250), LOFT_RAW(320), LOFT_RAW(500), 10000 }
 
 /* The EEPROM: four bytes count the starts, then come the settings. */
 #define BOOT_AT     0
@@ -89,21 +84,18 @@ static loft_machine_config config = {
 // Pins
 // ----
 
-#define STEPS   0x1C                /* of PORTD */
-#define RX_PULL 0x01
 #define LIMITS  0x16                /* of PINB  */
 #define BUTTONS 0x07                /* of PINC  */
 #define PROBE   0x20
 
-#define RING    64                  /* slots */
 /* enough for the longest tick, and half as many again */
-#define LOW     36
+#define LOW     80
 
-static volatile uint8_t ring[RING], ring_head, ring_tail;
-static volatile uint8_t at_work;            /* 0 or RING */
+static uint8_t ring_head;                   /* where the next slot is put */
 
-static volatile uint8_t changed;            /* an input of a guard has changed, before this slot: */
-static volatile uint8_t changed_at;
+/* An input of a guard has changed before this slot of the ring; UNCHANGED: none has. */
+#define UNCHANGED 255
+static volatile uint8_t changed_at = UNCHANGED;
 
 /* Inputs that are closed now, as they bounce. */
 static uint16_t closed_inputs(void)
@@ -118,17 +110,15 @@ static uint16_t closed_inputs(void)
     return (uint16_t)((others & PROBE ? closed | LOFT_INPUT_PROBE : closed) ^ opens);
 }
 
-static inline uint8_t ring_count(void)      { return (uint8_t)(ring_head - ring_tail) % RING; }
-
 /* For a guard: the position at the pins is the one that is counted, without the pulses from
  * `changed_at` on, which are still in the ring. Its variables stay off the stack of its caller. */
 __attribute__((noinline)) static void sense_inputs(void)
 {
     int32_t at[LOFT_AXES];
 
+    loft_step_position(&machine.drive.step, at);
     for (uint8_t i = 0; i < LOFT_AXES; i++) {
         const uint8_t step = (uint8_t)(4 << i), dir = (uint8_t)(32 << i);
-        at[i] = machine.drive.step.position[i];
         for (uint8_t k = changed_at; k != ring_head; k = (uint8_t)(k + 1) % RING) {
             const uint8_t pins = ring[k] ^ LOFT_INVERT ^
                                  (uint8_t)(IN_FORCE(LOFT_WIRING_REVERSED) << 5);
@@ -136,91 +126,75 @@ __attribute__((noinline)) static void sense_inputs(void)
                 at[i] += pins & dir ? 1 : -1;
         }
     }
-    changed = 0;
+    changed_at = UNCHANGED;
     loft_latch_keep(&machine.latch, at);
 }
 
 /* Called with interrupts disabled. */
 static inline void note_change(void)
 {
-    if (!loft_latch_waits(&machine.latch) || changed ||
+    if (!loft_latch_waits(&machine.latch) || changed_at != UNCHANGED ||
         !loft_latch_wanted(&machine.latch, closed_inputs()))
         return;
-    changed_at = ring_tail;
-    changed = 1;
+    changed_at = RING_TAIL;
 }
 
 ISR(PCINT0_vect) { note_change(); }
 ISR(PCINT1_vect) { note_change(); }
 
-/* Make as many slots as there is room for, up to the end of the ring or of a tick. */
-static void make_slots(void)
+/* Make as many slots as there is room for, up to the end of the ring or of a tick. Its variables
+ * stay off the stack of the tick. */
+static __attribute__((noinline)) void make_slots(void)
 {
-    if (changed)
+    if (changed_at != UNCHANGED)
         sense_inputs();
-    const uint8_t head = ring_head, room = (uint8_t)(RING - 1 - ring_count()),
+    const uint8_t head = ring_head, room = (uint8_t)(RING - 1 - RING_FILLED),
                   end = (uint8_t)(RING - head);
-    uint8_t *slot = (uint8_t *)&ring[head], dir;
-    uint8_t count = room < end ? room : end;
+    uint8_t count = room < end ? room : end, dir;
 
     if (count == 0)
         return;
-    count = loft_drive_run(&machine.drive, slot, count, &dir);
-    dir = (uint8_t)((dir ^ IN_FORCE(LOFT_WIRING_REVERSED)) << 5 | RX_PULL) ^ LOFT_INVERT;
-    for (uint8_t left = count; left; left--, slot++)
-        *slot = dir ^ (uint8_t)(*slot << 2);
-    LOFT_BARRIER();
+    loft_step_tick *taken = loft_drive_take(&machine.drive, &count, &dir);
+    give_slots(taken, (uint8_t *)&ring[head], count, dir ^ IN_FORCE(LOFT_WIRING_REVERSED));
     ring_head = (uint8_t)(head + count) % RING;
+    LOFT_BARRIER();
+    cli();
+    RING_FILLED = (uint8_t)(RING_FILLED + count);
+    sei();
 }
 
-/* Called by the stub below, which has saved the registers, with interrupts enabled. While the
- * machine is stopped in a job, one pass is enough to check whether it may continue. */
-__attribute__((used)) void loft_port_work(void);
-void loft_port_work(void)
+/* Work begins when this many slots are left. While the machine rests there is none. */
+static uint8_t work_wanted(void) { return machine.drive.active ? LOW : 0; }
+
+/* Called by the stub below, which has saved the registers, with interrupts enabled. Returns
+ * work_wanted. While the machine is stopped in a job, one pass is enough to check whether it may
+ * continue. */
+__attribute__((used)) uint8_t loft_port_work(void);
+uint8_t loft_port_work(void)
 {
     do {
         make_slots();
         loft_machine_tick(&machine);
-    } while (ring_count() < LOW && !loft_step_done(&machine.drive.step));
+    } while (RING_FILLED < LOW && !loft_step_done(&machine.drive.step));
+    return work_wanted();
 }
 
-/* A function call inside an interrupt would make the compiler save all registers in every slot. */
+/* The interrupt has saved the other registers. A function call in C would make the compiler save
+ * all of them in every slot. */
 __attribute__((used, naked)) void loft_port_work_stub(void);
 void loft_port_work_stub(void)
 {
     __asm__ volatile(
         "push r0\n push r1\n push r18\n push r19\n push r20\n push r21\n push r22\n push r23\n "
-        "push r24\n push r25\n"
-        "push r26\n push r27\n push r30\n push r31\n clr r1\n sei\n call loft_port_work\n cli\n"
-        "pop r31\n pop r30\n pop r27\n pop r26\n pop r25\n pop r24\n pop r23\n pop r22\n pop r21\n "
-        "pop r20\n"
-        "pop r19\n pop r18\n pop r1\n pop r0\n ret\n");
+        "push r25\n push r26\n push r27\n clr r1\n out %[work], r1\n sei\n call loft_port_work\n "
+        "cli\n out %[work], r24\n"
+        "pop r27\n pop r26\n pop r25\n pop r23\n pop r22\n pop r21\n pop r20\n pop r19\n "
+        "pop r18\n pop r1\n pop r0\n ret\n"
+        :
+        : [work] "I"(_SFR_IO_ADDR(RING_WORK)));
 }
 
-/* One slot. If the ring is empty in mid-job, the pulses come later, and none is lost. */
-ISR(TIMER1_COMPA_vect)
-{
-    const uint8_t tail = ring_tail, head = ring_head;
-    uint8_t filled = (uint8_t)(head - tail) % RING;
-
-    if (filled) {
-        const uint8_t pins = ring[tail];
-        PORTD = pins;
-        ring_tail = (uint8_t)(tail + 1) % RING;
-        __builtin_avr_delay_cycles(PULSE);
-        /* no branch, so that all pulses last as long: without work to do it counts as full */
-        __asm__ volatile ("or %0, %1" : "+r" (filled) : "r" ((uint8_t)(machine.drive.active - 1)));
-        __asm__ volatile ("or %0, %1" : "+r" (filled) : "r" (at_work));
-        PORTD = (pins & (uint8_t)~STEPS) | (LOFT_INVERT & STEPS);
-    } else if (!machine.drive.active || at_work) {
-        return;
-    }
-    if (filled <= LOW) {
-        at_work = RING;
-        __asm__ volatile ("call loft_port_work_stub" ::: "memory");
-        at_work = 0;
-    }
-}
+ISR(TIMER1_COMPA_vect, ISR_NAKED) { give_a_slot(); }
 
 
 // The line
@@ -323,7 +297,8 @@ static void watch_switches(void)
 
     cli();
     note_change();                          /* one that is like that from the start */
-    changed = changed && machine.drive.active;
+    if (!machine.drive.active)
+        changed_at = UNCHANGED;
     sei();
     loft_machine_sample(&machine, closed);
     if (loft_switches_steady(&switches, closed))
@@ -333,7 +308,7 @@ static void watch_switches(void)
 int main(void)
 {
     static uint8_t wire[ANSWER_MOST];
-    uint8_t byte[16];
+    uint8_t byte[8];
     uint8_t count = 0, sent = 0;
 
     if (loft_machine_init(&machine, loft_port_init()) != LOFT_OK)
@@ -341,6 +316,7 @@ int main(void)
     loft_port_start((uint32_t)config.info.tick_hz * config.info.slots);
     for (;;) {
         loft_machine_push(&machine, byte, loft_ring_take(&line, byte, sizeof byte));
+        RING_WORK = work_wanted();
         if (machine.drive.active && PORTB & 1 << 0)
             PORTB &= (uint8_t)~(1 << 0);
         if (sent == count) {

@@ -130,6 +130,7 @@ static int start_machine(struct host *h)
                                        ? (uint32_t)o->max_jerk[i]
                                        : 0;
     }
+    c->info.outputs  = h->board ? 0 : LOFT_MACHINE_OUTPUTS;
     c->settings.get = host_memory_get;
     c->settings.put = host_memory_put;
     c->settings.room = HOST_MEMORY_ROOM;
@@ -187,6 +188,16 @@ static void print_table(const struct host *h)
     fflush(stdout);
 }
 
+/* `output 1: 12.500 s of full power`, since the machine was switched on. */
+static void print_outputs(const struct host *h)
+{
+    for (int k = 1; k <= h->config.info.outputs; k++)
+        if (h->record.energy[k - 1] > 0)
+            printf("output %d: %.3f s of full power\n", k,
+                   h->record.energy[k - 1] / 65535 / ((double)h->o->tick_hz * h->o->slots));
+    fflush(stdout);
+}
+
 /* `job 0badcafe done: 1234 items, 61234 ticks in 61.301 s, 0 slowed, position 100 -200 0` */
 static void print_job(struct host *h, const char *what)
 {
@@ -198,6 +209,7 @@ static void print_job(struct host *h, const char *what)
     print_position(h);
     if (!h->board && host_world_limited(&h->world))
         print_table(h);
+    print_outputs(h);
 }
 
 /* Print a change of the job's state. */
@@ -313,6 +325,8 @@ static void run_slots(struct host *h, uint64_t count)
         if (!h->board && h->slot % every == 0)
             sample_inputs(h);
         loft_machine_tick(&h->machine);
+        for (int k = 1; k <= h->config.info.outputs; k++)
+            host_record_output(&h->record, h->slot, k, loft_drive_output(&h->machine.drive, k));
         loft_pins pins = loft_machine_slot(&h->machine);
         pins.dir ^= h->config.settings.wiring[LOFT_WIRING_REVERSED];
         if (h->board)

@@ -62,6 +62,19 @@ void host_record_slot(struct host_record *r, uint64_t slot, loft_pins pins)
     putc('\n', r->file);
 }
 
+void host_record_output(struct host_record *r, uint64_t slot, int output, uint16_t level)
+{
+    const int k = output - 1;
+
+    r->energy[k] += level;
+    if (level == r->level[k])
+        return;
+    r->level[k] = level;
+    if (r->file)
+        fprintf(r->file, "# output %d = %u from slot %llu\n", output, level,
+                (unsigned long long)slot);
+}
+
 int host_record_close(struct host_record *r, const struct loft_host_options *o)
 {
     FILE *file = r->file;

@@ -11,8 +11,8 @@ set -u
 
 # functions that may run in an interrupt, and the helpers that cost too much there
 hot="loft_forward_next loft_forward_run loft_forward_exact_next loft_rational_walk_next"
-hot="$hot loft_pace_next loft_step_load loft_step_next loft_step_run"
-hot="$hot loft_drive_slot loft_drive_run"
+hot="$hot loft_pace_next loft_step_load loft_step_next loft_step_take loft_step_give"
+hot="$hot loft_drive_slot loft_drive_take"
 slow='u?divdi3|u?moddi3|u?divmoddi4|ashldi3|ashrdi3|lshrdi3'
 slow="^__($slow|aeabi_u?ldivmod|aeabi_lls[lr]|aeabi_lasr)\$"
 slow_avr='^__(u?divdi3|u?moddi3|muldi3.*|umulsidi3|mulsidi3|ashldi3|ashrdi3|lshrdi3)$'

@@ -141,7 +141,7 @@ static inline void usual_limits(void)
         limits.max_accel[i] = real_of(500);
         limits.max_jerk[i]  = 0;
     }
-    limits.corner  = real_of(0.01);
+    limits.corner  = 0;
     limits.tol     = real_of(0.005);
     limits.tick_hz = 1000;
 }
@@ -154,7 +154,7 @@ static inline void arb_limits(arb *a)
         limits.max_accel[i] = real_of(arb_decades(a, 100, 10000));
         limits.max_jerk[i]  = 0;
     }
-    limits.corner  = arb_below(a, 2) ? 0 : real_of(arb_decades(a, 0.001, 0.05));
+    limits.corner  = arb_below(a, 2) ? 0 : real_of(arb_decades(a, 0.002, 0.1));
     limits.tol     = real_of(arb_decades(a, 0.002, 0.1));
     limits.tick_hz = rates[arb_below(a, 7)];
 }

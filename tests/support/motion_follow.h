@@ -18,11 +18,12 @@
 #ifndef PATH_MAX
 #  define PATH_MAX 200000
 #endif
+#include "support/motion_corners.h" /* corner_share */
 #include "support/motion_uses.h"    /* spans, limits, span_squares, quartic_peak */
 
 typedef struct {
     double off;         /* the distance of spans and path, mm; too large by at most a 32nd of the
-                         * tolerance plus `fine` */
+                         * tolerance plus `fine`; near corners times tol / corner */
     double along;       /* speed along the path, as a fraction of the feed there */
 } motion_follow;
 
@@ -32,13 +33,14 @@ typedef struct {
 
 typedef struct {
     const path   *track;
-    double        leash;
+    double        leash, error;     /* of the path, and so much less of its chords */
     unsigned      first, last;      /* chords of the path that are reachable now */
     motion_follow out;
 } follower;
 
 static const stretch nowhere = { 1, 0 };
 static stretch reached[PATH_MAX];   /* on each of them */
+static double  share[PATH_MAX];     /* of the leash */
 
 static inline double follow_chord_error(void) { return arb_value(limits.tol) / 64; }
 
@@ -73,19 +75,30 @@ static inline stretch reachable_side(stretch side, stretch across, stretch oppos
                                   : nowhere;
 }
 
+/* How long the leash is on chord j; at its end it is the longer one of two. */
+static inline double leash_on(const follower *f, unsigned j)
+{
+    return f->leash * share[j] - f->error;
+}
+
+static inline double leash_after(const follower *f, unsigned j)
+{
+    return j + 2 < f->track->count ? fmax(leash_on(f, j), leash_on(f, j + 1)) : leash_on(f, j);
+}
+
 /* The dog is at `from`, the start: how far can the walker be? */
 static inline void follow_begin(follower *f, const double from[])
 {
     const path *p = f->track;
 
     f->first = 0;
-    reached[0] = stretch_near(p->end[0].at, p->end[1].at, from, f->leash);
+    reached[0] = stretch_near(p->end[0].at, p->end[1].at, from, leash_on(f, 0));
     if (reached[0].low > 0)
         reached[0] = nowhere;
     for (f->last = 0;
          is_stretch(reached[f->last]) && reached[f->last].high >= 1 && f->last + 2 < p->count;) {
         const stretch next = stretch_near(p->end[f->last + 1].at, p->end[f->last + 2].at, from,
-                                          f->leash);
+                                          leash_on(f, f->last + 1));
         f->last++;
         reached[f->last] = next.low > 0 ? nowhere : next;
     }
@@ -102,9 +115,10 @@ static inline bool follow_run(follower *f, const double from[], const double to[
         const stretch left = j <= f->last ? reached[j] : nowhere;
         reached[j] = nowhere;
         if (is_stretch(left) || is_stretch(below)) {
-            reached[j] = reachable_side(stretch_near(p->end[j].at, p->end[j + 1].at, to, f->leash),
-                                        below, left);
-            below = reachable_side(stretch_near(from, to, p->end[j + 1].at, f->leash), left, below);
+            reached[j] = reachable_side(
+                stretch_near(p->end[j].at, p->end[j + 1].at, to, leash_on(f, j)), below, left);
+            below = reachable_side(stretch_near(from, to, p->end[j + 1].at, leash_after(f, j)),
+                                   left, below);
         }
         if (is_stretch(reached[j])) {
             first = j < first ? j : first;
@@ -133,7 +147,7 @@ static inline stretch reachable_places(const follower *f)
 static inline double feed_near(const follower *f, stretch s)
 {
     const path *p = f->track;
-    const double more = 4 * arb_value(limits.tol);
+    const double more = 4 * fmax(arb_value(limits.tol), arb_value(limits.corner));
     unsigned first = f->first, last = f->last;
     double feed = 0;
 
@@ -224,17 +238,22 @@ static inline motion_follow follow_path(path *track, const loft_move moves[], un
                                         double fine)
 {
     const double error = 2 * follow_chord_error();
-    follower f = { .track = track };
+    follower f = { .track = track, .error = error };
     double low = 0, high = arb_value(limits.tol);
 
-    path_trace_near(track, moves, moved, follow_chord_error());
-    for (bool first = true; !follow_all(&f, high - error, first) && high < 1e3; first = false) {
+    corners_find(moves, corners_matter() ? moved : 0);
+    path_trace_by(track, moves, moved, follow_chord_error(),
+                  corners_matter() ? chord_is_near_by_corners : chord_is_near);
+    corners_measure(track);
+    for (unsigned k = 0; k + 1 < track->count; k++)
+        share[k] = corner_share(track, k);
+    for (bool first = true; !follow_all(&f, high, first) && high < 1e3; first = false) {
         low = high;
         high *= 2;
     }
     while (high - low > fine && high > 1.5 * error) {
         const double middle = fmax((low + high) / 2, 1.25 * error);
-        if (follow_all(&f, middle - error, false))
+        if (follow_all(&f, middle, false))
             high = middle;
         else
             low = middle;

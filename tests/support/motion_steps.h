@@ -19,8 +19,10 @@ static inline void step_tick(stepping *s, const int32_t target[LOFT_AXES], uint1
     uint16_t left = loft_step_load(&s->step, target, slots);
 
     while (left > 0) {
-        uint8_t bits[64], dir;
-        const uint8_t got = loft_step_run(&s->step, bits, left < 64 ? (uint8_t)left : 64, &dir);
+        uint8_t bits[64] = { 0 }, dir, got = left < 64 ? (uint8_t)left : 64;
+        loft_step_tick *taken = loft_step_take(&s->step, &got, &dir);
+        if (taken)
+            loft_step_give(taken, bits, got);
         for (uint8_t n = 0; n < got; n++)
             for (int i = 0; bits[n] && i < LOFT_AXES; i++)
                 if (bits[n] & 1u << i)

@@ -8,6 +8,7 @@
 #define LOFT_TESTS_RIG_H
 
 #include <math.h>           /* fmax, fmin, fabs */
+#include <string.h>         /* memcpy */
 
 #include "check.h"
 #include "machine/drive.h"
@@ -26,6 +27,7 @@ typedef struct {
     int32_t start[LOFT_AXES];                   /* as in loft_drive_begin            */
     int32_t path[TICKS + 1][LOFT_AXES];         /* steps after each tick of the plan */
     uint32_t item_of[TICKS];                    /* the item that a tick belongs to   */
+    loft_action action[TICKS];                  /* that begins with it; .output 0: none */
     uint32_t ticks;
 
     int32_t at[LOFT_AXES];                      /* the sum of the pulses */
@@ -60,6 +62,25 @@ static int32_t moved(arb *a, int32_t from, int64_t reach)
     return (int32_t)(to > INT32_MAX ? INT32_MAX : to < INT32_MIN ? INT32_MIN : to);
 }
 
+/* An action that moves a little and sets an output, constant or in proportion to the speed. */
+static void arb_level(arb *a, loft_item *item, const int32_t from[LOFT_AXES])
+{
+    const loft_action action = { (uint8_t)(1 + arb_below(a, LOFT_MACHINE_OUTPUTS)),
+                                 arb_below(a, 2) != 0, (uint16_t)arb_next(a),
+                                 (uint16_t)(arb_below(a, 2) ? 0 : 1 + arb_below(a, 30000)) };
+    int32_t place[LOFT_AXES];
+    loft_vec mm;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        place[i]   = moved(a, from[i], 10 * 65536LL * 65536 / per_mm[i]);
+        mm.axis[i] = loft_real_from_raw(place[i]);
+    }
+    loft_action_item(item, &action, place);
+    r.action[r.ticks]    = action;
+    r.item_of[r.ticks++] = r.items++;
+    steps_of(mm, r.path[r.ticks]);
+}
+
 /* A job of random items; a tick moves at most `reach` steps (apart from rounding). */
 static void arb_spans(arb *a, int32_t reach)
 {
@@ -73,6 +94,11 @@ static void arb_spans(arb *a, int32_t reach)
         loft_span span;
         loft_vec mm;
 
+        if (arb_below(a, 6) == 0) {
+            arb_level(a, item, from);
+            memcpy(from, item->p[2], sizeof from);
+            continue;
+        }
         item->ticks = (uint16_t)(1 + arb_below(a, arb_below(a, 5) == 0     ? 4
                                                   : arb_below(a, 20)       ? 80
                                                   : TICKS - r.ticks < 1000 ? 100
@@ -139,13 +165,17 @@ static loft_drive_config rig_init(arb *a, loft_drive *drive, uint16_t slots, uin
     c.ramp = ramp;
     c.cell = cells;
     c.cells = r.cells;
+    c.outputs = LOFT_MACHINE_OUTPUTS;
     return c;
 }
 
 static bool here(const int32_t want[LOFT_AXES])
 {
+    int32_t at[LOFT_AXES];
+
+    loft_step_position(&r.drive->step, at);
     for (int i = 0; i < LOFT_AXES; i++)
-        if (r.at[i] != want[i] || r.drive->step.position[i] != want[i])
+        if (r.at[i] != want[i] || at[i] != want[i])
             return false;
     return true;
 }

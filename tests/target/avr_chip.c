@@ -1,7 +1,7 @@
 /* tests/target/avr_chip.c -- the emulated chip behind a pseudo terminal
  * SPDX-License-Identifier: MIT
- * usage: chip FIRMWARE.elf --tick ADDRESS --ring HEAD,TAIL [--link PATH] [--record FILE] [--steps
- * N] [--profile FILE] [--touch STEPS[,MS]] [--jobs N] [--eeprom FILE]
+ * usage: chip FIRMWARE.elf --tick ADDRESS [--link PATH] [--record FILE] [--steps N] [--profile
+ * FILE] [--touch STEPS[,MS]] [--jobs N] [--eeprom FILE]
  *
  * --touch: the limit switch of x closes with the pulse of x that reaches STEPS, and bounces for MS;
  * behind STEPS, seen from 0, it is closed, and before it is open.
@@ -296,7 +296,7 @@ int main(int argc, char **argv)
     static struct chip c;
     struct loft_host_options o = loft_host_defaults();
     const char *touch = "0";
-    const char *profile = NULL, *tick = "0", *ring = "0,0";
+    const char *profile = NULL, *tick = "0";
     double steps = 250;
 
     o.tick_hz = 1000;
@@ -304,8 +304,6 @@ int main(int argc, char **argv)
     for (int i = 2; i + 1 < argc; i += 2) {
         if (strcmp(argv[i], "--tick") == 0)
             tick = argv[i + 1];
-        if (strcmp(argv[i], "--ring") == 0)
-            ring = argv[i + 1];
         if (strcmp(argv[i], "--link") == 0)
             o.link = argv[i + 1];
         if (strcmp(argv[i], "--record") == 0)
@@ -338,9 +336,6 @@ int main(int argc, char **argv)
         code = host_line_open(&c.line, o.link, 0);
     if (code != 0)
         return code;
-    char *tail;
-    c.core.meter.ring_head = (uint16_t)strtoul(ring, &tail, 0);
-    c.core.meter.ring_tail = (uint16_t)strtoul(*tail ? tail + 1 : tail, NULL, 0);
     c.core.meter.profile = profile ? calloc(16384, sizeof *c.core.meter.profile) : NULL;
     printf("machine: %s\n", c.line.name);
     fflush(stdout);

@@ -14,7 +14,8 @@
 #define VECTORS     26
 #define SLOT_VECTOR 11              /* timer 1 compare A */
 #define RX_VECTOR   18
-#define RING        64              /* slots in the firmware's ring */
+#define RING        128             /* slots in the firmware's ring */
+#define RING_FILLED 0x4B            /* GPIOR2 has their number: ports/atmega328p/slots.h */
 
 static uint16_t stack(const avr_t *avr)
 {
@@ -129,7 +130,7 @@ static void count_slot(struct meter *m)
         m->period = 1u + (m->avr->data[0x88] | (uint32_t)m->avr->data[0x89] << 8);
     }
     m->slot_last = now;
-    const uint8_t left = (uint8_t)(m->avr->data[m->ring_head] - m->avr->data[m->ring_tail]) % RING;
+    const uint8_t left = m->avr->data[RING_FILLED];
     m->empty += left == 0;
     if (left < m->low)
         m->low = left;

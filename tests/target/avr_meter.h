@@ -41,8 +41,6 @@ struct meter {
     uint64_t slot_first, slot_last, slot_late;      /* cycles */
     uint32_t period;                                /* of the slots, in cycles */
 
-    uint16_t ring_head, ring_tail;                  /* addresses of the indices of the ring of
-                                                     * slots */
     uint64_t empty, starved;                        /* slots that found the ring empty: since the
                                                      * last pulse, and before a later one */
     uint64_t low, left_least;                       /* the smallest count that a slot found:

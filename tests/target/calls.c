@@ -17,7 +17,7 @@
 #define SPANS  40
 #define SLOTS  40
 #define MOVES  40
-#define BATCH  20           /* of loft_step_run */
+#define BATCH  20           /* of loft_step_give */
 
 int main(void);
 
@@ -71,11 +71,11 @@ static void start(void)     { meter_start(); }
 static void stop(void)      {}
 #endif
 
-enum { SLOT, RUN, LOAD, PACE, TICK, STEPS, POSITION, WALK, MOVE, PLACE, TURN, CALLS };
+enum { SLOT, TAKE, GIVE, LOAD, PACE, TICK, STEPS, POSITION, WALK, MOVE, PLACE, TURN, CALLS };
 static const char names[CALLS][24] = {
-    "loft_step_next",    "loft_step_run",    "loft_step_load",      "loft_pace_next",
-    "loft_forward_next", "loft_steps_of",    "loft_step_position",  "loft_span_walk",
-    "loft_scurve_init",  "loft_scurve_eval", "loft_scurve_retarget"
+    "loft_step_next", "loft_step_take",    "loft_step_give",   "loft_step_load",
+    "loft_pace_next", "loft_forward_next", "loft_steps_of",    "loft_step_position",
+    "loft_span_walk", "loft_scurve_init",  "loft_scurve_eval", "loft_scurve_retarget"
 };
 static uint32_t worst[CALLS], empty, random_state;
 
@@ -96,15 +96,21 @@ static void slots_of(uint16_t slots, bool batches)
     uint8_t bits[BATCH], dir;
 
     while (slots > 0) {
-        const uint8_t count = (uint8_t)(slots < BATCH ? slots : BATCH);
-        const uint32_t begin = now();
-        if (batches) {
-            slots = (uint16_t)(slots - loft_step_run(&step, bits, count, &dir));
-        } else {
+        uint8_t count = (uint8_t)(slots < BATCH ? slots : BATCH);
+        uint32_t begin = now();
+        if (!batches) {
             (void)loft_step_next(&step);
+            took(SLOT, begin);
             slots--;
+            continue;
         }
-        took(batches ? RUN : SLOT, begin);
+        loft_step_tick *taken = loft_step_take(&step, &count, &dir);
+        took(TAKE, begin);
+        slots = (uint16_t)(slots - count);
+        begin = now();
+        if (taken)
+            loft_step_give(taken, bits, count);
+        took(GIVE, begin);
     }
 }
 

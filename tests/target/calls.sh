@@ -1,9 +1,11 @@
 #!/bin/sh
 # tests/target/calls.sh -- compares the tables of lib/motion with the cost of its calls on an
-# emulated ATmega328P, Cortex-M0 and M4
+# emulated ATmega328P, Cortex-M0 and M4, and that of hot loops with lib/COSTS.md
 # SPDX-License-Identifier: MIT
 # usage: tests/target/calls.sh DIR
-# Prints a line per number: it holds if the call takes at most that, and at least 7/10 of it.
+# Prints a line per number. It holds if the call takes at most that, and at least 7/10 of it. Those
+# of COSTS.md hold if they are within 3 %. The slots that the ATmega328P makes in assembly must also
+# be those of Bresenham's line.
 set -u
 dir=$1
 for tool in avr-gcc simavr arm-none-eabi-gcc qemu-system-arm; do
@@ -18,6 +20,10 @@ flags="$flags -Ilib -Itests/target -DLOFT_AXES=3"
 avr-gcc -mmcu=atmega328p -Os $flags $sources -o "$dir/calls.elf" &&
 timeout 300 simavr -m atmega328p -f 16000000 "$dir/calls.elf" 2>&1 |
     sed 's/\x1b\[[0-9;]*m//g; s/\.*$//' >"$dir/atmega328p"
+avr-gcc -mmcu=atmega328p -DF_CPU=16000000UL -Os $flags -Wl,--section-start=.ring=0x800100 \
+    -Wl,-Tdata=0x800180 tests/target/slots.c lib/machine/step.c lib/num/*.c -o "$dir/slots.elf" &&
+timeout 300 simavr -m atmega328p -f 16000000 "$dir/slots.elf" 2>&1 |
+    sed 's/\x1b\[[0-9;]*m//g; s/\.*$//' >>"$dir/atmega328p"
 for core in cortex-m0 cortex-m4; do
     arm-none-eabi-gcc -mthumb -mcpu=$core -O2 -ffreestanding -nostdlib $flags \
         -T tests/target/netduino.ld tests/target/microbit.c tests/target/semihost.S $sources -lgcc \
@@ -39,12 +45,26 @@ awk -v dir="$dir" 'BEGIN {
         good = is + 0 > 0 && is <= said && is >= least * said; if (good) passed++; else failed++
         printf "%s %-34s %7d, said to be at most %d\n", good ? "ok  " : "FAIL", what, is, said
     }
+    function near(what, said, is) {
+        good = is + 0 > 0 && is <= 1.03 * said && is >= 0.97 * said
+        if (good) passed++; else failed++
+        printf "%s %-34s %7d, said to be %d within 3 %%\n", good ? "ok  " : "FAIL", what, is, said
+    }
+    $1 == "|" && match($0, /`[a-z_]+` \|[ 0-9,]*\|[ 0-9,]*\|/) {     # of COSTS.md
+        name = substr($0, RSTART + 1); sub(/`.*/, "", name)
+        gsub(",", ""); split($0, f, "|")
+        for (k = 1; k <= 3; k++)
+            if (f[k + 2] + 0 > 0) near(name ", " core[k], f[k + 2], cost[name, k])
+    }
     $2 ~ /^loft_/ && $3 ~ /^[0-9,]+$/ {
         gsub(",", "")
         for (k = 1; k <= 3; k++) judge($2 ", " core[k], $(k + 2), cost[$2, k], 0.7)
         if ($6 ~ /^loft_/) judge("bytes of " $6, $7, size[$6], 1)
     }
     END {
-        printf "%d passed, %d failed\n", passed, failed + (passed + failed < 38)
-        exit failed > 0 || passed < 38
-    }' lib/motion/span.h lib/motion/scurve.h
+        printf "%s wrong slots of %d in assembly: %d\n",
+               cost["wrong", 1] == "0" ? "ok  " : "FAIL", cost["slots", 1], cost["wrong", 1]
+        if (cost["wrong", 1] == "0" && cost["slots", 1] > 100000) passed++; else failed++
+        printf "%d passed, %d failed\n", passed, failed + (passed + failed < 62)
+        exit failed > 0 || passed < 62
+    }' lib/motion/span.h lib/motion/scurve.h lib/COSTS.md

@@ -124,5 +124,7 @@ int main(void)
     say_wide(debugger_put, "slotting", slotting);
     say_line(debugger_put, "slots", slots);
     say_line(debugger_put, "plan_bytes", sizeof plan + sizeof moves + sizeof knots);
-    return step.position[0] == 0 && step.position[1] == 0 ? 0 : 1;
+    int32_t position[LOFT_AXES];
+    loft_step_position(&step, position);
+    return position[0] == 0 && position[1] == 0 ? 0 : 1;
 }

@@ -34,12 +34,10 @@ told() { sed -n 's/.*steps \(-*[0-9]* -*[0-9]* -*[0-9]*\).*as commanded.*/\1/p' 
 # jobs, or until COMMAND ends; with $eeprom set, that file is its EEPROM;
 # COMMAND's output in $tmp/out and $tmp/err, its exit code in $code
 on_chip() {
-    local chip=$1 elf=$2 tick ring child
+    local chip=$1 elf=$2 tick child
     shift 2
     tick=0x$(avr-nm "$elf" | awk '$3 == "loft_port_work_stub" { print $1 }')
-    ring=$(avr-nm "$elf" |
-        awk '{ at[$3] = substr($1, 5) } END { print "0x" at["ring_head"] ",0x" at["ring_tail"] }')
-    "$chip" "$elf" --tick "$tick" --ring "$ring" --link "$tmp/port" --record "$tmp/chip.csv" \
+    "$chip" "$elf" --tick "$tick" --link "$tmp/port" --record "$tmp/chip.csv" \
         ${touch:+--touch "$touch"} ${jobs:+--jobs "$jobs"} \
         ${eeprom:+--eeprom "$eeprom"} >"$tmp/chip" 2>"$tmp/chip.err" &
     child=$!

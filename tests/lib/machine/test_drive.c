@@ -227,8 +227,13 @@ static void items_that_are_too_fast_are_refused_and_change_nothing(arb *a)
     } else {
         item.p[arb_below(a, 3)][axis] = arb_below(a, 2) ? INT32_MAX : INT32_MIN;
         CHECK(loft_drive_push(&drive, &item) == LOFT_ERR_RANGE);
-        item.ticks = 0;
-        CHECK(loft_drive_push(&drive, &item) == LOFT_ERR_RANGE);
+        const loft_action other = { LOFT_MACHINE_OUTPUTS + 1, false, 0, 0 };
+        loft_item action;
+        loft_action_item(&action, &other, r.start);
+        CHECK(loft_drive_push(&drive, &action) == LOFT_ERR_RANGE);
+        action.p[1][0] = 0;
+        action.p[2][axis] = arb_below(a, 2) ? INT32_MAX : INT32_MIN;
+        CHECK(loft_drive_push(&drive, &action) == LOFT_ERR_RANGE);
         item.ticks = LOFT_SPAN_TICKS_MAX + 1;
         CHECK(loft_drive_push(&drive, &item) == LOFT_ERR_RANGE);
     }
@@ -269,7 +274,8 @@ static uint32_t cells_used(void)
 }
 
 /* From a stop: a sixteenth of the fill for pace 1 and an eighth more, in ticks of the queue or in
- * cells, which hold several points. */
+ * cells, which hold several points. The square of that pace is a whole number of levels, so up to
+ * one level more is needed. */
 static void the_machine_starts_with_enough_in_the_queue(arb *a)
 {
     do
@@ -277,9 +283,11 @@ static void the_machine_starts_with_enough_in_the_queue(arb *a)
     while (r.kind != LOFT_POINTS || r.cells < 8);
 
     const double horizon = 16 * 25, worth = ceil(32. * (50 + 1) / r.cells),
-                 enough = horizon / 16 * 8 / 7 / worth;
+                 least  = horizon / 16 * 8 / 7 / worth,
+                 enough = horizon * sqrt(1 / 256. + 1. / loft_pace_full(&drive.pace)) * 8 / 7 /
+                          worth;
     uint32_t items = 0;
-    while (items < enough - 0.1 && items < LOFT_DRIVE_MARGIN + 2) {
+    while (items < least - 0.1 && items < LOFT_DRIVE_MARGIN + 2) {
         for (int slot = 0; slot < 100; slot++) {
             loft_drive_tick(&drive);
             CHECK(loft_step_done(&drive.step));
@@ -361,7 +369,7 @@ static void an_interrupt_at_any_place_of_the_main_loop_does_no_harm(arb *a)
 static void init_refuses_what_cannot_work(arb *a)
 {
     loft_axis_config axis[LOFT_AXES] = { { 0 } };
-    loft_drive_config c = { axis, { 0 }, 1000, 40, 100, cells, CELLS };
+    loft_drive_config c = { axis, { 0 }, 1000, 40, 100, cells, CELLS, 0 };
     loft_drive d;
     (void)a;
     CHECK(loft_drive_init(&d, &c) == LOFT_ERR_RANGE);

@@ -70,11 +70,13 @@ static void world_start(arb *a, int32_t reach)
                                          (uint16_t)(1 + arb_below(a, 60)), reach);
 
     w.machine.receiver.session = 0;
-    w.config = (loft_machine_config){ .info = { .boot = 77, .tick_hz = 1000, .slots = slots },
-                                      .ramp = r.ramp,
-                                      .cell = cells,
-                                      .cells = r.cells,
-                                      .senses = true };
+    w.config = (loft_machine_config){
+        .info = { .boot = 77, .tick_hz = 1000, .slots = slots, .outputs = LOFT_MACHINE_OUTPUTS },
+        .ramp = r.ramp,
+        .cell = cells,
+        .cells = r.cells,
+        .senses = true
+    };
     for (int i = 0; i < LOFT_AXES; i++) {
         w.config.info.axis[i].steps_per_mm = per_mm[i];
         w.config.position[i] = c.position[i];
@@ -604,9 +606,10 @@ static void a_guard_ends_the_job_and_tells_the_place_of_the_edge(arb *a)
         machine_runs();
         w.ms++;
     }
+    int32_t at[LOFT_AXES];
+    loft_step_position(&w.machine.drive.step, at);
     for (int i = 0; i < LOFT_AXES; i++)
-        CHECK(w.sender.axis[i].position == place[i] &&
-              w.machine.drive.step.position[i] == place[i]);
+        CHECK(w.sender.axis[i].position == place[i] && at[i] == place[i]);
     w.job.guard.inputs = 0;
     loft_machine_inputs(&w.machine, 0);
     another_job(0);

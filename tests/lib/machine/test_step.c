@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: MIT
  */
 #include "check.h"
+#include <string.h>
+
 #include "machine/step.h"
 
 static void arb_target(arb *a, const int32_t from[LOFT_AXES], int32_t most,
@@ -35,7 +37,7 @@ static loft_step arb_step(arb *a, int32_t at[LOFT_AXES])
  * target. */
 static void pulses_follow_the_straight_line_within_half_a_step(arb *a)
 {
-    int32_t at[LOFT_AXES], from[LOFT_AXES], target[LOFT_AXES];
+    int32_t at[LOFT_AXES], from[LOFT_AXES], target[LOFT_AXES], told[LOFT_AXES];
     loft_step s = arb_step(a, at);
 
     for (int tick = 0; tick < 40; tick++) {
@@ -51,16 +53,19 @@ static void pulses_follow_the_straight_line_within_half_a_step(arb *a)
         for (int32_t slot = 1; slot <= lasts; slot++) {
             CHECK(!loft_step_done(&s));
             add_pulses(at, loft_step_next(&s));
+            loft_step_position(&s, told);
             const int32_t j = slot - (lasts - line);
             for (int i = 0; i < LOFT_AXES; i++) {
                 const int64_t off = 2 * ((int64_t)(at[i] - from[i]) * line -
                                          (int64_t)j * (target[i] - from[i]));
                 CHECK(off <= line && off >= -line);
+                CHECK(told[i] == at[i]);
             }
         }
         CHECK(loft_step_done(&s));
+        loft_step_position(&s, told);
         for (int i = 0; i < LOFT_AXES; i++)
-            CHECK(at[i] == target[i] && s.position[i] == target[i]);
+            CHECK(at[i] == target[i] && told[i] == target[i]);
         const loft_pins still = loft_step_next(&s);
         CHECK(still.step == 0 && loft_step_done(&s));
     }
@@ -69,12 +74,15 @@ static void pulses_follow_the_straight_line_within_half_a_step(arb *a)
 /* Whatever the targets are: an axis does not pulse in the slot where its direction bit changes. */
 static void directions_change_a_slot_before_the_pulse(arb *a)
 {
-    int32_t at[LOFT_AXES], target[LOFT_AXES];
+    int32_t at[LOFT_AXES], target[LOFT_AXES], last[LOFT_AXES];
     loft_step s = arb_step(a, at);
     uint8_t dir = 0;
 
+    memcpy(last, at, sizeof last);
+
     for (int tick = 0; tick < 200; tick++) {
-        arb_target(a, s.target, 45, target);
+        arb_target(a, last, 45, target);
+        memcpy(last, target, sizeof last);
         loft_step_load(&s, target, 40);
         while (!loft_step_room(&s) || (arb_below(a, 2) && !loft_step_done(&s))) {
             const loft_pins pins = loft_step_next(&s);
@@ -98,11 +106,10 @@ static void a_tick_is_not_longer_than_it_must_be(arb *a)
 
     for (int tick = 0; tick < 50; tick++) {
         const uint16_t asked = (uint16_t)(1 + arb_below(a, 60));
-        const uint8_t dir = s.target_dir;
+        const uint8_t dir = s.tick[s.which].dir;
         int32_t need = asked;
         bool lead = false;
-        for (int i = 0; i < LOFT_AXES; i++)
-            at[i] = s.target[i];
+        loft_step_position(&s, at);
         arb_target(a, at, 70, target);
         for (int i = 0; i < LOFT_AXES; i++)
             if (abs(target[i] - at[i]) > need)
@@ -212,11 +219,17 @@ static void slots_made_at_once_are_those_made_one_by_one(arb *a)
     for (int turn = 0; turn < 300; turn++) {
         if (loft_step_room(&s) && arb_below(a, 4)) {
             const uint16_t slots = (uint16_t)(1 + arb_below(a, 100));
-            arb_target(a, s.target, arb_below(a, 8) ? 45 : 300, target);
+            arb_target(a, at, arb_below(a, 8) ? 45 : 300, target);
+            memcpy(at, target, sizeof at);
             CHECK(loft_step_load(&s, target, slots) == loft_step_load(&r, target, slots));
         }
-        const uint8_t most = (uint8_t)(1 + arb_below(a, 255)),
-                      count = loft_step_run(&r, step, most, &dir);
+        const uint8_t most = (uint8_t)(1 + arb_below(a, 255));
+        uint8_t count = most;
+        loft_step_tick *taken = loft_step_take(&r, &count, &dir);
+        if (taken)
+            loft_step_give(taken, step, count);
+        else
+            memset(step, 0, count);
         CHECK(count >= 1 && count <= most);
         for (int k = 0; k < count; k++) {
             const loft_pins pins = loft_step_next(&s);
@@ -230,8 +243,55 @@ static void slots_made_at_once_are_those_made_one_by_one(arb *a)
     }
 }
 
+/* All slots of a tick of `slots` slots and `count` steps of the first axis, at once: true if after
+ * slot j there were floor((j count + slots / 2) / slots) pulses. */
+static bool follows_the_line(uint16_t slots, uint16_t count)
+{
+    int32_t at[LOFT_AXES] = { 0 };
+    uint32_t pulses = 0, j = 0;
+    uint8_t step[255], dir;
+    loft_step s;
+
+    if (loft_step_init(&s, at) != LOFT_OK)
+        return false;
+    at[0] = count;
+    at[LOFT_AXES - 1] = slots;          /* a pulse in each slot */
+    loft_step_load(&s, at, slots);
+    while (!loft_step_done(&s)) {
+        uint8_t n = 255;
+        loft_step_tick *taken = loft_step_take(&s, &n, &dir);
+        loft_step_give(taken, step, n);
+        for (uint8_t k = 0; k < n; k++) {
+            pulses += step[k] & 1u;
+            if (pulses != (++j * count + slots / 2u) / slots || !(step[k] >> (LOFT_AXES - 1)))
+                return false;
+        }
+    }
+    return j == slots && pulses == count;
+}
+
+/* Whether a pulse is the carry of an addition (step.c) or not: each tick of up to 255 slots. */
+static void pulses_are_those_of_bresenhams_line(arb *a)
+{
+    (void)a;
+    for (uint16_t slots = 1; slots < 256; slots = (uint16_t)(slots + CHECK_STEP))
+        for (uint16_t count = LOFT_AXES > 1 ? 0 : slots; count <= slots; count++)
+            CHECK(follows_the_line(slots, count));
+}
+
+/* And longer ticks, most of them around the longest that has it. */
+static void pulses_of_long_ticks_are_those_of_bresenhams_line(arb *a)
+{
+    const uint16_t slots = (uint16_t)(arb_below(a, 4) ? 1600 + arb_below(a, 50)
+                                                      : 256 + arb_below(a, 6000));
+
+    CHECK(follows_the_line(slots, LOFT_AXES > 1 ? (uint16_t)arb_below(a, slots + 1u) : slots));
+}
+
 int main(void)
 {
+    PROPERTY(pulses_are_those_of_bresenhams_line,                 1);
+    PROPERTY(pulses_of_long_ticks_are_those_of_bresenhams_line, 5000);
     PROPERTY(slots_made_at_once_are_those_made_one_by_one, 500);
     PROPERTY(pulses_follow_the_straight_line_within_half_a_step, 60);
     PROPERTY(directions_change_a_slot_before_the_pulse,         100);

@@ -69,10 +69,25 @@ static void tied_knots_keep_their_pace(arb *a)
     CHECK_NEAR(knot[tied].v2, v2[tied], v2[tied] / 4);
 }
 
+/* However slow a feed is. */
+static void slow_feeds_are_held(arb *a)
+{
+    arb_path(a);
+    for (unsigned k = 0; k < knots; k++)
+        if (arb_below(a, 2)) {
+            knot[k].top  = LOFT_V2_MIN << arb_below(a, 12);
+            knot[k].goal = knot[k].goal < knot[k].top ? knot[k].goal : knot[k].top;
+        }
+    loft_barrier_time(&period, knot, knots, 0, false, 30);
+    for (unsigned k = 1; k + 2 < knots; k++)
+        CHECK((knot[k].v2 + knot[k + 1].v2) / 2 < knot[k].top + 32);
+}
+
 int main(void)
 {
     PROPERTY(it_takes_no_more_time_than_bumps, 100);
     PROPERTY(eight_steps_come_near, 100);
     PROPERTY(tied_knots_keep_their_pace, 100);
+    PROPERTY(slow_feeds_are_held, 100);
     return check_failures();
 }

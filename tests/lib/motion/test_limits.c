@@ -12,7 +12,7 @@ static void possible_limits_are_accepted(arb *a)
         l.max_accel[i] = real_of(arb_decades(a, 1, 16383));
         l.max_jerk[i]  = arb_below(a, 2) ? (uint32_t)arb_decades(a, 1, LOFT_JERK_MAX) : 0;
     }
-    l.corner  = arb_below(a, 3) ? real_of(arb_decades(a, 0.0005, 1)) : 0;
+    l.corner  = arb_below(a, 3) ? real_of(arb_decades(a, 0.001, 1)) : 0;
     l.tol     = real_of(arb_decades(a, 0.001, 1));
     l.exact   = arb_below(a, 3) ? real_of(arb_between(a, 0, 2)) : 0;
     l.tick_hz = (uint16_t)arb_decades(a, 50, 50000);
@@ -53,7 +53,7 @@ static void impossible_tolerances_and_ticks_are_refused(arb *a)
     l.tol = real_of(0.0009);
     CHECK(loft_limits_check(&l) == LOFT_ERR_RANGE);
     l = limits;
-    l.corner = -limits.corner;
+    l.corner = -real_of(0.01);
     CHECK(loft_limits_check(&l) == LOFT_ERR_ARG);
     l.corner = real_of(1.5);
     CHECK(loft_limits_check(&l) == LOFT_ERR_RANGE);

@@ -77,7 +77,26 @@ static void what_is_skipped_is_less_than_the_tolerance(arb *a)
     CHECK(find_places());
     path_trace_near(&track, chain, curves, arb_value(limits.tol) / 64);
     for (unsigned k = 0; k + 1 < found; k++)
-        CHECK(found_at[k].skip <= period.tol / 2 || found_at[k + 1].s - found_at[k].s < 64);
+        CHECK(found_at[k].skip <= loft_path_tol(&period, &found_at[k]) / 2 ||
+              found_at[k + 1].s - found_at[k].s < 64);
+}
+
+/* The tolerance of corners holds on ways that are near them from one end to the other. */
+static void corners_are_near_where_they_count(arb *a)
+{
+    static path track;
+
+    arb_case(a);
+    limits.corner = real_of(arb_value(limits.tol) * 4);
+    CHECK(find_places());
+    corners_find(chain, curves);
+    path_trace_by(&track, chain, curves, 1e-4, chord_is_near_by_corners);
+    corners_measure(&track);
+    const double reach = CORNER_NEAR * arb_value(limits.corner);
+    for (unsigned k = 0; k + 1 < found; k++)
+        CHECK(!found_at[k].loose ||
+              fmax(corner_way(ldexp((double)found_at[k].s, -24)),
+                   corner_way(ldexp((double)found_at[k + 1].s, -24))) <= reach);
 }
 
 /* Of a curve that is cut in two, exactly, the places are the same. */
@@ -147,6 +166,7 @@ int main(void)
 {
     PROPERTY(places_lead_from_end_to_end, 60);
     PROPERTY(what_is_skipped_is_less_than_the_tolerance, 30);
+    PROPERTY(corners_are_near_where_they_count, 30);
     PROPERTY(it_does_not_matter_how_a_path_is_cut, 20);
     PROPERTY(curves_that_do_not_fit_are_refused, 5);
     return check_failures();

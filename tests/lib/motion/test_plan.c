@@ -6,6 +6,9 @@
 #include "support/motion_any.h"     /* check_case, plan_chain */
 #include "wire/codec.h"             /* loft_packer */
 
+/* Bounds on times for a host, and for the little effort of a chip. */
+#define EFFORT(much, little) (LOFT_PLAN_EFFORT > 1 ? (much) : (little))
+
 static const arrival all_at_once = { CURVES, 112, NULL };
 
 /* Chains, limits and arrivals of all kinds: no deadlock, gap or lost step; speed, acceleration and
@@ -69,7 +72,7 @@ static void lines_take_little_more_than_an_s_curve(arb *a)
     CHECK(spans_connect());
     const double least = least_time(length, 200, 3000, 100000);
     CHECK(seconds() >= least * 0.99);
-    CHECK(seconds() <= least * 1.02 + 1.05 * p.ticks / p.tick_hz);
+    CHECK(seconds() <= least * EFFORT(1.02, 1.08) + 1.05 * p.ticks / p.tick_hz);
 }
 
 /* Ramps that are longer than what is raised at first. */
@@ -82,7 +85,31 @@ static void long_ramps_are_as_steep_as_short_ones(arb *a)
     add_line(length, 100);
     CHECK(plan_chain(&how) == PLANNED);
     CHECK(spans_connect());
-    CHECK(seconds() <= 1.02 * least_time(length, 100, 200, jerk > 0 ? jerk : 1e9));
+    CHECK(seconds() <= EFFORT(1.02, 1.04) * least_time(length, 100, 200, jerk > 0 ? jerk : 1e9));
+}
+
+/* Ramps of 5 to 100 periods, and lines that are known as a whole or not: within 15 % and a period
+ * of the exact S-curve, and within 3 % as a rule. */
+static void lines_with_any_ramps_take_little_more(arb *a)
+{
+    const arrival how = { CURVES, 176, NULL };
+    double sum = 0;
+
+    for (int n = 0; n < 20; n++) {
+        const double accel = arb_decades(a, 100, 3000), length = arb_between(a, 50, 600),
+                     jerk = accel * arb_between(a, 40, 50);
+        loft_period p;
+        even_limits(100, accel, jerk);
+        loft_period_init(&p, &limits);
+        add_line(length, 100);
+        CHECK(plan_chain(&how) == PLANNED);
+        CHECK(spans_connect());
+        const double least = least_time(length, 100, accel, floor(jerk)),
+                     most = seconds() - (double)p.ticks / p.tick_hz;
+        CHECK(seconds() >= least * 0.99 && most <= 1.15 * least);
+        sum += most / least;
+    }
+    CHECK(sum <= 20 * 1.03);
 }
 
 static void outline(double feed)
@@ -152,7 +179,7 @@ static void it_does_not_matter_how_a_path_is_cut(arb *a)
     CHECK(curves == 96 && plan_chain(&all_at_once) == PLANNED);
     CHECK_NEAR(seconds() / whole, 1, 0.015);
     CHECK(spans_connect());
-    CHECK(whole < (soft ? 2.05 : 0.95));
+    CHECK(whole < EFFORT(soft ? 2.05 : 0.95, soft ? 2.20 : 1.02));
 }
 
 /* The bytes of all spans on the wire, without frames. */
@@ -225,7 +252,7 @@ static void hairpins_are_passed_at_speed(arb *a)
     zigzag(300);
     CHECK(plan_chain(&how) == PLANNED);
     CHECK(spans_connect());
-    CHECK(seconds() < 1.20);            /* 1.42 with a guess from an even pace */
+    CHECK(seconds() < EFFORT(1.20, 1.44));         /* 1.42 with a guess from an even pace */
 }
 
 /* A larger tolerance is not slower. */
@@ -241,7 +268,63 @@ static void more_tolerance_is_faster(arb *a)
     const double coarse = seconds();
     limits.tol = real_of(0.05);
     CHECK(plan_chain(&all_at_once) == PLANNED);
-    CHECK(coarse <= fine && seconds() <= coarse * 1.005);
+    CHECK(coarse <= fine && seconds() <= coarse * EFFORT(1.005, 1.03));
+}
+
+static void add_line_to(double x, double y, double feed)
+{
+    const double d[LOFT_AXES] = { 1 }, e[LOFT_AXES] = { 0, 1 }, u[4] = { 0, x / 3, x * 2 / 3, x },
+                 w[4] = { 0, y / 3, y * 2 / 3, y };
+    add_curve(d, e, u, w, feed);
+}
+
+/* A star of ten sharp corners, or teeth of 60 degrees. */
+static void corners_of_lines(bool star)
+{
+    double x = 20, y = 0;
+
+    begin_chain();
+    for (int k = 1; k <= 20; k++) {
+        const double r = k % 2 ? 8 : 20, to_x = r * cos(k * 0.314159265358979),
+                     to_y = r * sin(k * 0.314159265358979);
+        if (star)
+            add_line_to(to_x - x, to_y - y, 200);
+        else
+            add_line_to(1.5, k % 2 ? 2.598 : -2.598, 200);
+        x = to_x;
+        y = to_y;
+    }
+}
+
+/* Where corners have a larger tolerance they are faster; they are within it, and all else within
+ * the other one. */
+static void larger_corners_are_faster(bool star)
+{
+    static path track;
+    double before = 1e9;
+
+    for (int n = 0; n < 3; n++) {
+        corners_of_lines(star);
+        limits.corner = real_of(n * (n + 3) * 0.005);       /* 0, 20, 50 um */
+        CHECK(plan_chain(&all_at_once) == PLANNED);
+        CHECK(spans_connect());
+        CHECK(seconds() < before);
+        before = seconds();
+        const motion_uses u = uses_of_spans(1e9);
+        CHECK(u.speed <= 1.001 && u.accel <= 1.005 && u.jerk <= 1.02);
+        CHECK(follow_path(&track, chain, curves, arb_value(limits.tol) / 64).off <=
+              arb_value(limits.tol) * 1.02);
+    }
+}
+
+static void corners_are_rounded_within_their_own(arb *a)
+{
+    (void)a;
+    for (int jerk = 0; jerk < 2; jerk++)
+        for (int star = 0; star < 2; star++) {
+            even_limits(200, 3000, jerk * 100000);
+            larger_corners_are_faster(star);
+        }
 }
 
 /* Room falls with each curve; all of them are behind it where it rests, and never more than were
@@ -321,7 +404,7 @@ static void a_short_look_ahead_costs_little_time(arb *a)
     CHECK(plan_chain(&far) == PLANNED);
     const double whole = seconds();
     CHECK(plan_chain(&near) == PLANNED);
-    CHECK(seconds() <= 1.03 * whole);
+    CHECK(seconds() <= EFFORT(1.03, 1.08) * whole);
 }
 
 static enum loft_status status_of(uint16_t moves, uint16_t knots)
@@ -451,10 +534,12 @@ int main(void)
     PROPERTY(no_arrival_stalls_it, 50);
     PROPERTY(lines_take_little_more_than_an_s_curve, 20);
     PROPERTY(long_ramps_are_as_steep_as_short_ones, 8);
+    PROPERTY(lines_with_any_ramps_take_little_more, 1);
     PROPERTY(it_does_not_matter_how_a_path_is_cut, 2);
     PROPERTY(spans_are_few_bytes, 1);
     PROPERTY(hairpins_are_passed_at_speed, 2);
     PROPERTY(more_tolerance_is_faster, 1);
+    PROPERTY(corners_are_rounded_within_their_own, 1);
     PROPERTY(room_and_passed_curves_are_told, 2);
     PROPERTY(the_way_back_takes_the_same_time, 6);
     PROPERTY(a_short_look_ahead_costs_little_time, 2);

@@ -4,6 +4,7 @@
  */
 #include "support/motion_knots.h"   /* arb_path */
 
+#include "motion/aim.h"             /* loft_aim_raise */
 #include "motion/bump.h"            /* loft_bump_part */
 #include "motion/sample.h"          /* loft_sample_part */
 
@@ -84,6 +85,8 @@ static void raising_holds_all_limits(arb *a)
     creep();
     const bool open = arb_below(a, 2);
     const loft_timing t = timing_of(open);
+    CHECK(loft_timing_all_hold(&t, 1, t.end));
+    loft_aim_raise(&t);
     CHECK(loft_timing_all_hold(&t, 1, t.end));
     double before = 1e300;
     for (unsigned n = 0; n < 12; n++) {

@@ -26,6 +26,7 @@ static void arb_knots(arb *a)
         if (arb_below(a, 8) == 0)
             arb_direction(a, step);
         const double size = period.tol * arb_between(a, 0.01, 20);
+        knot[k].on.loose = arb_below(a, 4) > 0;
         knot[k].on.skip = arb_below(a, 3) ? 0 : (loft_coord)(period.tol * arb_between(a, 0, 1));
         for (int i = 0; i < LOFT_AXES; i++) {
             knot[k].on.at.axis[i] = (loft_coord)at[i];
@@ -83,8 +84,11 @@ static void smoothing_stays_within_the_tolerance(arb *a)
             const double d = (double)knot[k].point.axis[i] - before[k].point.axis[i];
             sum += d * d;
         }
-        CHECK(sqrt(sum) <= (k < from || k >= to ? 0 : 6.0 / 7 * period.tol + 4));
-        if (k > 0 && knot[k].on.skip > period.tol)
+        loft_coord tol = period.tol + period.more;
+        for (unsigned i = k - 2; k >= from && k < to && i <= k + 1; i++)
+            tol = loft_path_tol(&period, &knot[i].on) < tol ? period.tol : tol;
+        CHECK(sqrt(sum) <= (k < from || k >= to ? 0 : 6.0 / 7 * tol + 4));
+        if (k > 0 && knot[k].on.skip > tol)
             CHECK(sqrt(sum) <= period.tol / 5 + 4);
     }
 }

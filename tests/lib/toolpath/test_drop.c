@@ -19,39 +19,42 @@ static loft_cutter arb_cutter(arb *a)
     return c;
 }
 
+/* The highest tip so far, and the point of the grid that gives it. */
+typedef struct {
+    long double tip;
+    uint32_t at[2];
+} highest;
+
+/* Try the points from..to of a grid of n steps, ends included. */
+static void search_grid(const hills *h, const loft_cutter *c, long double x, long double y,
+                        const uint32_t from[2], const uint32_t to[2], uint32_t n, highest *best)
+{
+    for (uint32_t i = from[0]; i <= to[0] && i <= n; i++)
+        for (uint32_t j = from[1]; j <= to[1] && j <= n; j++) {
+            const loft_vec p = hills_of(h, i, j, n);
+            const long double z = tip_over(c, &p, x, y);
+            if (z > best->tip)
+                *best = (highest){ z, { i, j } };
+        }
+}
+
 /* The largest tip over the points of a grid, and then of ever smaller ones around the best. */
 static long double tip_by_search(const hills *h, const loft_cutter *c, long double x, long double y)
 {
-    long double best = -1e6L;
-    uint32_t at[2] = { 0, 0 }, n = GRID;
+    highest best = { -1e6L, { 0, 0 } };
+    uint32_t from[2] = { 0, 0 }, to[2] = { GRID, GRID }, n = GRID;
 
-    for (uint32_t i = 0; i <= n; i++)
-        for (uint32_t j = 0; j <= n; j++) {
-            const loft_vec p = hills_of(h, i, j, n);
-            const long double z = tip_over(c, &p, x, y);
-            if (z > best) {
-                best = z;
-                at[0] = i;
-                at[1] = j;
-            }
-        }
+    search_grid(h, c, x, y, from, to, n, &best);
     for (int level = 0; level < 7; level++) {
-        const uint32_t old[2] = { 4 * at[0], 4 * at[1] };
         n *= 4;
-        at[0] = old[0];
-        at[1] = old[1];
-        for (uint32_t i = old[0] < 8 ? 0 : old[0] - 8; i <= old[0] + 8 && i <= n; i++)
-            for (uint32_t j = old[1] < 8 ? 0 : old[1] - 8; j <= old[1] + 8 && j <= n; j++) {
-                const loft_vec p = hills_of(h, i, j, n);
-                const long double z = tip_over(c, &p, x, y);
-                if (z > best) {
-                    best = z;
-                    at[0] = i;
-                    at[1] = j;
-                }
-            }
+        for (int k = 0; k < 2; k++) {
+            best.at[k] *= 4;
+            from[k] = best.at[k] < 8 ? 0 : best.at[k] - 8;
+            to[k] = best.at[k] + 8;
+        }
+        search_grid(h, c, x, y, from, to, n, &best);
     }
-    return best;
+    return best.tip;
 }
 
 static void a_tip_cuts_nothing_and_is_low(arb *a)

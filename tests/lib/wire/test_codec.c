@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "check.h"              /* CHECK, PROPERTY, BY_NUM */
+#include "wire/action_code.h"   /* loft_action_item */
 #include "wire/codec.h"
 #include "wire/curve_code.h"    /* LOFT_CURVE_BYTES */
 
@@ -21,9 +22,24 @@ static int32_t arb_int32(arb *a)
     }
 }
 
-/* Spans of any kind: wild, or a smooth chain with a little noise. Modulo 2^32, so that chains may
- * wrap. */
-static void arb_spans(arb *a, loft_item item[], int count)
+/* Any action, which moves by any way. */
+static void arb_action(arb *a, const uint32_t from[LOFT_AXES], loft_item *out)
+{
+    const loft_action action = { (uint8_t)arb_below(a, LOFT_OUTPUTS_MOST + 1), arb_below(a, 2) != 0,
+                                 (uint16_t)arb_next(a), (uint16_t)arb_next(a) };
+    int32_t place[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        place[i] = (int32_t)(from[i] + (arb_below(a, 2) ? (uint32_t)arb_int32(a) : 0));
+    loft_action_item(out, &action, place);
+    const loft_action back = loft_item_action(out);
+    CHECK(back.output == action.output && back.moving == action.moving &&
+          back.level == action.level && back.feed == action.feed);
+}
+
+/* Spans of any kind, with actions among them: wild, or a smooth chain with a little noise. Modulo
+ * 2^32, so that chains may wrap. */
+static void arb_spans(arb *a, bool actions, loft_item item[], int count)
 {
     const bool wild = arb_below(a, 3) == 0;
     const uint32_t noise = 1 + arb_below(a, 100);
@@ -34,6 +50,12 @@ static void arb_spans(arb *a, loft_item item[], int count)
         v[i] = (uint32_t)arb_int32(a) >> 12;
     }
     for (int n = 0; n < count; n++) {
+        if (actions && arb_below(a, 5) == 0) {
+            arb_action(a, x, &item[n]);
+            for (int i = 0; i < LOFT_AXES; i++)
+                x[i] = (uint32_t)item[n].p[2][i];
+            continue;
+        }
         item[n].ticks = (uint16_t)(1 + arb_below(a, LOFT_SPAN_TICKS_MAX));
         for (int k = 0; k < 3; k++)
             for (int i = 0; i < LOFT_AXES; i++) {
@@ -78,7 +100,7 @@ static void make_line(loft_item *item, int i, uint32_t x, int32_t by)
  * axes that do not move. */
 static void arb_curves(arb *a, loft_item item[], int count)
 {
-    arb_spans(a, item, count);
+    arb_spans(a, false, item, count);
     for (int n = 0; n < count; n++) {
         const uint32_t taste = arb_below(a, 4);
         item[n].ticks = n > 0 && arb_below(a, 4) ? item[n - 1].ticks
@@ -94,7 +116,7 @@ static void arb_curves(arb *a, loft_item item[], int count)
 static void arb_items(arb *a, enum loft_kind kind, loft_item item[], int count)
 {
     if (kind == LOFT_SPANS)
-        arb_spans(a, item, count);
+        arb_spans(a, true, item, count);
     else if (kind == LOFT_CURVES)
         arb_curves(a, item, count);
     else
@@ -231,10 +253,11 @@ static void ticks_out_of_range_are_refused(arb *a)
     loft_packer p;
 
     loft_packer_init(&p, LOFT_SPANS, &start, byte, 255);
-    CHECK(loft_packer_push(&p, &item) == LOFT_ERR_RANGE);
     item.ticks = LOFT_SPAN_TICKS_MAX + 1;
     CHECK(loft_packer_push(&p, &item) == LOFT_ERR_RANGE && p.size == 0 && p.count == 0);
     loft_packer_init(&p, LOFT_POINTS, &start, byte, 255);
+    item.ticks = 0;
+    CHECK(loft_packer_push(&p, &item) == LOFT_ERR_RANGE && p.size == 0);
     item.ticks = 2;
     CHECK(loft_packer_push(&p, &item) == LOFT_ERR_RANGE && p.size == 0);
     loft_packer_init(&p, LOFT_CURVES, &start, byte, 255);
@@ -426,8 +449,11 @@ static void other_spellings_of_a_span_are_refused(arb *a)
 
     byte[0] = 1;
     CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, size, 1) == LOFT_OK);
-    byte[0] = 0;                                                        /* 0 ticks */
-    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, size, 1) == LOFT_ERR_DATA);
+    byte[0] = 0;                                        /* an action: shorter */
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(3 + LOFT_AXES), 1) == LOFT_OK);
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(2 + LOFT_AXES), 1) == LOFT_ERR_DATA);
+    byte[1] = 0x10;                                     /* what there is not */
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(3 + LOFT_AXES), 1) == LOFT_ERR_DATA);
     byte[0] = 0x80, byte[1] = 0x08;                                     /* 1024 ticks */
     CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 1), 1) == LOFT_ERR_DATA);
     byte[0] = 0xFF, byte[1] = 0x07;                                     /* 1023 ticks */
@@ -472,7 +498,7 @@ static void items_are_spans_of_the_library(arb *a)
     loft_span span;
     int32_t from[LOFT_AXES];
 
-    arb_spans(a, &item, 1);
+    arb_spans(a, false, &item, 1);
     for (int i = 0; i < LOFT_AXES; i++)
         from[i] = arb_int32(a);
     loft_item_span(&item, from, &span);

@@ -400,7 +400,7 @@ static void broken_source(void *context, uint32_t index, loft_item *out)
 {
     world_source(context, index, out);
     if (index == 60)
-        out->ticks = 0;
+        out->ticks = ((world *)context)->job.kind == LOFT_CURVES ? 0 : LOFT_SPAN_TICKS_MAX + 1;
 }
 
 /* An item that no frame can hold ends the job, and the reason is reported. */

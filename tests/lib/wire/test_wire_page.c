@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "check.h"          /* CHECK, PROPERTY */
+#include "wire/action_code.h"   /* loft_item_action */
 #include "wire/message.h"
 
 typedef struct {
@@ -139,9 +140,10 @@ static size_t say_machine(const loft_frame *f, uint8_t wire[])
             welcome.version, ul(welcome.nonce), ul(welcome.boot), ul(welcome.job));
         say_ack(&welcome.ack);
         say(" axes=%u num=%u frame_max=%u queue=%u tick_hz=%u slots=%u kinds=%u curves=%u "
-            "points=%u closed=%u",
+            "points=%u closed=%u outputs=%u",
             welcome.axes, welcome.num, welcome.frame_max, welcome.queue, welcome.tick_hz,
-            welcome.slots, welcome.kinds, welcome.curves, welcome.points, welcome.closed);
+            welcome.slots, welcome.kinds, welcome.curves, welcome.points, welcome.closed,
+            welcome.outputs);
         return loft_welcome_encode(&welcome, session, wire);
     case LOFT_KEPT:
         CHECK(loft_kept_decode(f, &kept) == LOFT_OK);
@@ -193,6 +195,13 @@ static const struct {
                 [LOFT_DATA_FINE] = { "FINE", LOFT_POINTS_FINE },
                 [LOFT_DATA_CURVES] = { "CURVES", LOFT_CURVES } };
 
+static void say_action(const loft_item *item)
+{
+    const loft_action a = loft_item_action(item);
+
+    say(" what=%u level=%u feed=%u", a.output + (a.moving ? 128u : 0u), a.level, a.feed);
+}
+
 static size_t say_items(const loft_frame *f, uint8_t wire[])
 {
     const enum loft_message type = loft_message_type(f);
@@ -210,7 +219,9 @@ static size_t say_items(const loft_frame *f, uint8_t wire[])
         u.count);
     loft_data_init(&p, kind, &sending, LOFT_FRAME_MAX, wire);
     while (loft_unpacker_next(&u, &state, &item)) {
-        if (cubics) {
+        if (kind == LOFT_SPANS && item.ticks == 0) {
+            say_action(&item);
+        } else if (cubics) {
             say(kind == LOFT_SPANS ? " ticks=%u" : " feed=%u", item.ticks);
             say_axes("p1", item.p[0]);
             say_axes("p2", item.p[1]);

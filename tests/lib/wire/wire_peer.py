@@ -18,7 +18,7 @@ STANDING = 'next:I limit:I executed:I state:B flags:B refusal:B control:B '
 MACHINE = {0: ('KEPT', 'at:H room:H origin:B bytes:Z'),
            8: ('WELCOME', 'version:B nonce:X boot:X job:X ' + STANDING +
                'axes:B num:B frame_max:B queue:H tick_hz:H slots:H '
-               'kinds:B curves:H points:H closed:H'),
+               'kinds:B curves:H points:H closed:H outputs:B'),
            9: ('AXIS', 'number:B steps_per_mm:i max_speed:i max_accel:i position:i start:i'),
            10: ('ACK', STANDING),
            11: ('STATUS', STANDING + 'ticks:I elapsed:I slowed:I damaged:I dropped:I '
@@ -66,6 +66,9 @@ class Decoder:
 
     def spans(self, data, _):
         while data:
+            if data[0] == 0:
+                yield self.action(data)
+                continue
             ticks, points = self.varint(data), []
             for i in range(AXES):
                 p0 = self.position[i]
@@ -76,6 +79,15 @@ class Decoder:
                 self.position[i], self.change[i] = signed(p3), signed(p3 - p2)
             p1, p2, p3 = (','.join(map(str, p)) for p in zip(*points))
             yield 'ticks=%d p1=%s p2=%s p3=%s' % (ticks, p1, p2, p3)
+
+    def action(self, data):
+        what = data[1]
+        del data[:2]
+        power = self.varint(data)
+        for i in range(AXES):
+            self.position[i], self.change[i] = self.position[i] + self.residual(data), 0
+        return 'what=%d level=%d feed=%d p3=%s' % (
+            what, power & 65535, power >> 16, ','.join(map(str, self.position)))
 
     def curves(self, data, _):
         feed = self.bend[0]

@@ -105,7 +105,7 @@ class Motion:
 
 
 @_documented('loft_plan_next')
-def plan(cubics, feed, speed=500, accel=2000, jerk=20000, tol=0.005, corner=0.01, tick_hz=1000):
+def plan(cubics, feed, speed=500, accel=2000, jerk=20000, tol=0.005, corner=0, tick_hz=1000):
     """The motion along a chain of cubics, each four points, within limits per axis."""
     limits, machine = ffi.new('loft_limits *'), ffi.new('loft_plan *')
     each = [numpy.broadcast_to(numpy.asarray(x, dtype=float), 3).tolist()
