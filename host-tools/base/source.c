@@ -1,4 +1,4 @@
-/* host-tools/base/source.c -- reads a whole file
+/* host-tools/base/source.c -- reads a file, whole or in parts
  * SPDX-License-Identifier: MIT
  *
  * zlib unpacks a file that is packed with gzip (.svgz) while it is read.
@@ -17,6 +17,8 @@
 #define FILE_MAX ((size_t)512 << 20)
 
 #define SLICE_MAX (64u << 20)           /* bytes; requested at once */
+#define PART      (256u << 10)          /* bytes of whole lines */
+#define LINE_MOST (1 << 20)
 
 /* Read all of `stream`. Returns NULL on failure and sets errno (EFBIG: more than FILE_MAX; EBADMSG:
  * damaged gzip). */
@@ -108,6 +110,135 @@ char *source_read(const char *file, size_t *size, int *code)
 
     *code = text ? 0 : unreadable(source_name(file));
     return text;
+}
+
+
+
+// In parts
+// --------
+
+int source_open(source *s, const char *file)
+{
+    const bool input = strcmp(file, "-") == 0;
+    const int handle = input ? dup(STDIN_FILENO) : open(file, O_RDONLY | O_CLOEXEC);
+    gzFile stream    = handle < 0 ? NULL : gzdopen(handle, "rb");
+
+    *s = (source){ .file = source_name(file), .stream = stream };
+    if (stream == NULL)
+        return unreadable(s->file);
+    s->buffer    = tool_grow(NULL, PART + 1);
+    s->room      = PART;
+    s->buffer[0] = '\0';
+    s->text      = s->buffer;
+    return source_part(s);
+}
+
+int source_whole(source *s, const char *file)
+{
+    int code;
+
+    *s        = (source){ .file = source_name(file) };
+    s->buffer = source_read(file, &s->size, &code);
+    s->text   = s->buffer;
+    s->used   = s->size;
+    return code;
+}
+
+source source_text(const char *text, size_t size)
+{
+    return (source){ .text = text, .size = size, .used = size };
+}
+
+void source_close(source *s)
+{
+    if (s->stream != NULL)
+        gzclose_r(s->stream);
+    free(s->buffer);
+    *s = (source){ .size = 0 };
+}
+
+/* Fill the buffer. At the end the stream is closed. */
+static int fill(source *s)
+{
+    while (s->stream != NULL && s->used < s->room) {
+        const size_t left = s->room - s->used;
+        const int got = gzread(s->stream, s->buffer + s->used,
+                               (unsigned)(left < SLICE_MAX ? left : SLICE_MAX));
+        int status;
+        (void)gzerror(s->stream, &status);
+        if (got < 0 || (got == 0 && status != Z_OK && status != Z_STREAM_END)) {
+            errno = status == Z_ERRNO ? errno : EBADMSG;
+            return unreadable(s->file);
+        }
+        s->used += (size_t)got;
+        if (got == 0) {
+            gzclose_r(s->stream);
+            s->stream = NULL;
+        }
+    }
+    s->buffer[s->used] = '\0';
+    return 0;
+}
+
+static void widen(source *s)
+{
+    s->buffer = tool_grow(s->buffer, (s->room *= 2) + 1);
+    s->text   = s->buffer;
+}
+
+/* The whole lines in the buffer; all of it at the end, and if its first part has none. */
+static int cut_part(source *s, bool first)
+{
+    const char *last = memrchr(s->buffer, '\n', s->used);
+
+    s->size = s->stream == NULL || last == NULL ? s->used : (size_t)(last - s->buffer) + 1;
+    s->held = s->buffer[s->size];
+    s->buffer[s->size] = '\0';
+    if (first || strlen(s->buffer) == s->size)
+        return 0;
+    return tool_error(EX_DATAERR, "%s: is not text: there is a 0 in it", s->file);
+}
+
+int source_part(source *s)
+{
+    const bool first = s->used == 0;
+    int code         = 0;
+
+    if (s->buffer == NULL) {        /* a text is one part */
+        s->size = 0;
+        return 0;
+    }
+    s->buffer[s->size] = s->held;
+    s->used -= s->size;
+    memmove(s->buffer, s->buffer + s->size, s->used);
+    code = fill(s);
+    while (code == 0 && s->stream != NULL && memrchr(s->buffer, '\n', s->used) == NULL) {
+        if (s->room >= LINE_MOST && !first)
+            return tool_error(EX_DATAERR, "%s: a line of more than %d MB: split it", s->file,
+                              LINE_MOST >> 20);
+        if (s->room >= LINE_MOST)
+            break;
+        widen(s);
+        code = fill(s);
+    }
+    return code == 0 ? cut_part(s, first) : code;
+}
+
+int source_rest(source *s)
+{
+    int code = 0;
+
+    s->buffer[s->size] = s->held;
+    while (code == 0 && s->stream != NULL && s->used <= FILE_MAX) {
+        widen(s);
+        code = fill(s);
+    }
+    if (code == 0 && s->used > FILE_MAX) {
+        errno = EFBIG;
+        return unreadable(s->file);
+    }
+    s->size = s->used;
+    return code;
 }
 
 bool source_is_xml(const char *text)

@@ -12,6 +12,33 @@
  * and returns NULL. */
 char *source_read(const char *file, size_t *size, int *code);
 
+/* A file in parts. */
+typedef struct source {
+    const char *text;           /* this part: whole lines, followed by a 0; all of them if it is of
+                                 * one part */
+    size_t size;                /* 0: there are no more */
+    /* ---- */
+    const char *file;
+    void *stream;               /* NULL: all is read */
+    char *buffer, held;         /* the character that the 0 stands for */
+    size_t room, used;
+} source;
+
+/* Begin with the first part, or with all of the file. On failure prints one line and returns a code
+ * of <sysexits.h>. Call source_close in any case. */
+int  source_open(source *s, const char *file);
+int  source_whole(source *s, const char *file);
+void source_close(source *s);
+
+/* Go on to the next part. Results as above; so lines of more than 1 MB are refused. */
+int source_part(source *s);
+
+/* Append all that follows to the first part. */
+int source_rest(source *s);
+
+/* A text as one part. */
+source source_text(const char *text, size_t size);
+
 /* The name of the file in messages. */
 const char *source_name(const char *file);
 

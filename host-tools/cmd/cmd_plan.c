@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/source.h"         /* source_name */
 #include "draw/plan_plot.h"      /* plan_plot */
 #include "plan/certify.h"        /* certify_make */
 #include "plan/planning.h"
@@ -21,40 +22,60 @@ typedef struct {
 } plan_options;
 
 
+/* What is printed while the drawing is planned. */
+typedef struct {
+    const plan_options *o;
+    const drawing *d;
+    const toolpath *path;
+    const trace *t;
+    FILE *rows;                     /* NULL: none */
+    uint64_t ticks;                 /* of the spans before */
+    double row;                     /* the next one */
+    engine_span last;
+    double begin, end;              /* s, of the last span */
+    bool table;
+    trace_part drawn, travelled, all;
+} report;
+
+
 // Table
 // -----
 
-static int print_row(const trace *t, const char *name, const char *line, const trace_part *p)
+static void print_row(const trace *t, const char *name, const char *line, const trace_part *p)
 {
     char words[160];
 
     trace_words(t, p, words, sizeof words);
-    return printf("%-8s %6s %11.3f %10.3f %9.2f  %s\n", name, line, p->length, p->seconds, p->top,
-                  words);
+    printf("%-8s %6s %11.3f %10.3f %9.2f  %s\n", name, line, p->length, p->seconds, p->top, words);
 }
 
-static void print_table(const plan_options *o, const drawing *d, const toolpath *path,
-                        const trace *t)
+static void take_part(void *context, size_t n, const trace_part *p)
 {
-    trace_part all = { .length = 0 }, drawn = all, travelled = all;
+    report *r        = context;
+    const bool draws = r->path->curve[n] != TOOLPATH_TRAVEL;
+    char name[24] = "travel", line[16] = "";
 
-    printf("%-8s %6s %11s %10s %9s  %s\n", "curve", "line", "mm", "s", "top mm/s",
-           "limited by, of the time");
-    for (size_t k = 0; k < path->count; k++) {
-        const bool draws = path->curve[k] != TOOLPATH_TRAVEL;
-        char name[24] = "travel", line[16] = "";
-        if (draws) {
-            snprintf(name, sizeof name, "%zu", path->curve[k] + 1);
-            snprintf(line, sizeof line, "%u", d->curve[path->curve[k]].line);
-        }
-        if (!o->total)
-            print_row(t, name, line, &t->part[k]);
-        trace_add(draws ? &drawn : &travelled, &t->part[k]);
-        trace_add(&all, &t->part[k]);
+    if (n == 0)
+        printf("%-8s %6s %11s %10s %9s  %s\n", "curve", "line", "mm", "s", "top mm/s",
+               "limited by, of the time");
+    if (draws) {
+        snprintf(name, sizeof name, "%zu", r->path->curve[n] + 1);
+        snprintf(line, sizeof line, "%u", r->d->curve[r->path->curve[n]].line);
     }
-    print_row(t, "drawn", "", &drawn);
-    print_row(t, "travel", "", &travelled);
-    print_row(t, "in all", "", &all);
+    if (!r->o->total)
+        print_row(r->t, name, line, p);
+    trace_add(draws ? &r->drawn : &r->travelled, p);
+    trace_add(&r->all, p);
+}
+
+static void print_sums(const report *r)
+{
+    char words[160];
+
+    print_row(r->t, "drawn", "", &r->drawn);
+    print_row(r->t, "travel", "", &r->travelled);
+    print_row(r->t, "in all", "", &r->all);
+    printf("drawing: %s\n", page_words(r->d, words));
 }
 
 
@@ -67,71 +88,94 @@ static void put_axes(FILE *out, const double v[ENGINE_AXES], int digits)
         fprintf(out, ",%.*f", digits, fabs(v[i]) < 0.5 * pow(10, -digits) ? 0 : v[i]);
 }
 
-static void put_row(FILE *out, const trace *t, double seconds, size_t *near)
+static void put_row(FILE *out, const trace_motion *m, double seconds)
 {
+    fprintf(out, "%.6f", seconds);
+    put_axes(out, m->tool.x, 6);
+    put_axes(out, m->tool.v, 5);
+    put_axes(out, m->tool.a, 4);
+    putc('\n', out);
+}
+
+/* Rows from time 0 at equal intervals, as far as this span says them. */
+static void put_rows(report *r, const engine_span *s, double begin, double end)
+{
+    const double rate = r->o->rate;
     trace_motion m;
 
-    trace_at(t, seconds, near, &m);
-    fprintf(out, "%.6f", seconds);
-    put_axes(out, m.tool.x, 6);
-    put_axes(out, m.tool.v, 5);
-    put_axes(out, m.tool.a, 4);
-    putc('\n', out);
-}
-
-/* Print rows from time 0 at equal intervals, and the end. */
-static void put_rows(FILE *out, const trace *t, double rate)
-{
-    size_t near = 0;
-
-    fprintf(out, "t,x,y,z,vx,vy,vz,ax,ay,az\n");
-    for (double k = 0; k / rate < t->seconds - 1e-9; k++)
-        put_row(out, t, k / rate, &near);
-    put_row(out, t, t->seconds, &near);
-}
-
-/* Print the spans exactly: a coordinate is a whole number of 2^-16 mm. */
-static void put_spans(FILE *out, const trace *t)
-{
-    const char *axes = kinematics_axes(t->joints->k);
-    double begin = 0;
-
-    fprintf(out, "start_s,duration_s");
-    for (int i = 0; i < ENGINE_AXES; i++)
-        for (int k = 0; k < 4; k++)
-            fprintf(out, ",%c%d", axes[i], k);
-    putc('\n', out);
-    for (size_t n = 0; n < t->count; n++) {
-        const engine_span *s = &t->span[n];
-        fprintf(out, "%.15g,%.15g", begin / t->limits.tick_hz,
-                (double)s->ticks / t->limits.tick_hz);
-        for (int i = 0; i < ENGINE_AXES; i++)
-            for (int k = 0; k < 4; k++)
-                fprintf(out, ",%.20g", s->p[k][i] / 65536.0);
-        putc('\n', out);
-        begin += s->ticks;
+    if (r->ticks == 0)
+        fprintf(r->rows, "t,x,y,z,vx,vy,vz,ax,ay,az\n");
+    for (; r->row / rate < end - 1e-9; r->row++) {
+        if (r->row / rate < begin)
+            trace_in(r->t, &r->last, r->begin, r->end, r->row / rate, &m);
+        else
+            trace_in(r->t, s, begin, end, r->row / rate, &m);
+        put_row(r->rows, &m, r->row / rate);
     }
 }
 
-static void put_lines(FILE *out, const plan_options *o, const trace *t)
+static void put_end(const report *r)
 {
-    if (o->spans)
-        put_spans(out, t);
-    else
-        put_rows(out, t, o->rate);
+    trace_motion m;
+
+    trace_in(r->t, &r->last, r->begin, r->end, r->t->seconds, &m);
+    put_row(r->rows, &m, r->t->seconds);
 }
 
-static int write_lines(const plan_options *o, const trace *t)
+/* A span exactly: a coordinate is a whole number of 2^-16 mm. */
+static void put_span(const report *r, const engine_span *s)
 {
-    const char *name = o->output;
-    FILE *out = fopen(name, "w");
+    const char *axes = kinematics_axes(r->t->joints->k);
+    FILE *out        = r->rows;
 
-    if (out == NULL)
-        return tool_error(EX_CANTCREAT, "%s: cannot be written: %s", name, strerror(errno));
-    put_lines(out, o, t);
-    const bool bad = ferror(out) != 0;
-    if (fclose(out) != 0 || bad)
-        return tool_error(EX_IOERR, "%s: %s: is the disk full? write elsewhere", name,
+    if (r->ticks == 0) {
+        fprintf(out, "start_s,duration_s");
+        for (int i = 0; i < ENGINE_AXES; i++)
+            for (int k = 0; k < 4; k++)
+                fprintf(out, ",%c%d", axes[i], k);
+        putc('\n', out);
+    }
+    fprintf(out, "%.15g,%.15g", (double)r->ticks / r->t->limits.tick_hz,
+            (double)s->ticks / r->t->limits.tick_hz);
+    for (int i = 0; i < ENGINE_AXES; i++)
+        for (int k = 0; k < 4; k++)
+            fprintf(out, ",%.20g", s->p[k][i] / 65536.0);
+    putc('\n', out);
+}
+
+static void take_span(void *context, const engine_span *s, double begin, double end)
+{
+    report *r = context;
+
+    if (r->o->spans)
+        put_span(r, s);
+    else
+        put_rows(r, s, begin, end);
+    r->ticks += s->ticks;
+    r->last  = *s;
+    r->begin = begin;
+    r->end   = end;
+}
+
+static int open_rows(report *r)
+{
+    const char *name = r->o->output;
+
+    if (!(r->o->rate > 0) && !r->o->spans)
+        return 0;
+    r->rows = name == NULL ? stdout : fopen(name, "w");
+    return r->rows != NULL
+               ? 0
+               : tool_error(EX_CANTCREAT, "%s: cannot be written: %s", name, strerror(errno));
+}
+
+static int close_rows(const report *r)
+{
+    if (r->rows == NULL || r->rows == stdout)
+        return 0;
+    const bool bad = ferror(r->rows) != 0;
+    if (fclose(r->rows) != 0 || bad)
+        return tool_error(EX_IOERR, "%s: %s: is the disk full? write elsewhere", r->o->output,
                           strerror(errno));
     return 0;
 }
@@ -140,25 +184,20 @@ static int write_lines(const plan_options *o, const trace *t)
 // All of it
 // ---------
 
-static void print_page(const plan_options *o, const drawing *d, const toolpath *path,
-                       const trace *t)
-{
-    char words[160];
-
-    print_table(o, d, path, t);
-    printf("drawing: %s\n", page_words(d, words));
-}
-
 /* Judge the plan by the drawing as it is in the file. */
-static int certify_drawing(const plan_options *o, const toolpath *path, const trace *t)
+static int certify_drawing(const plan_options *o, const toolpath *drawn, const toolpath *path,
+                           const trace *t)
 {
     const certify_plan plan = { .k = t->joints->k,
                                 .limits = &t->limits,
                                 .span = t->span,
                                 .spans = t->count,
-                                .move = path->move,
-                                .moves = path->count,
-                                .tol = o->p.tol };
+                                .move = drawn->move,
+                                .moves = drawn->count,
+                                .planned = path->move,
+                                .planned_moves = path->count,
+                                .tol = o->p.tol,
+                                .corner = o->p.corner };
     certify c;
 
     certify_make(&c, &plan);
@@ -168,26 +207,56 @@ static int certify_drawing(const plan_options *o, const toolpath *path, const tr
                             o->file);
 }
 
-static int report_plan(const plan_options *o, const drawing *d, const toolpath *path,
-                       const toolpath *drawn, const trace *t)
+/* Plan, and print what is wanted meanwhile. */
+static int trace_drawing(const plan_options *o, const engine_limits *limits, report *r, trace *t,
+                         joints *of)
 {
-    const bool lines = o->rate > 0 || o->spans;
+    const bool keep = o->picture != NULL || o->certify;
+    int code        = open_rows(r);
+
+    if (code != 0)
+        return code;
+    r->table = !o->certify && r->rows != stdout;
+    const trace_sink sink = { .context = r,
+                              .span    = r->rows != NULL ? take_span : NULL,
+                              .part    = r->table ? take_part : NULL };
+    const int status = trace_make(t, o->p.e, limits, r->path, of, &sink, keep);
+    if (status == 0 && r->rows != NULL && !o->spans && t->count > 0)
+        put_end(r);
+    code = close_rows(r);
+    return status != 0
+               ? tool_error(EX_DATAERR, "%s: cannot be planned: %s", o->file, engine_status(status))
+               : code;
+}
+
+/* What is done between motions is no part of the plan that is analysed. */
+static void tell_times(const plan_options *o, const drawing *d)
+{
+    if (d->events > 0)
+        (void)tool_error(EX_OK,
+                         "%s:%u: G4, M0, M3 and the like (%zu times): the times are of motion "
+                         "without them: `loft stream --dry-run` counts waits and stops",
+                         source_name(o->file), d->event[0].line, d->events);
+}
+
+static int report_plan(const plan_options *o, const report *r, const toolpath *drawn)
+{
+    const plan_picture picture = { .d = r->d,
+                                   .path = r->path,
+                                   .t = r->t,
+                                   .name = o->file,
+                                   .output = o->picture,
+                                   .size = o->size };
     int code = 0;
 
-    if (lines && o->output != NULL)
-        code = write_lines(o, t);
-    if (code == 0 && o->picture != NULL) {
-        const plan_picture p = {
-            .d = d, .path = path, .t = t, .name = o->file, .output = o->picture, .size = o->size
-        };
-        code = plan_plot(&p);
-    }
+    if (o->picture != NULL)
+        code = plan_plot(&picture);
     if (code == 0 && o->certify)
-        code = certify_drawing(o, drawn, t);
-    else if (code == 0 && lines && o->output == NULL)
-        put_lines(stdout, o, t);
-    else if (code == 0)
-        print_page(o, d, path, t);
+        code = certify_drawing(o, drawn, r->path, r->t);
+    if (code == 0 && r->table)
+        print_sums(r);
+    if (code == 0 && r->table)
+        tell_times(o, r->d);
     return code;
 }
 
@@ -197,22 +266,22 @@ static int plan_drawing(const plan_options *o, const drawing *d, const drawing *
     const double start[ENGINE_AXES] = { 0, 0, 0 };
     toolpath_options how = planning_path(&o->p);
     engine_limits limits;
-    toolpath path, asked;
+    toolpath path, asked = { .count = 0 };
     joints of;
-    trace t = { .count = 0 };
+    trace t  = { .count = 0 };
+    report r = { .o = o, .d = d, .path = &path, .t = &t };
 
     planning_machine(&o->p, &limits);
     planning_limit(&o->p, &limits);
     (void)planning_start_at(&o->p, start, &how);
     toolpath_make(&path, d, &how);
-    toolpath_make(&asked, drawn, &how);
-    int code = planning_joints(&o->p, o->file, d, start, false, &limits, &path, &of), status = 0;
+    if (o->certify)
+        toolpath_make(&asked, drawn, &how);
+    int code = planning_joints(&o->p, o->file, d, start, false, &limits, &path, &of);
     if (code == 0)
-        status = trace_make(&t, o->p.e, &limits, &path, &of);
-    if (status != 0)
-        code = tool_error(EX_DATAERR, "%s: cannot be planned: %s", o->file, engine_status(status));
-    else if (code == 0)
-        code = report_plan(o, d, &path, &asked, &t);
+        code = trace_drawing(o, &limits, &r, &t, &of);
+    if (code == 0)
+        code = report_plan(o, &r, &asked);
     trace_free(&t);
     joints_free(&of);
     toolpath_free(&asked);
@@ -264,8 +333,8 @@ static int run_plan(const tool_command *self, int argc, char **argv)
                     "each motor, exactly"),
         TOOL_SWITCH("certify", &o.certify,
                     "judge the plan, in place of the table: the worst of each limit at any "
-                    "instant, and of the distances between motion and drawing; exit code 70 if one "
-                    "is beyond its bound"),
+                    "instant, and of the distances between motion and drawing, as parts of --tol "
+                    "or --corner; exit code 70 if one is beyond its bound"),
         TOOL_TEXT("output", "FILE", &o.output, "or -o: where the rows go (standard output)"),
         TOOL_TEXT("plot", "FILE", &o.picture,
                   "a picture, .png .svg or .pdf: the path by speed; speed, acceleration and jerk "
@@ -285,6 +354,7 @@ static int run_plan(const tool_command *self, int argc, char **argv)
     if ((code = check_options(&o)) != 0)
         return code;
     o.file = argv[first];
+    o.p.passes = !o.certify;
     code = planning_read(&o.p, &d, &smooth, o.file);
     if (code == 0)
         code = plan_drawing(&o, &smooth, &d);

@@ -18,12 +18,13 @@ static int print_result(const plot_options *o, const plot_result *found)
 
     if (o->r == NULL)
         return printf("%s: %zu curve%s\n", o->output, count, tool_s(count)) < 0 ? EX_IOERR : EX_OK;
-    return printf("%s: %zu curve%s, %zu pulses with the pen down, path error %.4f mm at worst, at "
-                  "%.3f,%.3f, %.4f mm on average\n",
-                  o->output, count, tool_s(count), found->drawing_pulses, found->worst,
-                  found->worst_point[0], found->worst_point[1], found->mean) < 0
-               ? EX_IOERR
-               : EX_OK;
+    printf("%s: %zu curve%s, %zu pulses with the pen down, path error %.4f mm at worst, at "
+           "%.3f,%.3f, %.4f mm on average",
+           o->output, count, tool_s(count), found->drawing_pulses, found->worst,
+           found->worst_point[0], found->worst_point[1], found->mean);
+    if (found->inset)
+        printf(", inset: corner at %.3f,%.3f", found->corner[0], found->corner[1]);
+    return printf("\n") < 0 ? EX_IOERR : EX_OK;
 }
 
 static int plot_files(plot_options *o, const page_options *sheet, const char *record_file)
@@ -163,6 +164,8 @@ static int run_plot(const tool_command *self, int argc, char **argv)
                    "draw curvature combs, SCALE mm for 1/mm (chosen automatically)"),
         TOOL_NUMBER("error", "N", &o.error, 0, 1e9,
                     "magnify errors N times, and colour by them (0: chosen automatically)"),
+        TOOL_NUMBER("tol", "MM", &o.tol, 1e-6, 100,
+                    "with --record: an inset shows a corner and the band of this tolerance"),
         TOOL_LIST("part", "X,Y,W,H", &part, -1e5, 1e5,
                   "show this part only, in mm from the lower left corner"),
         TOOL_LIST("view", "AROUND,UP", &w.view, -1000, 1000,
@@ -191,6 +194,8 @@ static int run_plot(const tool_command *self, int argc, char **argv)
     else if (code == 0 && o.error >= 0 && record_file == NULL)
         code = tool_error(EX_USAGE,
                           "--error: give --record FILE as well: errors are those of a machine");
+    else if (code == 0 && o.tol > 0 && record_file == NULL)
+        code = tool_error(EX_USAGE, "--tol: give --record FILE as well: it shows what was drawn");
     else if (code == 0) {
         if (part.count == 4)
             memcpy(o.part, part.value, sizeof o.part);

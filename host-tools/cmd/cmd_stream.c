@@ -6,7 +6,10 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "wire/action_code.h"    /* LOFT_OUTPUTS_MOST */
+
 #include "base/keys.h"           /* keys_start, keys_hasty */
+#include "base/source.h"         /* source_name */
 #include "plan/tools.h"          /* tools_split */
 #include "send/change.h"         /* change_tool */
 #include "plan/check.h"          /* check_print */
@@ -84,6 +87,9 @@ static int find_parts(const stream_options *o, const char *file, const drawing *
     all->file  = file;
     all->count = tools_split(&o->p.machine.tools, d, smooth, all->part);
     all->first = 0;
+    if (all->count == 0)
+        return tool_error(EX_DATAERR, "%s: more than %u changes of the tool: split the program",
+                          file, TOOLS_PARTS);
     if (o->from_tool == NULL)
         return 0;
     for (; all->first < all->count; all->first++)
@@ -105,7 +111,9 @@ static toolpath_options way_of(const stream_options *o, const parts *all, size_t
     const bool last      = k + 1 == all->count;
 
     how.lift = tools_lift(all->part[k].tool, o->p.lift);
-    if (last)
+    if (all->part[k].d.program && k > 0)
+        tools_counted(&all->part[k].d, how.counted);
+    if (last || all->part[k].d.program)
         return how;
     how.park    = *all->part[k + 1].tool->pause != '\0';
     how.zero[0] = o->p.machine.park[0];
@@ -149,6 +157,45 @@ static void print_plan(const job *j, const toolpath *path, double tol)
            "mm, job %08x\n",
            path->curves, tool_s(path->curves), path->drawn / 1000, path->travelled / 1000,
            job_seconds(j), j->count, job_words(j), tol, (unsigned)j->head.id);
+}
+
+/* What a machine does beside motion. `s` NULL: a dry run, for one that does all of it. */
+static struct job_does does_of(const stream_options *o, const loft_sender *s)
+{
+    const bool all         = s == NULL;
+    struct job_does does   = { .s_max = o->p.machine.s_max, .spin_up = o->p.machine.spin_up };
+
+    does.actions = !o->chip && !o->points && (all || s->machine.kinds & LOFT_TAKES_ACTIONS);
+    does.outputs = all ? LOFT_OUTPUTS_MOST : s->machine.outputs;
+    return does;
+}
+
+/* Tell what the machine will not do, each once. */
+static void tell_missing(const stream_options *o, const parts *all, const struct job_does *does)
+{
+    static const char *const what[] = { [DRAWING_WAITS] = "G4: the machine does not wait there",
+                                        [DRAWING_PAUSES] = "M0, M1 or M6: the machine does not "
+                                                           "stop there",
+                                        [DRAWING_SPINS] = "M3, M4 or M5: the machine has no output "
+                                                          "for a spindle",
+                                        [DRAWING_COOLS] = "M7, M8 or M9: the machine has no output "
+                                                          "for a coolant" };
+    const drawing *d = &all->part[all->first].d;
+    unsigned count[4] = { 0 };
+
+    for (size_t i = 0; i < d->events; i++)
+        count[d->event[i].doing] += !job_can(does, &d->event[i]);
+    for (size_t i = 0; i < d->events; i++) {
+        const drawing_event *e = &d->event[i];
+        if (count[e->doing] == 0 || job_can(does, e))
+            continue;
+        (void)tool_error(EX_OK, "%s:%u: %s (%u times)%s", source_name(all->file), e->line,
+                         what[e->doing], count[e->doing],
+                         o->chip     ? ": --plan host lets it"
+                         : o->points ? ": not with --points"
+                                     : "");
+        count[e->doing] = 0;
+    }
 }
 
 /* Choose the options of a job for a machine with these limits. */
@@ -214,6 +261,8 @@ static int dry_run(const stream_options *o, const drawing *d, const parts *all)
     for (int i = 0; i < ENGINE_AXES; i++)
         as.steps_per_mm[i] = (int32_t)lround(o->p.machine.steps_per_mm[i] * 65536);
     int code = options_of(o, &as);
+    as.does  = does_of(o, NULL);
+    tell_missing(o, all, &as.does);
     for (size_t k = all->first; k < all->count && code == 0; k++) {
         work w = { .path = { 0 } };
         code   = plan_work(o, all, k, start, &as, &w);
@@ -256,6 +305,7 @@ static int plan_for(const stream_options *o, const parts *all, size_t k,
     for (int i = 0; i < ENGINE_AXES; i++)
         as.steps_per_mm[i] = s->axis[i].steps_per_mm;
     const int code = options_of(o, &as);
+    as.does        = does_of(o, s);
     return code == 0 ? plan_work(o, all, k, start, &as, w) : code;
 }
 
@@ -319,7 +369,9 @@ static int stream_drawing(const stream_options *o, const parts *all, talk *t)
     work w      = { .path = { 0 } };
     size_t old  = all->count;
     int code    = check_machine(o, &t->sender);
+    const struct job_does does = does_of(o, &t->sender);
 
+    tell_missing(o, all, &does);
     if (code == 0)
         code = find_old(o, all, &t->sender, &w, &old);
     for (size_t k = old < all->count ? old : all->first; k < all->count && code == 0; k++) {
@@ -363,6 +415,7 @@ static int draw_part(const stream_options *o, const parts *all, size_t k, grbl *
     gcode lines;
     char what[64];
 
+    how.laser = false;                  /* its controller sees to that ($32) */
     memcpy(how.start, g ? grbl_place(g) : start, sizeof how.start);
     toolpath_make(&path, &p->smooth, &how);
     gcode_make(&lines, &path, &as);
@@ -390,12 +443,14 @@ static int draw_part(const stream_options *o, const parts *all, size_t k, grbl *
 }
 
 /* A controller of grbl's kind, which plans. */
-static int draw_gcode(const stream_options *o, const parts *all)
+static int draw_gcode(stream_options *o, const parts *all)
 {
     grbl *g = NULL;
     double start[ENGINE_AXES] = { 0, 0, 0 };
     int code = o->dry ? 0 : grbl_open(&g, o->port, o->baud, o->wait);
 
+    if (g != NULL && o->p.file == NULL)
+        (void)grbl_table(g, &o->p.machine);
     for (size_t k = all->first; k < all->count && code == 0; k++)
         code = draw_part(o, all, k, g, start);
     if (g != NULL)
@@ -410,14 +465,19 @@ static int draw_file(stream_options *o, const char *file)
     talk t;
 
     keys_hasty(true);
+    o->p.passes = o->record == NULL;
     int code = planning_read(&o->p, &d, &smooth, file);
     keys_hasty(false);
+    if (code == 0 && o->chip && o->p.exact >= 0)
+        code = tool_error(
+            EX_CONFIG, "%s: G61: a machine that plans does not stop at corners: give --plan host",
+            file);
     if (code == 0)
         code = find_parts(o, file, &d, &smooth, &all);
     if (code == 0 && o->grbl)
         code = draw_gcode(o, &all);
     else if (code == 0 && o->dry)
-        code = dry_run(o, &d, &all);
+        code = dry_run(o, &smooth, &all);
     else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait, o->log)) == 0) {
         if (o->p.file == NULL)
             code = settings_adopt(&o->p.machine, &t);

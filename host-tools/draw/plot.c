@@ -23,7 +23,7 @@ double plot_y(const plot_view *v, double y) { return v->bottom - (y - v->y0) * v
 // Drawing
 // -------
 
-static void draw_curves(const plot_view *v, double line, double r, double g, double b)
+void plot_curves(const plot_view *v, double line, double r, double g, double b)
 {
     const drawing *d = v->o->d;
 
@@ -51,8 +51,7 @@ static bool is_same_spot(const plot_view *v, const double a[2], const double b[2
     return fmax(fabs(a[0] - b[0]), fabs(a[1] - b[1])) * v->scale < 0.15 * v->u;
 }
 
-/* Draw runs of pulses as lines: the drawing ones, or the travels. */
-static void draw_machine(const plot_view *v, bool drawing_runs)
+void plot_machine(const plot_view *v, bool drawing_runs)
 {
     const record *r = v->o->r;
     const double *last = NULL;          /* drawn so far; NULL: no run is open */
@@ -95,7 +94,7 @@ static void draw_travel(const plot_view *v)
     cairo_set_source_rgb(v->cairo, 0.45, 0.62, 0.80);
     cairo_set_line_width(v->cairo, 0.6 * v->u);
     cairo_set_dash(v->cairo, dash, 2, 0);
-    draw_machine(v, false);
+    plot_machine(v, false);
     cairo_set_dash(v->cairo, NULL, 0, 0);
 }
 
@@ -255,10 +254,14 @@ static bool ends_with(const char *text, const char *end)
 static void lay_out_picture(plot_view *v, bool vector)
 {
     const plot_options *o = v->o;
-    const double left = 62, right = o->r != NULL && o->error >= 0 ? 105 : 28,
+    const double left = 62,
+                 right = o->tol > 0                      ? 254
+                         : o->r != NULL && o->error >= 0 ? 105
+                                                         : 28,
                  above = o->r != NULL ? 74 : 52, below = 82;
     double box[2][2];
 
+    v->inset = o->tol > 0;
     choose_box(v, box);
     const double wide = fmax(box[1][0] - box[0][0], 1e-6), high = fmax(box[1][1] - box[0][1], 1e-6);
     const double room = 1000 - left - right;
@@ -276,7 +279,7 @@ static void lay_out_picture(plot_view *v, bool vector)
     v->left   = left * v->u;
     v->right  = v->left + wide * v->scale;
     v->top    = above * v->u;
-    v->bottom = v->top + high * v->scale;
+    v->bottom = v->top + fmax(high * v->scale, v->inset ? PLOT_TALL * v->u : 0);
     v->height = v->bottom + below * v->u;
 }
 
@@ -298,12 +301,12 @@ static void draw_layers(plot_view *v)
     if (o->r != NULL)
         draw_travel(v);
     if (o->r != NULL && v->magnified == 0) {
-        draw_curves(v, 2.6, 0.72, 0.79, 0.88);
+        plot_curves(v, 2.6, 0.72, 0.79, 0.88);
         cairo_set_source_rgb(v->cairo, 0.80, 0.12, 0.16);
         cairo_set_line_width(v->cairo, 0.8 * v->u);
-        draw_machine(v, true);
+        plot_machine(v, true);
     } else {
-        draw_curves(v, o->r ? 0.8 : 1.3, 0.13, 0.20, 0.34);
+        plot_curves(v, o->r ? 0.8 : 1.3, 0.13, 0.20, 0.34);
     }
     if (o->control)
         plot_control(v);
@@ -311,6 +314,8 @@ static void draw_layers(plot_view *v)
         draw_errors(v, point);
     cairo_restore(v->cairo);
     plot_frame(v);
+    if (v->inset)
+        plot_corner(v);
     free(point);
 }
 

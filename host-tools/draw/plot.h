@@ -4,6 +4,7 @@
  *
  *     plot.c        the picture: layers in mm
  *     plot_shape.c  control polygons, knots and curvature combs
+ *     plot_corner.c an inset: a corner, magnified
  *     plot_frame.c  the frame: axes, title, legend, scale and colour bar
  */
 #ifndef LOFT_PLOT_H
@@ -33,6 +34,8 @@ typedef struct {
     double comb;                /* mm of a comb's tooth for a curvature of 1/mm; PLOT_AUTO_COMB,
                                  * PLOT_NO_COMB */
     double error;               /* magnification of errors; PLOT_AUTO_ERROR, PLOT_NO_ERROR */
+    double tol;                 /* mm: an inset shows a corner of the record and this band around
+                                 * the drawing; 0: none */
     double part[4];             /* visible part: x, y, width, height in mm; width 0: everything */
     double size;                /* width: px of a PNG, mm of the others; 0: 1600 px, or true to
                                  * scale */
@@ -46,6 +49,8 @@ typedef struct {
                                          * record */
     double mean;                        /* mm                                                     */
     size_t drawing_pulses;              /* with the pen down                                      */
+    bool inset;                         /* it shows the corner at                                 */
+    double corner[2];
 } plot_result;
 
 /* Draw. Returns 0, or a code of <sysexits.h> after printing one line. */
@@ -73,6 +78,7 @@ typedef struct {
     double left, top, right, bottom;    /* the frame on the canvas */
     double x0, y0, scale;       /* mm at its lower left corner; canvas units per mm */
     double magnified;           /* magnification of errors; 0: not shown */
+    bool inset;                 /* a corner is shown at the right, plot_corner.c */
     plot_tooth *tooth;
     size_t teeth;
     double comb;                /* mm per 1/mm; 0: no combs */
@@ -83,6 +89,22 @@ typedef struct {
 void plot_colour(double share, double rgb[3]);
 
 void plot_frame(plot_view *v);
+
+/* The curves, as wide as `line` thousandths of the width. */
+void plot_curves(const plot_view *v, double line, double r, double g, double b);
+
+/* Runs of pulses as lines: the drawing ones, or the travels. */
+void plot_machine(const plot_view *v, bool drawing_runs);
+
+/* The inset at the upper right, beside the frame, and what is below it: thousandths of the width.
+ * Frames with it are at least so tall. */
+#define PLOT_INSET 226
+#define PLOT_BELOW 74
+#define PLOT_TALL  (PLOT_INSET + PLOT_BELOW + 130)
+void plot_corner(plot_view *whole);
+
+/* The corner of the drawing next to a place; NULL: it has none. */
+const double *plot_corner_at(const drawing *d, const double near[2]);
 
 /* A stroke that grows point by point and may change its colour: level 0..PLOT_LEVELS - 1.
  * plot_brush_up ends it. */

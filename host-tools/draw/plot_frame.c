@@ -191,7 +191,8 @@ void plot_colour(double share, double rgb[3])
 void plot_bar(const plot_view *v, double most, const char *words)
 {
     const double x = v->right + 18 * v->u, wide = 14 * v->u,
-                 high = fmin(v->bottom - v->top, 420 * v->u);
+                 room = v->bottom - v->top - (v->inset ? PLOT_INSET + PLOT_BELOW : 0) * v->u,
+                 high = fmin(room, 420 * v->u);
     const double step = plot_step(most, 7);
     char label[32];
     double rgb[3];
@@ -221,7 +222,7 @@ void plot_frame(plot_view *v)
     plot_axes(v);
     draw_title(v);
     draw_legend(v);
-    plot_scale_bar(v, v->bottom + 58 * v->u, 8);
+    plot_scale_bar(v, v->bottom + 58 * v->u, v->inset ? 20 : 8);
     if (v->magnified > 0 && v->found.worst > 0)
         plot_bar(v, v->found.worst * 1000, "error, um");
 }

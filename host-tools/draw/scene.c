@@ -106,6 +106,8 @@ static void net_of(scene *s, const surface *p)
         }
         points = 0;
         break;
+    case SURFACE_GREGORY: tensor_net(s, p->point, 3, 3); break;
+    case SURFACE_NURBS:   tensor_net(s, p->point, p->rows - 1, p->columns - 1); break;
     case SURFACE_BICUBIC:
     case SURFACE_SPHERE:
     case SURFACE_OCTANT: points = 0; break;

@@ -15,9 +15,11 @@
 #define CERTIFY_ACCEL 1.005
 #define CERTIFY_JERK  1.02
 
-/* A worst value and where it is: its time, or its move for certify.missed; its place. */
+/* A worst value and where it is: its time, or its move for certify.missed; its place. Of distances
+ * it is the one that is the largest part of the tolerance there. */
 typedef struct {
     double worst, seconds, at[ENGINE_AXES];
+    double tol;                 /* mm; of distances */
     size_t move;
 } certify_worst;
 
@@ -35,21 +37,26 @@ typedef struct {
     size_t spans;
     const engine_move *move;        /* of the drawing, for the tool */
     size_t moves;
-    double tol;                     /* mm */
+    const engine_move *planned;     /* the same as it is planned: its corners count; NULL: `move` */
+    size_t planned_moves;
+    double tol, corner;             /* mm; near corners at least tol */
 } certify_plan;
+
+/* `corner` holds up to so many times itself along the drawing from a corner. */
+#define CERTIFY_NEAR 32
 
 /* Judge.
  *
  *   shape   both paths are cut into parts, and each part is compared with chords of the other path
  *           near it
  *   error   parts of limits: 2^-48 of themselves above the exact value, and not below it; distances
- *           are at most tol / 100 above the exact ones, and not below them. A distance above tol
- *           may be farther above
+ *           are at most tol / 100 above the exact ones, and not below them; tol / 1000 where that
+ *           decides. A distance above tol may be farther above
  *   cost    about 10 us for each chord, of which the sagitta is tol / 200 */
 void certify_make(certify *c, const certify_plan *plan);
 
 /* Is everything within its bounds? */
-bool certify_holds(const certify *c, double tol);
+bool certify_holds(const certify *c);
 
 /* Print the table. `axes` are the names of the motors. Returns whether everything is within its
  * bounds. */

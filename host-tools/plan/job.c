@@ -8,6 +8,7 @@
 
 #include "motion/span.h"    /* loft_span_walk */
 #include "machine/step.h"   /* loft_steps_of */
+#include "wire/action_code.h"   /* loft_action_item */
 #include "wire/sender.h"    /* loft_job_id */
 
 #include "plan/job.h"
@@ -62,7 +63,7 @@ static void add_timed(job *j, const loft_item *item, size_t kept)
 {
     add_item(j, item, kept);
     time_item(j, j->count - 1, j->ticks);
-    j->ticks += item->ticks;
+    j->ticks += loft_item_lasts(item);
 }
 
 void job_source(void *context, uint32_t index, loft_item *out)
@@ -107,6 +108,111 @@ static int add_points(job *j, const loft_item *span, const int32_t from[ENGINE_A
 }
 
 
+// Events
+// ------
+
+/* The outputs of a machine. */
+enum { SPINDLE = 1, COOLANT = 2 };
+
+#define FULL 65535.0
+
+bool job_can(const struct job_does *does, const drawing_event *e)
+{
+    switch (e->doing) {
+    case DRAWING_SPINS: return does->actions && does->outputs >= SPINDLE;
+    case DRAWING_COOLS: return does->actions && does->outputs >= COOLANT;
+    default:            return does->actions;
+    }
+}
+
+/* Stand still. */
+static void add_wait(job *j, double seconds, size_t kept)
+{
+    loft_item item;
+    double ticks = ceil(seconds * j->tick_hz - 1e-6);
+
+    for (int k = 0; k < 3; k++)
+        memcpy(item.p[k], j->end, sizeof item.p[k]);
+    for (; ticks >= 1; ticks -= item.ticks) {
+        item.ticks = (uint16_t)fmin(ticks, LOFT_SPAN_TICKS_MAX);
+        add_timed(j, &item, kept);
+    }
+}
+
+static void add_action(job *j, const loft_action *action, size_t kept)
+{
+    loft_item item;
+
+    loft_action_item(&item, action, j->end);
+    add_timed(j, &item, kept);
+}
+
+static void add_spindle(job *j, const toolpath_event *t, size_t kept)
+{
+    const double part  = isnan(t->e.amount) ? 1 : fmin(t->e.amount / j->does.s_max, 1);
+    loft_action action = { .output = SPINDLE };
+
+    if (t->e.way != 0)
+        action.level = (uint16_t)lround(part * FULL);
+    action.moving = j->of->path->laser;
+    action.feed   = (uint16_t)fmin(round(t->feed * 60), FULL);
+    add_action(j, &action, kept);
+    if (!action.moving && action.level > 0 && !j->spins)
+        add_wait(j, j->does.spin_up, kept);
+    j->spins = action.level > 0;
+}
+
+static void add_event(job *j, const toolpath_event *t, size_t kept)
+{
+    const loft_action coolant = { .output = COOLANT, .level = t->e.way ? (uint16_t)FULL : 0 };
+    const loft_action pause   = { .output = 0 };
+
+    if (!job_can(&j->does, &t->e))
+        return;
+    switch (t->e.doing) {
+    case DRAWING_WAITS: add_wait(j, t->e.amount, kept); break;
+    case DRAWING_SPINS: add_spindle(j, t, kept); break;
+    case DRAWING_COOLS: add_action(j, &coolant, kept); break;
+    case DRAWING_PAUSES:
+        j->pause = tool_grow(j->pause, (j->pauses + 1) * sizeof *j->pause);
+        j->pause[j->pauses].item   = j->count;
+        j->pause[j->pauses++].text = t->e.text;
+        add_action(j, &pause, kept);
+    }
+}
+
+/* The events before move n. */
+static void add_events(job *j, size_t n, size_t kept)
+{
+    const toolpath *path = j->of->path;
+
+    while (j->head.kind == LOFT_SPANS && j->event < path->events &&
+           joints_from(j->of, path->event[j->event].move) <= n)
+        add_event(j, &path->event[j->event++], kept);
+}
+
+/* The move before which the plan stops next, after move n. */
+static size_t next_stop(const job *j, size_t n)
+{
+    const toolpath *path = j->of->path;
+
+    for (size_t k = j->event; k < path->events && j->head.kind == LOFT_SPANS; k++) {
+        const size_t at = joints_from(j->of, path->event[k].move);
+        if (at > n && job_can(&j->does, &path->event[k].e))
+            return at;
+    }
+    return j->of->count;
+}
+
+const char *job_pause(const job *j, size_t executed)
+{
+    for (size_t k = 0; k < j->pauses; k++)
+        if (j->pause[k].item + 1 == executed)
+            return j->pause[k].text;
+    return NULL;
+}
+
+
 // Curves
 // ------
 
@@ -140,7 +246,7 @@ static loft_item curve_of(const engine_move *m, const int32_t from[ENGINE_AXES])
 
 static loft_job_limits limits_of(const engine_limits *l)
 {
-    loft_job_limits out = { .corner = (int32_t)lround(l->corner * 65536),
+    loft_job_limits out = { .corner = (int32_t)floor(l->corner * 65536),
                             .tol    = (int32_t)floor(l->tol * 65536) };
 
     for (int i = 0; i < ENGINE_AXES; i++) {
@@ -212,6 +318,7 @@ static int take_span(job *j, const engine_span *span, size_t kept)
 
     if (j->count == 0)
         begin_job_at(j, span->p[0]);
+    add_events(j, j->plan.first, kept);
     memcpy(item.p, span->p[1], sizeof item.p);
     memcpy(from, j->end, sizeof from);
     memcpy(j->end, span->p[3], sizeof j->end);
@@ -234,6 +341,17 @@ static void complete_job(job *j)
     joints_end(&j->plan);
 }
 
+/* Plan up to the next event. */
+static int plan_on(job *j)
+{
+    const size_t first = j->stop;
+
+    joints_end(&j->plan);
+    j->stop          = next_stop(j, first);
+    const int status = joints_plan(&j->plan, j->of, first, j->stop, j->e, &j->motors);
+    return status < 0 ? status : ENGINE_PLAN_BUSY;
+}
+
 /* Do one step. Returns enum engine_step or an error. */
 static int step_plan(job *j, size_t kept)
 {
@@ -242,9 +360,14 @@ static int step_plan(job *j, size_t kept)
 
     if (state == ENGINE_PLAN_SPAN && (status = take_span(j, &span, kept)) != LOFT_OK)
         state = status;
-    if (state == ENGINE_PLAN_DONE)
+    if (state != ENGINE_PLAN_DONE)
+        return state;
+    if (j->stop == j->of->count) {
+        add_events(j, j->stop, kept);
         complete_job(j);
-    return state;
+        return state;
+    }
+    return plan_on(j);
 }
 
 bool job_waits(const job *j, size_t kept)
@@ -301,6 +424,17 @@ static uint32_t limits_crc(uint32_t crc, const engine_limits *l)
     return loft_crc32(crc_of(crc_of(crc_of(crc, l->corner), l->tol), l->exact), l->tick_hz);
 }
 
+static uint32_t events_crc(uint32_t crc, const toolpath *path, const struct job_does *does)
+{
+    for (size_t n = 0; n < path->events; n++) {
+        const drawing_event *e = &path->event[n].e;
+        crc = loft_crc32(loft_crc32(crc, (uint32_t)path->event[n].move),
+                         (uint32_t)e->doing * 256 + (uint32_t)e->way * 2 + job_can(does, e));
+        crc = crc_of(crc_of(crc, e->amount), path->event[n].feed);
+    }
+    return path->events > 0 ? crc_of(crc_of(crc, does->s_max), does->spin_up) : crc;
+}
+
 /* All data that a plan depends on. */
 static uint32_t input_crc(uint32_t crc, const joints *of, const job_options *o)
 {
@@ -320,7 +454,7 @@ static uint32_t input_crc(uint32_t crc, const joints *of, const job_options *o)
             for (int i = 0; i < ENGINE_AXES; i++)
                 crc = crc_of(crc, of->move[n].p[k][i]);
     }
-    return crc;
+    return events_crc(crc, of->path, &o->does);
 }
 
 /* A job of curves has all its items, and nothing else is sent. In other jobs, the first items
@@ -337,7 +471,13 @@ static uint32_t id_of(job *j, const joints *of, const job_options *o)
 
 int job_open(job *j, joints *of, const job_options *o)
 {
-    *j = (job){ .tick_hz = o->limits.tick_hz, .head.kind = (uint8_t)o->kind, .k = of->k };
+    *j = (job){ .tick_hz = o->limits.tick_hz,
+                .head.kind = (uint8_t)o->kind,
+                .k = of->k,
+                .of = of,
+                .e = o->e,
+                .motors = o->limits,
+                .does = o->does };
     if (of->count == 0)
         return LOFT_ERR_ARG;
     if (of->count >= LOFT_ITEMS_OPEN)
@@ -353,7 +493,7 @@ int job_open(job *j, joints *of, const job_options *o)
         time_item(j, 0, 0);
     }
     const double until = tool_clock() + OPENING;
-    int status = joints_plan(&j->plan, of, o->e, &o->limits);
+    int status         = plan_on(j);
     while (status >= 0 && !j->whole &&
            (j->count < FIRST || (tool_clock() < until && job_waits(j, 0))))
         status = step_plan(j, 0);
@@ -367,6 +507,7 @@ void job_free(job *j)
 {
     joints_end(&j->plan);
     free(j->entry);
+    free(j->pause);
     *j = (job){ 0 };
 }
 

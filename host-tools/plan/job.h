@@ -16,6 +16,13 @@
 #include "engine/engine.h"  /* engine, engine_limits */
 #include "plan/joints.h"    /* joints */
 
+/* What a machine does beside motion. */
+struct job_does {
+    bool actions;               /* it pauses and waits; only a job of spans */
+    unsigned outputs;           /* 1: spindle or laser, 2: coolant */
+    double s_max, spin_up;      /* S of full power; s until the spindle turns */
+};
+
 typedef struct {
     loft_item item;
     uint64_t due;               /* the ticks before it, if its index is below job.timed */
@@ -35,7 +42,18 @@ typedef struct {
     size_t low, room, timed;
     size_t first;               /* the first item that this run of the program sent, and */
     uint64_t first_due;
-    joints_planning plan;
+    joints_planning plan;       /* of moves up to `stop`, where an event comes */
+    joints *of;
+    const engine *e;
+    engine_limits motors;
+    size_t stop, event;         /* the next event */
+    struct job_does does;
+    bool spins;
+    struct {
+        size_t item;
+        const char *text;
+    } * pause;
+    size_t pauses;
     size_t passed;              /* moves                                        */
     double done, all;           /* s of moves at their feeds: passed moves, all moves */
     int32_t steps_per_mm[ENGINE_AXES];
@@ -47,7 +65,11 @@ typedef struct {
     engine_limits limits;       /* of the motors; tolerance and corner of the tool */
     enum loft_kind kind;
     int32_t steps_per_mm[ENGINE_AXES];      /* raw Q16.16; of points            */
+    struct job_does does;
 } job_options;
+
+/* Can a job do this, on a machine that does so much? */
+bool job_can(const struct job_does *does, const drawing_event *e);
 
 /* Begin a job along the path of the motors; the path and *j must not move. Checks all moves, and
  * plans the first portion. The id is a CRC of the path of the motors, the limits, the number type
@@ -91,6 +113,9 @@ void job_source(void *context, uint32_t index, loft_item *out);
  * tool coincide. */
 size_t job_item_at(const job *j, uint64_t tick);
 double job_feed(const job *j, size_t item);
+
+/* What to tell in the pause after so many items; NULL: there is none. It needs a plan up to it. */
+const char *job_pause(const job *j, size_t executed);
 
 /* The duration of everything planned. */
 double job_seconds(const job *j);

@@ -114,6 +114,8 @@ static void lead_travels_through_pole(toolpath *t, const kinematics *k)
         const double pole[ENGINE_AXES] = { k->center[0], k->center[1], m->p[0][2] };
         make_line(&m[1], pole, m[1].p[3]);
         make_line(&m[0], m[0].p[0], pole);
+        for (size_t i = 0; i < t->events; i++)
+            t->event[i].move += t->event[i].move > n;
         t->count++;
         n++;
     }
@@ -364,7 +366,7 @@ int joints_make(joints *out, toolpath *path, const kinematics *k, const joints_o
     mapping m = { .j = out, .path = path, .o = o };
     int code  = 0;
 
-    *out = (joints){ .k = k, .scale = { 1, 1, 1 }, .least = 1 };
+    *out = (joints){ .k = k, .path = path, .scale = { 1, 1, 1 }, .least = 1 };
     memcpy(m.at, o->start, sizeof m.at);
     if (k->kind == ENGINE_POLAR)
         lead_travels_through_pole(path, k);
@@ -399,6 +401,12 @@ static double rounding_error(const joints *j)
     return sqrt(sum) * LSB / 2;
 }
 
+/* What of a tolerance of the tool is left for the plan. */
+static double planned_tol(const joints *j, double tol)
+{
+    return fmin((tol - j->within) * j->least - rounding_error(j), TOL_MAX);
+}
+
 engine_limits joints_limits(const joints *j, const engine_limits *motors)
 {
     engine_limits l = *motors;
@@ -410,28 +418,44 @@ engine_limits joints_limits(const joints *j, const engine_limits *motors)
         l.max_accel[i] = fmin(l.max_accel[i] * j->scale[i], ACCEL_MAX);
         l.max_jerk[i]  = fmin(l.max_jerk[i] * j->scale[i], JERK_MAX);
     }
-    l.corner = fmin(l.corner * j->least, 1);
-    l.tol    = fmin((l.tol - j->within) * j->least - rounding_error(j), TOL_MAX);
+    l.corner = fmax(planned_tol(j, l.corner), 0);
+    l.tol    = planned_tol(j, l.tol);
     return l;
 }
 
 /* A move in planned units. */
 static void scaled_move(void *context, size_t n, engine_move *out)
 {
-    const joints *j = context;
+    const joints_planning *p = context;
+    const joints *j          = p->j;
 
-    *out = j->move[n];
+    *out = j->move[p->first + n];
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < ENGINE_AXES; i++)
             out->p[k][i] *= j->scale[i];
 }
 
-int joints_plan(joints_planning *p, joints *j, const engine *e, const engine_limits *motors)
+size_t joints_from(const joints *j, size_t move)
+{
+    size_t low = 0, high = j->count;        /* of[low - 1] < move <= of[high] */
+
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (j->of[middle] < move)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+int joints_plan(joints_planning *p, joints *j, size_t first, size_t end, const engine *e,
+                const engine_limits *motors)
 {
     const engine_limits limits = joints_limits(j, motors);
 
-    *p = (joints_planning){ .j = j, .e = e };
-    return e->plan->open(&limits, scaled_move, j, j->count, &p->plan);
+    *p = (joints_planning){ .j = j, .e = e, .first = first };
+    return e->plan->open(&limits, scaled_move, p, end - first, &p->plan);
 }
 
 int joints_step(joints_planning *p, engine_span *out)
@@ -445,7 +469,7 @@ int joints_step(joints_planning *p, engine_span *out)
     return step;
 }
 
-size_t joints_passed(const joints_planning *p) { return p->e->plan->passed(p->plan); }
+size_t joints_passed(const joints_planning *p) { return p->first + p->e->plan->passed(p->plan); }
 
 void joints_end(joints_planning *p)
 {

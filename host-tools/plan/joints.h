@@ -24,6 +24,7 @@ typedef struct {
                                      * second */
     size_t *of;                     /* the tool's move of each */
     size_t count, room;
+    const toolpath *path;           /* its events are those of the job */
     double scale[ENGINE_AXES];      /* planned units per unit of each motor */
     double least;                   /* planned units per mm of the tool */
     double within;                  /* mm of the tolerance that are used up */
@@ -53,16 +54,23 @@ typedef struct {
     const joints *j;
     const engine *e;
     engine_plan *plan;              /* NULL: none */
+    size_t first;
 } joints_planning;
 
-/* Begin to plan within limits of the motors, with tolerance and corner of the tool. `j` must not
- * move. Returns enum loft_status; call joints_end in any case. */
-int joints_plan(joints_planning *p, joints *j, const engine *e, const engine_limits *motors);
+/* Begin to plan moves first .. end - 1, from rest to rest, within limits of the motors, with
+ * tolerance and corner of the tool. `j` must not move. Returns enum loft_status; call joints_end in
+ * any case. */
+int joints_plan(joints_planning *p, joints *j, size_t first, size_t end, const engine *e,
+                const engine_limits *motors);
+
+/* The first move of the motors that is, or is behind, the tool's move number `move`. */
+size_t joints_from(const joints *j, size_t move);
 
 /* As engine_plans.step; the span is in the motors' own units. */
 int joints_step(joints_planning *p, engine_span *out);
 
-/* The number of moves that end at or before the end of the last span; it may lag a little. */
+/* The number of moves, from the first of all on, that end at or before the end of the last span; it
+ * may lag a little. */
 size_t joints_passed(const joints_planning *p);
 
 void joints_end(joints_planning *p);

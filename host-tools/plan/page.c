@@ -145,14 +145,21 @@ static void apply_affine(const affine *a, drawing *d)
 /* The box of what is drawn at known places. */
 static bool known_box(const drawing *d, double box[2][2])
 {
-    drawing known = { .count = 0 };
+    bool some = false;
 
-    for (size_t i = 0; i < d->count; i++)
-        if (((d->curve[i].loose[0] | d->curve[i].loose[1]) & 3) == 0)
-            drawing_add_like(&known, &d->curve[i], true);
-    const bool some = drawing_box(known.count > 0 ? &known : d, box);
-    drawing_free(&known);
-    return some;
+    for (size_t i = 0; i < d->count; i++) {
+        const drawing one = { .curve = &d->curve[i], .count = 1 };
+        double of[2][2];
+        if (((d->curve[i].loose[0] | d->curve[i].loose[1]) & 3) != 0)
+            continue;
+        (void)drawing_box(&one, of);
+        for (int k = 0; k < 2; k++) {
+            box[0][k] = some ? fmin(box[0][k], of[0][k]) : of[0][k];
+            box[1][k] = some ? fmax(box[1][k], of[1][k]) : of[1][k];
+        }
+        some = true;
+    }
+    return some || drawing_box(d, box);
 }
 
 /* Only x or only y counts from there: such a place cannot be turned. */
@@ -438,9 +445,19 @@ static int place(const page_options *g, drawing *d, const char *file)
     return code;
 }
 
+static bool is_wide(const page_options *g)
+{
+    return g->stroke != NULL && strcmp(g->stroke, "outline") == 0;
+}
+
+bool page_is_asked(const page_options *g)
+{
+    return is_asked(g) || g->fill.distance > 0 || is_wide(g);
+}
+
 int page_apply(const page_options *g, drawing *d, const char *file)
 {
-    const bool wide = g->stroke != NULL && strcmp(g->stroke, "outline") == 0;
+    const bool wide = is_wide(g);
     int code        = 0;
 
     if (g->stroke != NULL && !wide && strcmp(g->stroke, "line") != 0)

@@ -61,6 +61,9 @@ bool page_parse_size(const char *text, void *out);
 bool page_parse_turn(const char *text, void *out);
 bool page_parse_copies(const char *text, void *out);
 
+/* Do the options change the drawing, or look at all of it? */
+bool page_is_asked(const page_options *g);
+
 /* Scale, mirror, turn and place the drawing, in this order, make the copies, fill and cut them.
  * Returns 0, or an exit code after printing one line; then *d may be changed, but can be freed.
  *

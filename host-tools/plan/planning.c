@@ -14,6 +14,7 @@
 #define SMOOTH_PART 0.2     /* of the tolerance: for replacing lines by curves */
 #define MAP_PART    0.2     /* of the tolerance: for the curves of nonlinear motors */
 #define TOL_MIN     (1 / 1024.0)    /* mm, of lib/motion/limits.h                */
+#define TOL_MAX 1.0         /* mm, of --tol */
 #define RAPID 1000.0        /* mm/s: more than any axis; so its own limits are the rapid speed */
 #define EXACT_DEGREES 5     /* a smaller turn is no corner */
 #define JERK_PER 20         /* 1/s times the acceleration: reached in 1/20 s */
@@ -57,15 +58,15 @@ void planning_limit(const planning *p, engine_limits *limits)
             limits->max_accel[i] = fmin(limits->max_accel[i], p->accel);
         limits->max_jerk[i] = said >= 0 ? said : fmin(JERK_PER * limits->max_accel[i], JERK_MAX);
     }
-    limits->corner = p->corner;
+    limits->corner = fmax(p->corner - p->smoothed, 0);
     limits->tol    = p->tol - p->smoothed;
     limits->exact  = p->exact < 0 ? 0
                                  : 2 * sin((p->exact > 0 ? p->exact : EXACT_DEGREES) * M_PI / 360);
 }
 
-static int within_reach(const planning *p, const drawing *d, const char *file)
+static int within_reach(const planning *p, const drawing *d, size_t first, const char *file)
 {
-    for (size_t i = 0; i < d->count; i++)
+    for (size_t i = first; i < d->count; i++)
         for (int k = 0; k < 4; k++) {
             const double *at = d->curve[i].p[k], z = d->curve[i].z[k];
             if (!(fabs(at[0]) <= p->e->reach && fabs(at[1]) <= p->e->reach))
@@ -80,14 +81,87 @@ static int within_reach(const planning *p, const drawing *d, const char *file)
     return 0;
 }
 
-int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
+/* What a program says about its path, where the options say nothing. */
+static void obey_program(planning *p, const drawing *d)
 {
-    const double within = p->smooth < 0 ? SMOOTH_PART * p->tol : p->smooth;
+    const bool said = p->tol < p->machine.tol || p->tol > p->machine.tol;
 
-    if (within > p->tol / 2)
+    if (d->exact && p->exact < 0)
+        p->exact = 0;
+    if (d->within > 0 && !said)
+        p->tol = fmin(fmax(d->within, TOL_MIN), TOL_MAX);
+}
+
+static int smooth_within(const planning *p, double *within)
+{
+    *within = p->smooth < 0 ? SMOOTH_PART * p->tol : p->smooth;
+    if (*within > p->tol / 2)
         return tool_error(
             EX_USAGE, "--smooth %g: leave at least half of the tolerance of %g mm to the machine",
-            within, p->tol);
+            *within, p->tol);
+    return 0;
+}
+
+/* A drawing that is smoothed while it is read. */
+typedef struct {
+    const planning *p;
+    const char *file;
+    drawing *smooth;
+    smoothing how;
+    size_t checked;
+    bool begun;
+} passing;
+
+static int pass_curves(passing *s, drawing *d, bool last)
+{
+    const int code = within_reach(s->p, d, s->checked, s->file);
+
+    if (code != 0)
+        return code;
+    smooth_more(&s->how, s->smooth, d, last);
+    if (s->how.given > 1 && d->taker != NULL) {   /* the next curve may be joined to the last one */
+        drawing_forget(d, s->how.given - 1);
+        s->how.given = 1;
+    }
+    s->checked = d->count;
+    return 0;
+}
+
+/* The tolerance of a program is known when the first curves are. */
+static int take_curves(void *context, drawing *d)
+{
+    passing *s = context;
+    planning p = *s->p;
+    int code   = 0;
+
+    if (!s->begun) {
+        obey_program(&p, d);
+        code     = smooth_within(&p, &s->how.within);
+        s->begun = true;
+    }
+    return code == 0 ? pass_curves(s, d, false) : code;
+}
+
+static bool needs_all(const planning *p)
+{
+    return p->machine.tools.count > 0 || page_is_asked(&p->sheet) ||
+           (p->order.how != NULL && strcmp(p->order.how, "file") != 0);
+}
+
+/* Standard input cannot be read again, so all of it is kept. */
+static int read_passing(passing *s, drawing *d)
+{
+    const bool passes = s->p->passes && !needs_all(s->p) && strcmp(s->file, "-") != 0;
+
+    d->taker   = passes ? take_curves : NULL;
+    d->context = s;
+    return drawing_read(d, s->file);
+}
+
+int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
+{
+    double within = 0;
+
     d->dialect   = p->dialect;
     d->from_line = p->from_line;
     d->layers    = p->sheet.layers;
@@ -95,7 +169,25 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
     d->only      = p->sheet.only;
     d->text      = p->sheet.text;
     d->tools     = p->machine.tools.count > 0 ? &p->machine.tools : NULL;
-    int code = drawing_read(d, file);
+    const drawing asked = *d;       /* without a taker */
+    passing s           = { .p = p, .file = file, .smooth = smooth };
+
+    int code = smooth_within(p, &within);
+    if (code == 0)
+        code = read_passing(&s, d);
+    if (code == 0) {
+        obey_program(p, d);
+        code = smooth_within(p, &within);
+    }
+    if (code == 0 && s.begun && (within < s.how.within || within > s.how.within)) {
+        smooth_end(&s.how);                 /* it says its tolerance later: all of it is needed */
+        drawing_free(smooth);
+        drawing_free(d);
+        *d   = asked;
+        s    = (passing){ .p = p, .file = file, .smooth = smooth };
+        code = drawing_read(d, file);
+    }
+    s.how.within = within;
     if (code == 0)
         code = page_apply(&p->sheet, d, file);
     if (code == 0)
@@ -103,8 +195,10 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
     if (code == 0)
         code = tools_order(&p->order, d, planning_path(p).zero, p->park, file);
     if (code == 0)
-        code = within_reach(p, d, file);
-    if (code == 0 && drawing_smooth(smooth, d, within) > 0)
+        code = pass_curves(&s, d, true);
+    smooth_end(&s.how);
+    drawing_like(smooth, d);
+    if (s.how.replaced > 0)
         p->smoothed = within;
     return code;
 }
@@ -115,6 +209,7 @@ toolpath_options planning_path(const planning *p)
     toolpath_options how = { .feed = p->feed,
         .travel = p->travel,
         .rapid = RAPID,
+        .laser = p->machine.laser > 0,
         .lift = tools_most_lift(&p->machine.tools, p->lift),
                              .park = p->park };
 

@@ -26,6 +26,8 @@ typedef struct {
     double exact;                   /* degrees; 0: EXACT_DEGREES, below 0: no stops */
     double smooth;                  /* mm of tol; below 0: SMOOTH_PART */
     double smoothed;                /* mm of tol that smoothing used up */
+    bool passes;                    /* of a drawing that is not smoothed, only its page is needed
+                                     * afterwards; set before planning_read */
     bool park;
     page_options sheet;
     order_options order;
@@ -42,10 +44,11 @@ typedef struct {
                     "no more than this on any axis (the machine's)"),                              \
         TOOL_NUMBER("jerk", "MM/S3", &(p)->jerk, 0, 1e7,                                           \
                     "change of acceleration on any axis (the machine's); 0: at once"),             \
-        TOOL_NUMBER("corner", "MM", &(p)->corner, 0, 1,                                            \
-                    "not used yet: corners are rounded within --tol"),           \
         TOOL_NUMBER("tol", "MM", &(p)->tol, 0.0005, 1,                                             \
                     "how far the machine may leave the drawing (0.005)"),                          \
+        TOOL_NUMBER("corner", "MM", &(p)->corner, 0, 1,                                            \
+                    "the same at corners, where it turns by more than 5 degrees, and up "          \
+                    "to 32 times this along it from them; at least --tol (0)"),                    \
         TOOL_MAYBE("exact", "DEG", &(p)->exact, 0.1, 180,                                          \
                    "stop at corners that turn by more than this (5), exactly on them, as G61"),    \
         TOOL_NUMBER("smooth", "MM", &(p)->smooth, 0, 1,                                            \
@@ -68,7 +71,10 @@ void planning_machine(const planning *p, engine_limits *limits);
 void planning_limit(const planning *p, engine_limits *limits);
 
 /* Read a drawing that can be planned, lay it out on its page, and prepare it for planning. Returns
- * 0, or an exit code after printing one line. */
+ * 0, or an exit code after printing one line.
+ *
+ *   memory  G-code and CSV: of the smoothed curves alone, if it `passes` and no option needs all of
+ *           the drawing at once (page, tools, order) */
 int planning_read(planning *p, drawing *d, drawing *smooth, const char *file);
 
 /* The options of the toolpath. The second function sets the tool's start for motors at `start`; it

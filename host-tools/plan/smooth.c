@@ -24,9 +24,10 @@
 #define BETWEEN     4       /* checked places between two samples */
 #define CHECKED     0.9     /* of `within` may be used there */
 #define ROUNDS      40
+#define CHAIN       4096    /* lines; longer chains are cut, so that memory is bounded */
 
 /* Samples of a chain, and the spline through them. */
-typedef struct {
+typedef struct fit {
     double (*p)[3], *u;     /* place, length along the chain                  */
     size_t *vertex;         /* the line that starts there, or that it lies on */
     size_t count, room;
@@ -239,8 +240,9 @@ static bool vertex_is_smooth(const drawing_curve *a, const drawing_curve *b, dou
     }
     const double length = space_distance(p, q) * space_distance(q, r),
                  across = hypot(hypot(cross[0], cross[1]), cross[2]);
-    return a->path == b->path && a->loose[1] == b->loose[0] && !(a->feed < b->feed) &&
-           !(a->feed > b->feed) && length > 0 && along > TURN * length &&
+    const bool alike = a->path == b->path && a->tool == b->tool && a->loose[1] == b->loose[0] &&
+                       !(a->feed < b->feed) && !(a->feed > b->feed);
+    return alike && length > 0 && along > TURN * length &&
            across <= 4 * within * space_distance(p, r);
 }
 
@@ -372,31 +374,71 @@ static size_t smooth_chain(drawing *to, const drawing *d, fit *f, size_t from, s
     return replaced;
 }
 
-size_t drawing_smooth(drawing *to, const drawing *from, double within)
+/* Copy the events that come before curve i: chains do not lead past one. */
+static void copy_events(smoothing *s, drawing *to, const drawing *from, size_t i)
 {
-    fit f = { 0 };
-    size_t replaced = 0;
+    while (s->events < from->events && from->event[s->events].before <= from->taken + i)
+        drawing_add_event(to, &from->event[s->events++]);
+}
 
-    to->width   = from->width;
-    to->height  = from->height;
-    to->program   = from->program;
-    to->from_line = from->from_line;
-    to->clear     = from->clear;
-    for (size_t i = 0, end; i < from->count; i = end) {
-        end = i + 1;
-        if (within > 0 && is_line(&from->curve[i]))
-            while (end < from->count && is_line(&from->curve[end]) &&
-                   vertex_is_smooth(&from->curve[end - 1], &from->curve[end], within))
-                end++;
-        replaced += smooth_chain(to, from, &f, i, end, within);
+/* The end of the chain that begins at i; `open`: it may go on beyond the drawing. */
+static size_t chain_end(const drawing *d, size_t i, double within, bool *open)
+{
+    size_t end = i + 1;
+
+    *open = false;
+    if (!(within > 0) || !is_line(&d->curve[i]))
+        return end;
+    while (end < d->count && end - i < CHAIN && is_line(&d->curve[end]) &&
+           vertex_is_smooth(&d->curve[end - 1], &d->curve[end], within))
+        end++;
+    *open = end == d->count && end - i < CHAIN;
+    return end;
+}
+
+void smooth_more(smoothing *s, drawing *to, drawing *from, bool last)
+{
+    size_t i = s->given;
+    bool open;
+
+    if (s->fit == NULL)
+        *(s->fit = tool_grow(NULL, sizeof *s->fit)) = (fit){ 0 };
+    for (size_t end; i < from->count; i = end) {
+        end = chain_end(from, i, s->within, &open);
+        if (open && !last)
+            break;
+        copy_events(s, to, from, i);
+        s->replaced += smooth_chain(to, from, s->fit, i, end, s->within);
     }
-    free(f.p);
-    free(f.u);
-    free(f.vertex);
-    free(f.knot);
-    free(f.first);
-    free(f.a);
-    free(f.b);
-    free(f.c);
-    return replaced;
+    if (last)
+        copy_events(s, to, from, from->count);
+    s->given = i;
+}
+
+void smooth_end(smoothing *s)
+{
+    fit *f = s->fit;
+
+    if (f == NULL)
+        return;
+    free(f->p);
+    free(f->u);
+    free(f->vertex);
+    free(f->knot);
+    free(f->first);
+    free(f->a);
+    free(f->b);
+    free(f->c);
+    free(f);
+    s->fit = NULL;
+}
+
+size_t drawing_smooth(drawing *to, drawing *from, double within)
+{
+    smoothing s = { .within = within };
+
+    drawing_like(to, from);
+    smooth_more(&s, to, from, true);
+    smooth_end(&s);
+    return s.replaced;
 }

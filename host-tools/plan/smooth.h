@@ -18,6 +18,19 @@
  *           along it, checked at all vertices and at four places between them; none, `within` 0:
  *           all is copied
  *   cost    about 10 sums over all vertices */
-size_t drawing_smooth(drawing *to, const drawing *from, double within);
+size_t drawing_smooth(drawing *to, drawing *from, double within);
+
+/* The same for a drawing that is still being read: curves that may belong to a chain that goes on
+ * wait for the next call, except for the `last` one. */
+typedef struct {
+    double within;
+    size_t given;           /* curves of `from` that are done */
+    size_t events;          /* of `from` that are copied */
+    size_t replaced;        /* lines */
+    struct fit *fit;        /* NULL: not begun */
+} smoothing;
+
+void smooth_more(smoothing *s, drawing *to, drawing *from, bool last);
+void smooth_end(smoothing *s);
 
 #endif

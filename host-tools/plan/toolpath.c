@@ -17,6 +17,10 @@ typedef struct {
     double at[ENGINE_AXES];
     double up;                      /* mm: height of a travel */
     size_t room;
+    size_t events;                  /* of the drawing, so far */
+    drawing_event beam;             /* as the program has it, */
+    bool lit;                       /* and as it is */
+    double lit_at;
 } making;
 
 static double is_apart(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
@@ -73,7 +77,9 @@ static void place_of(const making *m, const drawing_curve *c, int k, double out[
     for (int i = 0; i < ENGINE_AXES; i++) {
         const int from = c->loose[0] >> i & 1, to = c->loose[1] >> i & 1;
         out[i] = (i < 2 ? c->p[k][i] : c->z[k]) +
-                 (from + to > 0 ? m->o->start[i] * ((3 - k) * from + k * to) / 3 : 0);
+                 (from + to > 0
+                      ? (m->o->start[i] - m->o->counted[i]) * ((3 - k) * from + k * to) / 3
+                      : 0);
     }
 }
 
@@ -123,19 +129,64 @@ static void go_to_curve(making *m, const drawing *d, size_t i)
         travel_to(m, to[0], to[1], to[2], m->o->travel);
 }
 
+static void add_event(making *m, const drawing_event *e, double feed)
+{
+    toolpath *t = m->t;
+
+    t->event              = tool_grow(t->event, (t->events + 1) * sizeof *t->event);
+    t->event[t->events++] = (toolpath_event){ t->count, *e, feed };
+}
+
+/* A laser is off in travels, and with M4 its power is that of each feed. */
+static void light(making *m, const drawing_curve *c)
+{
+    const bool on     = m->beam.way != 0 && c->feed >= 0;
+    const double feed = !on || m->beam.way == 3 ? 0 : c->feed > 0 ? c->feed : m->o->feed;
+    drawing_event e   = m->beam;
+
+    if (on == m->lit && !(feed < m->lit_at) && !(feed > m->lit_at))
+        return;
+    e.line    = c->line;
+    e.way     = on ? e.way : 0;
+    m->lit    = on;
+    m->lit_at = feed;
+    add_event(m, &e, feed);
+}
+
+/* The events of the drawing before curve i. */
+static void add_events(making *m, const drawing *d, size_t i)
+{
+    for (; m->events < d->events && d->event[m->events].before <= d->taken + i; m->events++) {
+        const drawing_event *e = &d->event[m->events];
+        if (!m->o->laser || e->doing != DRAWING_SPINS) {
+            add_event(m, e, 0);
+            continue;
+        }
+        m->beam = *e;               /* the next curve says how */
+        if (m->lit)
+            m->lit_at = -1;
+        if (e->way == 0)
+            light(m, &(drawing_curve){ .feed = DRAWING_RAPID, .line = e->line });
+    }
+    if (m->o->laser && i < d->count)
+        light(m, &d->curve[i]);
+}
+
 void toolpath_make(toolpath *t, const drawing *d, const toolpath_options *o)
 {
     making m = { .t = t, .o = o, .up = drawing_top(d) + (d->program ? 0 : o->lift) };
     const double rapids = length_of_rapids(d);
 
-    *t = (toolpath){ .drawn = drawing_length(d) - rapids, .travelled = rapids };
+    *t = (toolpath){ .drawn = drawing_length(d) - rapids, .travelled = rapids, .laser = o->laser };
     if (d->from_line > 0)
         m.up = fmax(m.up, d->clear);
     memcpy(m.at, o->start, sizeof m.at);
     for (size_t i = 0; i < d->count; i++) {
+        add_events(&m, d, i);
         go_to_curve(&m, d, i);
         draw_path(&m, d, i);
     }
+    add_events(&m, d, d->count);
     if (t->count > 0 && o->park)
         travel_to(&m, o->zero[0], o->zero[1], isnan(o->zero[2]) ? m.up : o->zero[2], o->travel);
     else if (t->count > 0 && !d->program)
@@ -146,5 +197,6 @@ void toolpath_free(toolpath *t)
 {
     free(t->move);
     free(t->curve);
+    free(t->event);
     *t = (toolpath){ 0 };
 }

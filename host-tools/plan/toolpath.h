@@ -16,10 +16,19 @@ typedef struct {
     double rapid;                   /* mm/s, travels of a program */
     double lift;                    /* mm                                                   */
     double start[ENGINE_AXES];      /* position of the machine, mm */
+    double counted[ENGINE_AXES];    /* what loose axes have moved before this part of a program */
+    bool laser;                     /* the spindle is a laser: off in travels */
     bool park;                      /* go to `zero` at the end */
     double zero[ENGINE_AXES];       /* position with the machine's motors at 0, mm; z NAN: it stays
                                      * lifted */
 } toolpath_options;
+
+/* What is done before a move; `move` == count: at the end. */
+typedef struct {
+    size_t move;
+    drawing_event e;
+    double feed;                    /* of a laser: mm/s at its power; 0: at any speed */
+} toolpath_event;
 
 #define TOOLPATH_TRAVEL ((size_t)-1)
 
@@ -29,6 +38,9 @@ typedef struct {
     size_t count;
     size_t curves;                  /* moves with the pen down */
     double drawn, travelled;        /* mm                      */
+    bool laser;                     /* as in the options */
+    toolpath_event *event;          /* in their order */
+    size_t events;
 } toolpath;
 
 /* Make the chain. Each move starts exactly where the one before ends, the first at the start. Free

@@ -109,7 +109,7 @@ int tools_order(const order_options *o, drawing *d, const double from[2], bool r
     double at[2]    = { from[0], from[1] };
     int code        = 0;
 
-    if (part_end(d, 0) == d->count)
+    if (d->program || part_end(d, 0) == d->count)
         return order_apply(o, d, from, returns, file);
     for (size_t first = 0, last; first < d->count && code == 0; first = last) {
         drawing part = { .count = 0 };
@@ -128,12 +128,24 @@ int tools_order(const order_options *o, drawing *d, const double from[2], bool r
     return code;
 }
 
+/* Events before a curve belong to its part, those at the end to the last one. */
+static void take_events(drawing *part, const drawing *d, size_t first, size_t last)
+{
+    part->taken = d->taken + first;
+    while (part->events > 0 && part->event->before < part->taken)
+        part->event++, part->events--;
+    while (part->events > 0 && last < d->count &&
+           part->event[part->events - 1].before >= d->taken + last)
+        part->events--;
+}
+
 static drawing view_of(const drawing *d, size_t first, size_t last)
 {
     drawing part = *d;
 
     part.curve = d->curve + first;
     part.count = last - first;
+    take_events(&part, d, first, last);
     part.of    = NULL;
     return part;
 }
@@ -144,9 +156,11 @@ size_t tools_split(const machine_tools *t, const drawing *d, const drawing *smoo
     size_t parts = 0, first = 0;
 
     part[0] = (tools_part){ .d = *d, .smooth = *smooth };
-    if (t->count == 0 || d->program || d->count == 0)
+    if (t->count == 0 || d->count == 0)
         return 1;
-    for (size_t i = 0; i < d->count && parts < TOOLS_PARTS; parts++) {
+    for (size_t i = 0; i < d->count; parts++) {
+        if (parts == TOOLS_PARTS)
+            return 0;
         const unsigned number = d->curve[i].tool;
         const size_t last = part_end(d, i), end = part_end(smooth, first);
         part[parts] = (tools_part){ .tool   = number > 0 ? &t->tool[number - 1] : NULL,
@@ -156,4 +170,12 @@ size_t tools_split(const machine_tools *t, const drawing *d, const drawing *smoo
         first = end;
     }
     return parts;
+}
+
+void tools_counted(const drawing *part, double out[3])
+{
+    const drawing_curve *c = part->curve;
+
+    for (int i = 0; i < 3; i++)
+        out[i] = c->loose[0] >> i & 1 ? (i < 2 ? c->p[0][i] : c->z[0]) : 0;
 }

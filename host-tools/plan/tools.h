@@ -26,12 +26,16 @@ typedef struct {
     drawing d, smooth;
 } tools_part;
 
-#define TOOLS_PARTS (MACHINE_TOOLS + 1)
+#define TOOLS_PARTS 256
 
-/* Split a sorted drawing, and its smoothed form, by tools. Returns how many parts there are: one,
- * with all of it, of a drawing without tools. */
+/* Split a sorted drawing or a program, and its smoothed form, where the tool changes. Returns how
+ * many parts there are: one, with all of it, of a drawing without tools; 0 if there is no room for
+ * all of them. */
 size_t tools_split(const machine_tools *t, const drawing *d, const drawing *smooth,
                    tools_part part[TOOLS_PARTS]);
+
+/* What the loose axes of a program have moved before this part of it. */
+void tools_counted(const drawing *part, double out[3]);
 
 /* How far this tool is lifted from where it draws, mm; `usual` if it does not say. */
 double tools_lift(const machine_tool *tool, double usual);

@@ -1,4 +1,4 @@
-/* host-tools/plan/trace.c -- analyses a finished plan: its motion, and what limits it
+/* host-tools/plan/trace.c -- analyses a plan while it is made: its motion, and what limits it
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -17,24 +17,14 @@
 #define USED_UP_JERK  0.85
 #define ROUNDED       0.7
 #define AT_REST  1e-3       /* mm/s                                                */
-#define SLOWLY   0.02       /* of the feed: as good as the speed at a corner */
-#define TURN     0.03       /* radians; a smaller turn is not a corner */
-#define NEAR     40         /* moments between passing a corner and the slowest one */
 #define LSB      (1 / 65536.0)
-
-/* A short time within a span. */
-typedef struct {
-    float    seconds, speed;        /* the smallest speed in it */
-    uint32_t move;
-    uint8_t  cause;                 /* TRACE_CAUSES: none    */
-} moment;
 
 typedef struct {
     trace *t;
-    moment *moment;
-    size_t count, room;
+    const trace_sink *sink;
+    bool keep;
     way path;
-    double x[ENGINE_AXES];          /* planned so far        */
+    causes causes;
     double length;
     progress bar;
 } making;
@@ -78,14 +68,21 @@ static void motion_of(const trace *t, const engine_span *s, double h, double z, 
     out->along = along_of(out->tool.v, out->tool.a);
 }
 
+void trace_in(const trace *t, const engine_span *s, double begin, double end, double seconds,
+              trace_motion *out)
+{
+    const double h = end - begin;
+
+    motion_of(t, s, h, fmin(fmax((seconds - begin) / h, 0), 1), out);
+}
+
 void trace_at(const trace *t, double seconds, size_t *near, trace_motion *out)
 {
     if (*near >= t->count || t->begin[*near] > seconds)
         *near = 0;
     while (*near + 1 < t->count && t->begin[*near + 1] <= seconds)
         ++*near;
-    const double h = t->begin[*near + 1] - t->begin[*near];
-    motion_of(t, &t->span[*near], h, fmin(fmax((seconds - t->begin[*near]) / h, 0), 1), out);
+    trace_in(t, &t->span[*near], t->begin[*near], t->begin[*near + 1], seconds, out);
 }
 
 
@@ -144,160 +141,82 @@ static void add_moment(making *m, const engine_span *s, double begin, double h, 
                        double to)
 {
     trace_motion first, middle, last;
-    moment now = { .seconds = (float)(h * (to - from)) };
+    causes_moment now = { .seconds = (float)(h * (to - from)) };
 
     motion_of(m->t, s, h, from, &first);
     motion_of(m->t, s, h, (from + to) / 2, &middle);
     motion_of(m->t, s, h, to, &last);
-    now.move  = way_follow(&m->path, middle.tool.x);
+    const size_t move = way_follow(&m->path, middle.tool.x);
+    now.move  = (uint32_t)move;
     now.speed = (float)fmin(fmin(first.speed, middle.speed), last.speed);
-    now.cause = cause_of(m->t, &middle, m->t->move[now.move].feed);
+    now.cause = cause_of(m->t, &middle, m->t->move[move].feed);
 
-    trace_part *p = &m->t->part[now.move];
+    trace_part *p = causes_part(&m->causes, move);
     if (!(p->seconds > 0))
         p->from = begin + h * from;
     p->seconds += h * (to - from);
     p->top = fmax(p->top, fmax(fmax(first.speed, middle.speed), last.speed));
-    if (m->count == m->room) {
-        m->room   = m->room ? 2 * m->room : 4096;
-        m->moment = tool_grow(m->moment, m->room * sizeof *m->moment);
+    causes_add(&m->causes, &now);
+}
+
+static void add_moments(making *m, const engine_span *s, double begin, double end)
+{
+    const double h = end - begin;
+    const int n    = (int)ceil(h / MOMENT - 1e-9);
+
+    for (int k = 0; k < n; k++)
+        add_moment(m, s, begin, h, (double)k / n, (k + 1.0) / n);
+}
+
+static void load_move(void *context, size_t n, const engine_move *move, double length)
+{
+    making *m = context;
+
+    (void)n;
+    causes_add_move(&m->causes, move, length);
+}
+
+static void take_part(void *context, size_t n, const trace_part *p)
+{
+    making *m = context;
+
+    if (m->keep)
+        m->t->part[n] = *p;
+    if (m->sink != NULL && m->sink->part != NULL) {
+        progress_clear(&m->bar);
+        m->sink->part(m->sink->context, n, p);
     }
-    m->moment[m->count++] = now;
-}
-
-static void add_moments(making *m)
-{
-    const trace *t = m->t;
-
-    for (size_t i = 0; i < t->count; i++) {
-        const double h = t->begin[i + 1] - t->begin[i];
-        const int n    = (int)ceil(h / MOMENT - 1e-9);
-        for (int k = 0; k < n; k++)
-            add_moment(m, &t->span[i], t->begin[i], h, (double)k / n, (k + 1.0) / n);
-        progress_show(&m->bar, m->length + m->path.s, "looking at the plan");
-    }
-}
-
-
-// Corners and stops
-// -----------------
-
-/* The direction at the end of a move, or at its begin. */
-static bool move_direction(const engine_move *m, bool end, double out[ENGINE_AXES])
-{
-    for (int k = 1; k < 4; k++) {
-        const double *from = m->p[end ? 3 - k : 0], *to = m->p[end ? 3 : k];
-        for (int i = 0; i < ENGINE_AXES; i++)
-            out[i] = to[i] - from[i];
-        const double size = size_of(out);
-        for (int i = 0; i < ENGINE_AXES; i++)
-            out[i] /= size;
-        if (size > LSB)
-            return true;
-    }
-    return false;
-}
-
-static bool is_corner(const engine_move *before, const engine_move *after)
-{
-    double a[ENGINE_AXES], b[ENGINE_AXES];
-
-    if (!move_direction(before, true, a) || !move_direction(after, false, b))
-        return false;
-    for (int i = 0; i < ENGINE_AXES; i++)
-        a[i] -= b[i];
-    return size_of(a) > TURN;
-}
-
-/* The slowest moment near i. */
-static size_t slowest_moment(const making *m, size_t i)
-{
-    for (int n = 0; n < NEAR; n++) {
-        if (i > 0 && m->moment[i - 1].speed < m->moment[i].speed)
-            i--;
-        else if (i + 1 < m->count && m->moment[i + 1].speed < m->moment[i].speed)
-            i++;
-    }
-    return i;
-}
-
-/* Mark all moments around i that are hardly faster. */
-static bool is_held_back(const making *m, size_t k, float speed)
-{
-    return m->moment[k].speed <= 1.03 * speed + SLOWLY * m->t->move[m->moment[k].move].feed;
-}
-
-static void hold_back_moments(making *m, size_t i)
-{
-    const float speed   = m->moment[i].speed;
-    const uint8_t cause = speed < AT_REST ? TRACE_STOP : TRACE_CORNER;
-
-    for (size_t k = i; k < m->count && is_held_back(m, k, speed); k++)
-        m->moment[k].cause = cause;
-    for (size_t k = i; k > 0 && is_held_back(m, k - 1, speed); k--)
-        m->moment[k - 1].cause = cause;
-}
-
-static void find_corners(making *m)
-{
-    const engine_move *move = m->t->move;
-
-    for (size_t i = 0; i < m->count; i++) {
-        const uint32_t now = m->moment[i].move, before = i > 0 ? m->moment[i - 1].move : now;
-        bool corner = false;
-        for (uint32_t k = before; k < now; k++)
-            corner = corner || is_corner(&move[k], &move[k + 1]);
-        const double feed = fmin(move[before].feed, move[now].feed);
-        const size_t k    = corner ? slowest_moment(m, i) : i;
-        if (corner && m->moment[k].speed < USED_UP * feed)
-            hold_back_moments(m, k);
-        else if (m->moment[i].speed < AT_REST && m->moment[i].cause != TRACE_STOP)
-            hold_back_moments(m, i);
-    }
-}
-
-static bool is_limit(const moment *m)   { return m->cause < TRACE_CORNER; }
-
-/* Where no limit is used up, take the limit that is closer in time. A forward pass marks the last
- * one before, a backward pass compares. */
-static void fill_gaps(making *m)
-{
-    size_t *before = tool_grow(NULL, m->count * sizeof *before), after = SIZE_MAX;
-
-    for (size_t i = 0; i < m->count; i++)
-        before[i] = is_limit(&m->moment[i]) ? i : i > 0 ? before[i - 1] : SIZE_MAX;
-    for (size_t i = m->count; i-- > 0; ) {
-        const size_t last = before[i];
-        if (last == i)
-            after = i;
-        else if (m->moment[i].cause == TRACE_CAUSES && (last != SIZE_MAX || after != SIZE_MAX))
-            m->moment[i].cause =
-                m->moment[after == SIZE_MAX || (last != SIZE_MAX && i - last < after - i) ? last
-                                                                                          : after]
-                    .cause;
-        else if (m->moment[i].cause == TRACE_CAUSES)
-            m->moment[i].cause = TRACE_STOP;
-    }
-    free(before);
 }
 
 
 // All of it
 // ---------
 
-static void add_span(making *m, const engine_span *span)
+static void keep_span(trace *t, const engine_span *span, double end)
 {
-    trace *t = m->t;
-    double by[ENGINE_AXES];
-
     if (t->count == t->room) {
         t->room  = t->room ? 2 * t->room : 256;
         t->span  = tool_grow(t->span, t->room * sizeof *t->span);
         t->begin = tool_grow(t->begin, (t->room + 1) * sizeof *t->begin);
     }
-    t->begin[0] = 0;
-    t->begin[t->count + 1] = t->begin[t->count] + (double)span->ticks / t->limits.tick_hz;
-    t->span[t->count++] = *span;
+    t->begin[0]            = 0;
+    t->begin[t->count + 1] = end;
+    t->span[t->count]      = *span;
+}
+
+static void add_span(making *m, const engine_span *span)
+{
+    trace *t           = m->t;
+    const double begin = t->seconds, end = begin + (double)span->ticks / t->limits.tick_hz;
+    double by[ENGINE_AXES];
+
+    if (m->keep)
+        keep_span(t, span, end);
+    if (m->sink != NULL && m->sink->span != NULL)
+        m->sink->span(m->sink->context, span, begin, end);
+    add_moments(m, span, begin, end);
+    t->seconds = end;
+    t->count++;
 
     for (int i = 0; i < ENGINE_AXES; i++)
         by[i] = (span->p[3][i] - (double)span->p[0][i]) * LSB;
@@ -305,25 +224,11 @@ static void add_span(making *m, const engine_span *span)
     progress_show(&m->bar, m->length, "planning");
 }
 
-static void look_at_plan(making *m)
-{
-    trace *t = m->t;
-
-    t->seconds = t->begin[t->count];
-    for (size_t k = 0; k < t->moves; k++)
-        t->part[k].length = m->path.length[k];
-    add_moments(m);
-    find_corners(m);
-    fill_gaps(m);
-    for (size_t i = 0; i < m->count; i++)
-        t->part[m->moment[i].move].share[m->moment[i].cause] += (double)m->moment[i].seconds;
-}
-
 static int plan_spans(making *m, joints *of, const engine *e, const engine_limits *limits)
 {
     joints_planning p;
     engine_span span;
-    int step = joints_plan(&p, of, e, limits);
+    int step = joints_plan(&p, of, 0, of->count, e, limits);
 
     while (step >= 0 && step != ENGINE_PLAN_DONE)
         if ((step = joints_step(&p, &span)) == ENGINE_PLAN_SPAN)
@@ -333,23 +238,24 @@ static int plan_spans(making *m, joints *of, const engine *e, const engine_limit
 }
 
 int trace_make(trace *t, const engine *e, const engine_limits *limits, const toolpath *path,
-               joints *of)
+               joints *of, const trace_sink *sink, bool keep)
 {
-    const size_t moves = path->count;
-    making m = { .t = t };
+    making m = { .t = t, .sink = sink, .keep = keep };
 
-    *t = (trace){ .limits = *limits, .joints = of, .move = path->move, .moves = moves };
-    t->part = tool_grow(NULL, moves * sizeof *t->part);
-    for (size_t k = 0; k < moves; k++)
-        t->part[k] = (trace_part){ .length = 0 };
-    way_make(&m.path, path->move, moves, limits->tol);
-    progress_start(&m.bar, 2 * way_length(&m.path));
+    *t = (trace){ .limits = *limits, .joints = of, .move = path->move, .moves = path->count };
+    if (keep)
+        t->part = tool_grow(NULL, t->moves * sizeof *t->part);
+    causes_start(&m.causes, take_part, &m);
+    way_make(&m.path, path->move, t->moves, limits->tol, load_move, &m);
+    progress_start(&m.bar, path->drawn + path->travelled);
     const int status = plan_spans(&m, of, e, limits);
-    if (status == 0 && t->count > 0)
-        look_at_plan(&m);
+    if (status == 0) {
+        way_finish(&m.path);
+        causes_finish(&m.causes);
+    }
     progress_clear(&m.bar);
     way_free(&m.path);
-    free(m.moment);
+    causes_free(&m.causes);
     return status;
 }
 

@@ -1,32 +1,17 @@
-/* host-tools/plan/trace.h -- analyses a finished plan: the motion at any time, and what limits it,
- * curve by curve
+/* host-tools/plan/trace.h -- analyses a plan while it is made: the motion at any time, and what
+ * limits it, curve by curve
  * SPDX-License-Identifier: MIT
  *
  * The input is the chain of spans that the machine gets: cubics in time, evaluated in double. It
- * does not use the planner: it compares the limits with the motion of the machine.
- *
- * At each moment the plan uses some share of each limit. The limit that is used up is the cause at
- * that moment; near a corner or a stop, the corner or the stop is. If nothing is used up (limited
- * jerk makes the acceleration change gradually before and after a slow place), the cause is the
- * previous or the next one, whichever is closer in time.
+ * does not use the planner: it compares the limits with the motion of the machine. What is found is
+ * given while it is planned, and only kept if it is asked for.
  */
 #ifndef LOFT_TRACE_H
 #define LOFT_TRACE_H
 
 #include "engine/engine.h"  /* engine_span, engine_limits, engine_move */
+#include "plan/causes.h"    /* trace_part */
 #include "plan/joints.h"    /* joints */
-
-/* What limits a plan; limits of axes are three each, for x, y, z. */
-enum trace_cause {
-    TRACE_FEED,
-    TRACE_SPEED,                    /* of an axis                                        */
-    TRACE_ACCEL = TRACE_SPEED + 3,  /* of an axis, speeding up or slowing down           */
-    TRACE_JERK  = TRACE_ACCEL + 3,  /* of an axis                                        */
-    TRACE_CURVATURE = TRACE_JERK + 3,   /* acceleration of an axis across the path       */
-    TRACE_CORNER,                   /* passed slowly                                     */
-    TRACE_STOP,                     /* a corner or an end with speed 0 */
-    TRACE_CAUSES
-};
 
 typedef struct {
     /* of the motors, in mm, mm/s, mm/s^2, mm/s^3 */
@@ -35,33 +20,42 @@ typedef struct {
     double speed, along;            /* of the tool, along its path                       */
 } trace_motion;
 
-/* A curve, or several curves. */
+/* Where results go as they come. A function that is NULL is not called. */
 typedef struct {
-    double length, seconds, top;    /* mm, s, mm/s                                       */
-    double from;                    /* s: its begin */
-    double share[TRACE_CAUSES];     /* seconds                                           */
-} trace_part;
+    void *context;
+    /* a span, and the times of its begin and its end */
+    void (*span)(void *context, const engine_span *s, double begin, double end);
+    /* the part of move n; all moves in order */
+    void (*part)(void *context, size_t n, const trace_part *p);
+} trace_sink;
 
 typedef struct {
     engine_limits limits;           /* of the motors; tolerance and corner of the tool   */
     const joints *joints;
     const engine_move *move;        /* of the tool                                       */
-    size_t moves;
+    size_t moves, count;            /* `count` spans */
+    double seconds;
+    /* if they are kept: */
     engine_span *span;
     double *begin;                  /* s; count + 1 of them                              */
-    size_t count, room;
-    double seconds;
     trace_part *part;               /* of each move                                      */
+    size_t room;
 } trace;
 
-/* Plan and analyse. Returns enum loft_status. `path` and `of`, which was made from it, must outlive
- * *t; free with trace_free. Shows a progress bar if it takes long. */
+/* Plan and analyse; `keep` all spans and parts. Returns enum loft_status. `path` and `of`, which
+ * was made from it, must outlive *t; free with trace_free. Shows a progress bar if it takes long.
+ *
+ *   memory  without `keep` it does not depend on the length of the path */
 int trace_make(trace *t, const engine *e, const engine_limits *limits, const toolpath *path,
-               joints *of);
+               joints *of, const trace_sink *sink, bool keep);
 void trace_free(trace *t);
 
-/* The motion at a time from 0 to t->seconds. *near is the span of the last call, 0 at first. */
+/* The motion at a time from 0 to t->seconds of a trace that was kept. *near is the span of the last
+ * call, 0 at first. The second function gives that of a span, at a time from its begin to its end;
+ * *t needs to have begun only. */
 void trace_at(const trace *t, double seconds, size_t *near, trace_motion *out);
+void trace_in(const trace *t, const engine_span *s, double begin, double end, double seconds,
+              trace_motion *out);
 
 /* Add a part to a sum of parts. */
 void trace_add(trace_part *sum, const trace_part *p);

@@ -13,8 +13,9 @@
 #define CHORDS    4000      /* of a curve at most                            */
 #define DRIFT     0.05      /* mm of distance that cost as much as 1 mm of detour */
 #define WIDENINGS 8
+#define MANY      4096      /* passed chords that are kept */
 
-static void add_chord(way *w, const double at[ENGINE_AXES], uint32_t move)
+static void add_chord(way *w, const double at[ENGINE_AXES], size_t move)
 {
     if (w->count == w->room) {
         w->room = w->room ? 2 * w->room : 256;
@@ -30,7 +31,7 @@ static void add_chord(way *w, const double at[ENGINE_AXES], uint32_t move)
 
 /* The second derivative of a cubic is at most 6 d, where d is the largest second difference of its
  * points. n chords deviate by at most 6 d / (8 n^2). */
-static void add_move(way *w, const engine_move *m, uint32_t number)
+static void add_move(way *w, const engine_move *m, size_t number)
 {
     double d = 0, at[ENGINE_AXES];
 
@@ -49,29 +50,51 @@ static void add_move(way *w, const engine_move *m, uint32_t number)
     }
 }
 
-void way_make(way *w, const engine_move move[], size_t moves, double tol)
+/* Forget chords that the motion has passed, but only if there are many. */
+static void forget_chords(way *w)
 {
-    *w = (way){ .tol = tol };
-    w->length = tool_grow(NULL, moves * sizeof *w->length);
-    if (moves > 0)
-        add_chord(w, move[0].p[0], 0);
-    for (size_t k = 0; k < moves; k++) {
-        const double before = way_length(w);
-        add_move(w, &move[k], (uint32_t)k);
-        w->length[k] = way_length(w) - before;
-    }
-    if (moves > 0)
+    if (w->near <= MANY)
+        return;
+    const size_t drop = w->near - 1;    /* the chord there begins at the end of the one before */
+    memmove(w->end, w->end + drop, (w->count - drop) * sizeof *w->end);
+    w->count -= drop;
+    w->near   = 1;
+}
+
+static bool load_move(way *w)
+{
+    if (w->loaded == w->moves)
+        return false;
+    const engine_move *m = &w->move[w->loaded];
+    if (w->loaded == 0)
+        add_chord(w, m->p[0], 0);
+    const double before = w->end[w->count - 1].s;
+    add_move(w, m, w->loaded);
+    w->load(w->context, w->loaded++, m, w->end[w->count - 1].s - before);
+    return true;
+}
+
+void way_make(way *w, const engine_move move[], size_t moves, double tol, way_load *load,
+              void *context)
+{
+    *w = (way){ .move = move, .moves = moves, .tol = tol, .load = load, .context = context };
+    if (load_move(w))
         memcpy(w->x, move[0].p[0], sizeof w->x);
+}
+
+void way_finish(way *w)
+{
+    while (load_move(w)) {
+        w->near = w->count - 1;
+        forget_chords(w);
+    }
 }
 
 void way_free(way *w)
 {
     free(w->end);
-    free(w->length);
     *w = (way){ .count = 0 };
 }
-
-double way_length(const way *w) { return w->count > 0 ? w->end[w->count - 1].s : 0; }
 
 /* The nearest place on chord k, not before w->s. Returns the distance. */
 static double nearest_on_chord(const way *w, size_t k, const double x[ENGINE_AXES], double *s)
@@ -91,13 +114,14 @@ static double nearest_on_chord(const way *w, size_t k, const double x[ENGINE_AXE
 }
 
 /* The best place within `reach` of the place `goal`. Returns the distance. */
-static double search_chords(const way *w, const double x[ENGINE_AXES], double goal, double reach,
+static double search_chords(way *w, const double x[ENGINE_AXES], double goal, double reach,
                             size_t *near, double *s)
 {
     double least = HUGE_VAL, off = HUGE_VAL;
 
-    for (size_t k = w->near; k < w->count && (k == w->near || w->end[k - 1].s <= goal + reach);
-         k++) {
+    for (size_t k = w->near; k == w->near || w->end[k - 1].s <= goal + reach; k++) {
+        if (k == w->count && !load_move(w))
+            break;
         double at;
         const double d = nearest_on_chord(w, k, x, &at), cost = d + DRIFT * fabs(at - goal);
         if (cost < least) {
@@ -110,7 +134,7 @@ static double search_chords(const way *w, const double x[ENGINE_AXES], double go
     return off;
 }
 
-uint32_t way_follow(way *w, const double x[ENGINE_AXES])
+size_t way_follow(way *w, const double x[ENGINE_AXES])
 {
     const double step = space_distance(x, w->x), goal = w->s + step;
     double reach = 2 * w->tol + step / 4, s = w->s;
@@ -121,5 +145,6 @@ uint32_t way_follow(way *w, const double x[ENGINE_AXES])
     memcpy(w->x, x, sizeof w->x);
     w->near = near;
     w->s    = s;
-    return w->end[near].move;
+    forget_chords(w);
+    return w->end[w->near].move;
 }

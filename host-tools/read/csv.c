@@ -10,6 +10,7 @@
 
 #include "read/drawing.h"
 #include "base/scan.h"       /* scan_numbers */
+#include "base/source.h"     /* source_part */
 #include "base/tool.h"       /* tool_error, sysexits */
 
 static const char *skip(const char *s) { return s + strspn(s, ",; \t\r"); }
@@ -43,32 +44,54 @@ static bool is_header(const char *s)
     return (isalpha((unsigned char)*s) || *s == '"') && strcspn(s, ",;\t") < length;
 }
 
-int drawing_read_csv(drawing *d, const char *file, const char *text, size_t size)
+/* Read lines; *line is the number of the next one, and `first`: it may be names. */
+static int read_lines(drawing *d, const char *file, const char *text, unsigned *at, bool *first)
 {
-    bool first = true;
-    unsigned line = 1;
+    unsigned line = *at;
 
-    if (strncmp(text, "\xEF\xBB\xBF", 3) == 0)
-        text += 3;
-    (void)size;
     for (const char *s = text; *s != '\0'; line++) {
         const char *rest = skip(s);
         if (*rest != '#' && *rest != '\n' && *rest != '\0') {
             double v[8];
-            if (!(first && is_header(rest))) {
+            if (!(*first && is_header(rest))) {
                 const int count = scan_numbers(&rest, v, 8);
                 if (count != 8 || (*rest != '\n' && *rest != '\0' && *rest != '#'))
                     return refuse(file, line, count, rest);
                 double p[4][2];
                 memcpy(p, v, sizeof p);
-                const int code = drawing_join(d, file, line, p);
+                int code = drawing_join(d, file, line, p);
+                if (code == 0)
+                    code = drawing_offer(d);
                 if (code != 0)
                     return code;
             }
-            first = false;
+            *first = false;
         }
         s += strcspn(s, "\n");
         s += *s == '\n';
     }
+    *at = line;
     return 0;
+}
+
+int drawing_csv_parts(drawing *d, const char *file, source *s)
+{
+    bool first    = true;
+    unsigned line = 1;
+    int code      = 0;
+
+    for (size_t n = 0; code == 0 && s->size > 0; n++) {
+        const bool mark = n == 0 && strncmp(s->text, "\xEF\xBB\xBF", 3) == 0;
+        code = read_lines(d, file, s->text + (mark ? 3 : 0), &line, &first);
+        if (code == 0)
+            code = source_part(s);
+    }
+    return code;
+}
+
+int drawing_read_csv(drawing *d, const char *file, const char *text, size_t size)
+{
+    source s = source_text(text, size);
+
+    return drawing_csv_parts(d, file, &s);
 }

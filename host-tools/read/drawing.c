@@ -14,13 +14,18 @@
 #include "base/tool.h"      /* tool_error, tool_grow, sysexits */
 
 #define SAME 1e-6       /* mm; closer ends count as one point */
+#define MANY 8192       /* curves that are worth being taken out */
 #define HALVINGS 60     /* of a parameter: down to the last bit */
 
 // Reading
 // -------
 
-static int read_text(drawing *d, const char *file, const char *text, size_t size)
+/* The source has given its first part, which is all of the file unless it is of lines. */
+static int read_parts(drawing *d, const char *file, source *s)
 {
+    const char *text  = s->text;
+    const size_t size = s->size;
+
     if (text[strspn(text, " \t\r\n")] == '\0' && strlen(text) == size)
         return tool_error(EX_DATAERR,
                           "%s: is empty: a drawing is expected, SVG, G-code, CSV or .loft", file);
@@ -37,23 +42,32 @@ static int read_text(drawing *d, const char *file, const char *text, size_t size
     if (strlen(text) != size)
         return tool_error(
             EX_DATAERR, "%s: is not text: a drawing is expected, SVG, G-code, CSV or .loft", file);
+    if (s->stream != NULL && text[size - 1] != '\n')
+        return tool_error(EX_DATAERR, "%s: a line of more than 1 MB: split it", file);
     if (curves_is_text(file, text))
         return drawing_read_curves(d, file, text);
     if (gcode_is_text(file, text))
-        return drawing_read_gcode(d, file, text, size);
-    return drawing_read_csv(d, file, text, size);
+        return drawing_gcode_parts(d, file, s);
+    return drawing_csv_parts(d, file, s);
+}
+
+/* Can it be read in parts? */
+static bool is_of_lines(const char *file, const char *text, size_t size)
+{
+    return strlen(text) == size && !source_is_xml(text) && !curves_is_text(file, text);
 }
 
 int drawing_read(drawing *d, const char *file)
 {
-    size_t size;
-    int code;
-    char *text = source_read(file, &size, &code);
+    source s;
+    int code = d->taker != NULL ? source_open(&s, file) : source_whole(&s, file);
 
-    if (text != NULL)
-        code = read_text(d, source_name(file), text, size);
-    free(text);
-    if (code == 0 && d->count == 0)
+    if (code == 0 && d->taker != NULL && !is_of_lines(source_name(file), s.text, s.size))
+        code = source_rest(&s);
+    if (code == 0)
+        code = read_parts(d, source_name(file), &s);
+    source_close(&s);
+    if (code == 0 && d->count + d->taken == 0)
         return tool_error(EX_DATAERR,
                           "%s: nothing to draw: it holds no visible curve of 0.000001 mm or more",
                           source_name(file));
@@ -69,7 +83,17 @@ void drawing_free(drawing *d)
         free(d->clip[i].outline.curve);
     free(d->clip);
     free(d->curve);
+    free(d->event);
     *d = (drawing){ 0 };
+}
+
+void drawing_add_event(drawing *d, const drawing_event *e)
+{
+    const drawing_event one = *e;
+
+    d->event = tool_grow(d->event, (d->events + 1) * sizeof *d->event);
+    d->event[d->events] = one;
+    d->event[d->events++].before = d->taken + d->count;
 }
 
 unsigned drawing_add_clip(drawing *d, const drawing *outline, unsigned up)
@@ -96,6 +120,27 @@ void drawing_add_like(drawing *d, const drawing_curve *c, bool fresh)
     }
     d->curve[d->count]        = one;
     d->curve[d->count++].path = path;
+}
+
+int drawing_offer(drawing *d)
+{
+    return d->taker != NULL && d->count >= MANY ? d->taker(d->context, d) : 0;
+}
+
+void drawing_forget(drawing *d, size_t count)
+{
+    d->taken += count;
+    d->count -= count;
+    memmove(d->curve, d->curve + count, d->count * sizeof *d->curve);
+}
+
+void drawing_like(drawing *to, const drawing *from)
+{
+    to->width     = from->width;
+    to->height    = from->height;
+    to->program   = from->program;
+    to->from_line = from->from_line;
+    to->clear     = from->clear;
 }
 
 void drawing_add(drawing *d, double p[4][2], bool fresh, unsigned line)

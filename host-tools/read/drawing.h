@@ -32,15 +32,42 @@ typedef struct {
                              * painted */
 } drawing_curve;
 
-struct drawing_clip;
+/* What a program does between two motions. */
+enum drawing_doing {
+    DRAWING_WAITS,              /* `amount` seconds */
+    DRAWING_PAUSES,             /* until somebody resumes it */
+    DRAWING_SPINS,              /* spindle or laser: `way` 3, 4 (M3, M4) or 0, at S `amount`; NAN:
+                                 * not given */
+    DRAWING_COOLS               /* `way` 1 or 0 */
+};
 
 typedef struct {
+    enum drawing_doing doing;
+    size_t before;              /* the curve that follows, counted from the first one of the file;
+                                 * it begins a path */
+    unsigned line;
+    int way;
+    double amount;
+    char text[80];              /* PAUSES: what to tell */
+} drawing_event;
+
+struct drawing_clip;
+struct drawing;
+struct source;              /* base/source.h */
+
+/* Take curves out of a drawing that is being read, with drawing_forget: then a long one needs no
+ * more memory than a short one. Returns 0, or an exit code after printing one line. */
+typedef int drawing_taker(void *context, struct drawing *d);
+
+typedef struct drawing {
     drawing_curve *curve;
     size_t count, room;
     double width, height;   /* page in mm; 0 if the file gives none */
     bool program;           /* it says every motion */
     int dialect;            /* of G-code: enum gcode_dialect (gcode.h); set before reading */
     unsigned from_line;     /* of G-code: no motions before it; 0: all; set before reading */
+    bool exact;             /* of G-code: G61 or G61.1 is in force somewhere: it stops at corners */
+    double within;          /* of G-code: the smallest P of G64, mm; 0: none */
     double clear;           /* then the height of the way to the first one: that of the whole
                              * program */
     const char *layers;     /* of SVG: draw only these, as "Ink,2"; NULL: all; set before reading */
@@ -52,9 +79,15 @@ typedef struct {
                              * reading */
     bool areas;             /* of SVG: keep outlines of what is filled also where they are not
                              * drawn; set before reading */
+    drawing_event *event;   /* of a program, in its order */
+    size_t events;
     struct drawing_clip *clip;      /* areas at which painted shapes are cut */
     size_t clips;
     struct curves *of;      /* the curves that were converted; NULL: they were cubics */
+    drawing_taker *taker;   /* takes curves out while they are read; NULL: all stay; set before
+                             * reading */
+    void *context;
+    size_t taken;           /* curves of the file before the first one, which are not here */
 } drawing;
 
 /* What is left of a shape is inside of the outline, and of the area number `up`, 0: none. */
@@ -86,8 +119,21 @@ void drawing_add(drawing *d, double p[4][2], bool fresh, unsigned line);
 void drawing_add_space(drawing *d, double p[4][3], double feed, bool fresh, unsigned line);
 void drawing_add_like(drawing *d, const drawing_curve *c, bool fresh);
 
+/* Append an event behind all curves. */
+void drawing_add_event(drawing *d, const drawing_event *e);
+
 /* The number of the area that is inside of an outline, which is copied, and of another one. */
 unsigned drawing_add_clip(drawing *d, const drawing *outline, unsigned up);
+
+/* For readers, after a curve: let it be taken out, if so many wait that it is worth while. Only
+ * G-code and CSV are read so; the others keep all. Returns 0, or an exit code. */
+int drawing_offer(drawing *d);
+
+/* Take the first `count` curves out; all events stay. */
+void drawing_forget(drawing *d, size_t count);
+
+/* Give *to the page and the kind of a drawing. */
+void drawing_like(drawing *to, const drawing *from);
 
 /* The same for a curve that may continue the one before: if it starts at that end, it is joined
  * exactly. A curve without length is left out; one beyond the limits is refused with one line. The
@@ -120,11 +166,14 @@ bool drawing_box(const drawing *d, double box[2][2]);
 /* The height of the highest control point; 0 in a flat drawing. */
 double drawing_top(const drawing *d);
 
-/* The readers, chosen by drawing_read. `text` holds `size` bytes, followed by a 0; `file` is for
+/* The readers, chosen by drawing_read. The last two read a source of which the
+ * first part is there (base/source.h); `text` holds `size` bytes, followed by a 0; `file` is for
  * messages. */
 int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size);
 int drawing_read_csv(drawing *d, const char *file, const char *text, size_t size);
 int drawing_read_curves(drawing *d, const char *file, const char *text);
 int drawing_read_gcode(drawing *d, const char *file, const char *text, size_t size);
+int drawing_csv_parts(drawing *d, const char *file, struct source *s);
+int drawing_gcode_parts(drawing *d, const char *file, struct source *s);
 
 #endif

@@ -2,11 +2,15 @@
  * SPDX-License-Identifier: MIT
  *
  *     gcode_block.h     a line as words with numbers
+ *     gcode_number.h    its numbers: expressions, parameters
  *     gcode_state.h     what the words mean: modes, coordinates, units
  *     gcode_run.c       one line: its words in their order of execution
+ *     gcode_left.c      words that are left out
+ *     gcode_event.c     events: motions with their feed, waits
  *     gcode_motion.c    straight motions, arcs, cubics, NURBS
  *     gcode_cycle.c     drilling
- *     gcode_offset.c    coordinate systems, home, tools
+ *     gcode_offset.c    coordinate systems, home, lengths of tools
+ *     gcode_tool.c      tools
  *     gcode_radius.c    tool radius compensation
  *     gcode_draw.c      the motions as a drawing
  *
@@ -30,7 +34,10 @@ enum gcode_kind {
     GCODE_NURBS,
     GCODE_WAIT,             /* `seconds` */
     GCODE_STOP,             /* M0 M1 M60, a tool change: until somebody resumes */
-    GCODE_SAY               /* (MSG,text) */
+    GCODE_SPINDLE,          /* M3 M4 M5, or another S: `way` and `speed` */
+    GCODE_COOLANT,          /* M7 M8 M9: `way` 1 or 0 */
+    GCODE_SAY,              /* (MSG,text) */
+    GCODE_TOOL              /* M6: `tool` is to be in the spindle */
 };
 
 /* From the coordinates of the program to those of the machine: add `shift`, turn by `degrees`
@@ -51,7 +58,12 @@ typedef struct {
     const double (*points)[3];      /* NURBS: x, y, weight */
     unsigned count, degree; /* NURBS */
     double feed;            /* mm/s; 0: none is set */
+    bool exact;             /* G61, G61.1: it stops at corners */
+    double within;          /* G64 P: how far the path may be left, mm; 0: not said */
     double seconds;         /* WAIT */
+    long tool;              /* TOOL: its number */
+    int way;                /* SPINDLE: 3, 4 or 0: off */
+    double speed;           /* S; NAN: it was never given */
     const char *text;       /* SAY */
     size_t length;
     const gcode_frame *frame;
@@ -78,6 +90,9 @@ typedef struct gcode_program gcode_program;
  * file, MARLIN. Free with gcode_close. */
 gcode_program *gcode_open(const char *file, enum gcode_dialect d, gcode_sink *sink, void *context);
 
+/* The tools of the machine, for G41, G43 and M6; NULL: none. They outlive the program. */
+void gcode_set_tools(gcode_program *g, const struct machine_tools *tools);
+
 /* Read a line of `length` characters, without its newline. Returns 0, or an exit code after
  * printing one line. */
 int  gcode_line(gcode_program *g, const char *text, size_t length);
@@ -89,7 +104,8 @@ bool gcode_ended(const gcode_program *g);
 int  gcode_finish(gcode_program *g);
 void gcode_close(gcode_program *g);
 
-/* All lines of a text. */
+/* All lines of a part of a text, which ends with a whole line; all of a text and its end. */
+int  gcode_lines(gcode_program *g, const char *text, size_t size);
 int  gcode_read(gcode_program *g, const char *text, size_t size);
 
 /* A point of the program in mm of the machine. */

@@ -5,15 +5,18 @@
  */
 #include <ctype.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
 #include "engine/curve.h"
 #include "engine/engine.h"  /* engine_f64: arcs and NURBS */
 #include "engine/piece.h"
+#include "base/source.h"    /* source_part */
 #include "base/tool.h"      /* tool_error, sysexits */
 #include "read/drawing.h"
 #include "read/gcode.h"
+#include "read/machine_tools.h"
 
 #define LINES_LOOKED 200    /* of the beginning, for what kind of file it is */
 
@@ -21,7 +24,9 @@ typedef struct {
     drawing *d;
     const char *file;
     const gcode_event *e;
-    unsigned waits, wait_line, stops, stop_line;
+    bool blends;                /* not all feeds are in G61 or G61.1 */
+    unsigned tool;              /* of the table, from 1; 0: none */
+    char say[80];               /* the last message since a motion */
     int code;
 } pen;
 
@@ -42,6 +47,10 @@ static void draw(void *context, double p[4][3])
     const double feed = e->kind == GCODE_RAPID && !(e->feed > 0) ? DRAWING_RAPID : e->feed;
     if (out->code == 0)
         out->code = drawing_join_space(out->d, out->file, e->line, mm, feed);
+    if (out->d->count > before && out->d->events > 0 && before > 0 &&
+        out->d->event[out->d->events - 1].before == out->d->taken + before)
+        out->d->curve[before].path = out->d->curve[before - 1].path + 1;
+    out->say[0] = '\0';
     /* no way in numbers may be one on the machine */
     if (out->code == 0 && out->d->count == before && e->loose[0] != e->loose[1])
         drawing_add_space(out->d, mm, feed, false, e->line);
@@ -49,6 +58,10 @@ static void draw(void *context, double p[4][3])
     const bool line = e->kind == GCODE_RAPID || e->kind == GCODE_LINE;
     if (out->d->count > before && (line || e->loose[0] == e->loose[1]))
         memcpy(out->d->curve[before].loose, e->loose, sizeof e->loose);
+    for (size_t i = before; i < out->d->count; i++)
+        out->d->curve[i].tool = out->tool;
+    if (out->code == 0)
+        out->code = drawing_offer(out->d);
 }
 
 static void draw_cubic(pen *out, const gcode_event *e)
@@ -104,11 +117,65 @@ static int draw_nurbs(pen *out, const gcode_event *e)
     return status;
 }
 
-/* Waits and stops are counted: motion alone is drawn. */
-static void count_pause(unsigned *count, unsigned *line, const gcode_event *e)
+/* Before the first line that is run nothing waits, but what turns there turns from then on. */
+static void add_event(pen *out, const gcode_event *e)
 {
-    *line = *count > 0 ? *line : e->line;
-    ++*count;
+    drawing_event to = { .line = e->line, .way = e->way };
+
+    switch (e->kind) {
+    case GCODE_WAIT:
+        to.doing  = DRAWING_WAITS;
+        to.amount = e->seconds;
+        break;
+    case GCODE_SPINDLE:
+        to.doing  = DRAWING_SPINS;
+        to.amount = e->speed;
+        break;
+    case GCODE_COOLANT: to.doing = DRAWING_COOLS; break;
+    default: to.doing = DRAWING_PAUSES; snprintf(to.text, sizeof to.text, "%s", out->say);
+    }
+    if (e->line >= out->d->from_line || e->kind == GCODE_SPINDLE || e->kind == GCODE_COOLANT)
+        drawing_add_event(out->d, &to);
+}
+
+static void note_message(pen *out, const gcode_event *e)
+{
+    size_t length    = e->length;
+    const char *text = e->text;
+
+    while (length > 0 && *text == ' ')
+        text++, length--;
+    length = length < sizeof out->say ? length : sizeof out->say - 1;
+    snprintf(out->say, sizeof out->say, "%.*s", (int)length, text);
+}
+
+/* What follows is drawn with this tool. One that the machine does not know is a stop. */
+static void change_tool(pen *out, const gcode_event *e)
+{
+    const machine_tools *all = out->d->tools;
+    char name[24];
+
+    snprintf(name, sizeof name, "%ld", e->tool);
+    const machine_tool *found = all != NULL ? machine_tools_find(all, name) : NULL;
+    out->tool = found != NULL ? (unsigned)(found - all->tool) + 1 : 0;
+    if (found != NULL)
+        return;
+    if (out->say[0] == '\0')
+        snprintf(out->say, sizeof out->say, "tool %ld", e->tool);
+    add_event(out, e);
+}
+
+/* One plan has one tolerance: the smallest; and stops everywhere, or nowhere. */
+static void note_path(pen *out, const gcode_event *e)
+{
+    drawing *d = out->d;
+
+    if (e->kind == GCODE_RAPID || e->kind > GCODE_NURBS || e->line < d->from_line)
+        return;
+    out->blends = out->blends || !e->exact;
+    d->exact    = d->exact || e->exact;
+    if (e->within > 0 && (!(d->within > 0) || e->within < d->within))
+        d->within = e->within;
 }
 
 static int take(void *context, const gcode_event *e)
@@ -117,10 +184,14 @@ static int take(void *context, const gcode_event *e)
     int status = 0;
 
     out->e = e;
+    note_path(out, e);
     switch (e->kind) {
-    case GCODE_WAIT: count_pause(&out->waits, &out->wait_line, e); break;
-    case GCODE_STOP: count_pause(&out->stops, &out->stop_line, e); break;
-    case GCODE_SAY:  break;
+    case GCODE_WAIT:
+    case GCODE_STOP:
+    case GCODE_SPINDLE:
+    case GCODE_COOLANT: add_event(out, e); break;
+    case GCODE_SAY:     note_message(out, e); break;
+    case GCODE_TOOL:     change_tool(out, e); break;
     case GCODE_ARC:
         status = engine_f64.arc(e->from, e->to, e->plane, e->centre, e->turns,
                                 DRAWING_TOL / e->frame->unit, draw, out);
@@ -134,30 +205,41 @@ static int take(void *context, const gcode_event *e)
     return out->code;
 }
 
-static void tell_pauses(const pen *out)
+static void tell_path(const pen *out)
 {
-    if (out->waits > 0)
-        (void)tool_error(EX_OK, "%s:%u: G4 (%u times): the machine does not wait there", out->file,
-                         out->wait_line, out->waits);
-    if (out->stops > 0)
-        (void)tool_error(EX_OK, "%s:%u: M0, M1 or M6 (%u times): the machine does not stop there",
-                         out->file, out->stop_line, out->stops);
+    if (out->d->exact && out->blends)
+        (void)tool_error(EX_OK, "%s: G61 in a part of it: it stops at corners everywhere",
+                         out->file);
+}
+
+int drawing_gcode_parts(drawing *d, const char *file, source *s)
+{
+    pen out  = { .d = d, .file = file };
+    const bool printer = d->dialect == GCODE_ANY && gcode_is_printer(s->text);
+    gcode_program *g   = gcode_open(file, printer ? GCODE_MARLIN : (enum gcode_dialect)d->dialect,
+                                  take, &out);
+    d->clear       = -HUGE_VAL;
+    gcode_set_tools(g, d->tools);
+    d->program     = true;
+    int code       = 0;
+    while (code == 0 && s->size > 0 && !gcode_ended(g)) {
+        code = gcode_lines(g, s->text, s->size);
+        if (code == 0)
+            code = source_part(s);
+    }
+    if (code == 0)
+        code = gcode_finish(g);
+    gcode_close(g);
+    if (code == 0)
+        tell_path(&out);
+    return code;
 }
 
 int drawing_read_gcode(drawing *d, const char *file, const char *text, size_t size)
 {
-    pen out  = { .d = d, .file = file };
-    const bool printer = d->dialect == GCODE_ANY && gcode_is_printer(text);
-    gcode_program *g   = gcode_open(file, printer ? GCODE_MARLIN : (enum gcode_dialect)d->dialect,
-                                  take, &out);
-    d->clear       = -HUGE_VAL;
-    const int code = gcode_read(g, text, size);
+    source s = source_text(text, size);
 
-    gcode_close(g);
-    d->program = true;
-    if (code == 0)
-        tell_pauses(&out);
-    return code;
+    return drawing_gcode_parts(d, file, &s);
 }
 
 

@@ -35,7 +35,7 @@ unsigned char gcode_loose_there(const gcode_program *g)
     return out;
 }
 
-/* G53: the words are coordinates of the machine, without tool length. */
+/* G53: the words are coordinates of the machine, whatever the tool's length. */
 static int target_of_machine(const gcode_program *g, double out[3])
 {
     const gcode_frame *f = &g->frame;
@@ -46,8 +46,7 @@ static int target_of_machine(const gcode_program *g, double out[3])
         return gcode_fails(g, "G53 in a rotated coordinate system", "give G54 to G59 without R");
     for (int i = 0; i < 3; i++)
         out[i] = gcode_has(&g->b, (char)('X' + i))
-                     ? gcode_value(&g->b, (char)('X' + i)) + g->tool[i] / f->unit - f->origin[i] -
-                           f->shift[i]
+                     ? gcode_value(&g->b, (char)('X' + i)) - f->origin[i] - f->shift[i]
                      : g->at[i];
     return 0;
 }
@@ -308,6 +307,20 @@ static int move_straight(gcode_program *g)
     return code;
 }
 
+/* While the tool is beside the path, and on its way back. */
+static int check_beside(const gcode_program *g)
+{
+    const bool arc = g->motion == 20 || g->motion == 30;
+
+    if (arc && g->radius.side != 0)
+        return 0;
+    if (g->radius.side == 0)
+        return gcode_fails(g, "a motion behind G40 that is not straight",
+                           "give G0 or G1 first, which leads back to the path");
+    return gcode_fails(g, "a motion that is neither straight nor an arc, in G41 or G42",
+                       "give G40 before");
+}
+
 int gcode_move(gcode_program *g)
 {
     const bool after_cubic = g->after_cubic;
@@ -318,7 +331,9 @@ int gcode_move(gcode_program *g)
     g->after_cubic = false;
     if (g->motion < 730 || g->motion == GCODE_CANCEL)
         g->cycle.code = 0, g->cycle.leveled = false;
-    if (g->motion == 50 || g->motion == 51 || g->motion == 52)
+    if (g->apart && g->motion != 0 && g->motion != 10 && g->motion != GCODE_CANCEL)
+        code = check_beside(g);
+    if (code == 0 && (g->motion == 50 || g->motion == 51 || g->motion == 52))
         code = check_curve(g);
     if (code != 0)
         return code;

@@ -21,10 +21,10 @@ static double *system_of(gcode_program *g, int system)
     return &g->all.number[5201 + 20 * system];
 }
 
-/* The place of the machine, in units of the program. */
-static void machine_place(const gcode_program *g, double out[3])
+/* A place of the program in the machine's coordinates, in units of the program. */
+static void machine_place(const gcode_program *g, const double at[3], double out[3])
 {
-    gcode_place(&g->frame, g->at, out);
+    gcode_place(&g->frame, at, out);
     for (int i = 0; i < 3; i++)
         out[i] /= g->frame.unit;
 }
@@ -55,19 +55,23 @@ void gcode_use_offsets(gcode_program *g)
 /* Use changed offsets; the machine stays where it is. */
 static void stay(gcode_program *g)
 {
-    double machine[3];
+    double machine[3], place[3];
 
-    machine_place(g, machine);
+    machine_place(g, g->at, machine);
+    machine_place(g, g->place, place);
     gcode_use_offsets(g);
     program_place(g, machine, g->at);
+    program_place(g, place, g->place);
 }
 
 int gcode_use_units(gcode_program *g, double unit)
 {
     const double by = g->frame.unit / unit;
 
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         g->at[i] *= by;
+        g->place[i] *= by;
+    }
     g->feed *= g->feed_mode == 930 ? 1 : by;
     g->cycle.r *= by;
     g->cycle.z *= by;
@@ -86,16 +90,21 @@ int gcode_use_system(gcode_program *g, int system)
     return 0;
 }
 
-/* G43.1 takes the offset from the line, G49 none. */
+/* G43 takes the length of a tool, G43.2 adds one, G43.1 takes the line's offset, G49 none. */
 int gcode_use_tool(gcode_program *g, int code)
 {
-    if (code == 430 || code == 432)
-        return gcode_fails(g, "G43: there is no table of tools",
-                           "give the length itself, as G43.1 Z12");
+    double length    = 0;
+    const int status = code == 430 || code == 432 ? gcode_tool_length(g, &length) : 0;
+
+    if (status != 0)
+        return status;
+    if (code == 430)
+        g->tool[0] = g->tool[1] = g->tool[2] = 0;
+    g->tool[2] += length;
     for (int i = 0; i < 3; i++)
         if (code == 490)
             g->tool[i] = 0;
-        else if (gcode_has(&g->b, (char)('X' + i)))
+        else if (code == 431 && gcode_has(&g->b, (char)('X' + i)))
             g->tool[i] = gcode_value(&g->b, (char)('X' + i)) * g->frame.unit;
     if (code == 431)
         g->b.has &= ~(GCODE_BIT('X') | GCODE_BIT('Y') | GCODE_BIT('Z'));
@@ -124,7 +133,7 @@ static int set_system(gcode_program *g)
         return gcode_fails(g, "G10: no such coordinate system",
                            "give P1 to P9, or P0 for this one");
     double *system = system_of(g, p > 0 ? (int)p : g->system);
-    machine_place(g, machine);
+    machine_place(g, g->at, machine);
     if (l < 3 && gcode_has(b, 'R'))
         system[9] = gcode_value(b, 'R');
     const double c = cos(system[9] * RADIANS), s = sin(system[9] * RADIANS);
@@ -160,7 +169,9 @@ static int set_shift(gcode_program *g, bool local)
         held[i]  = shift * g->frame.unit;
         if (!local)
             tie_axis(g, i);
-        g->at[i] = local ? place - said : said;
+        const double to = local ? place - said : said;
+        g->place[i] += to - g->at[i];
+        g->at[i] = to;
         any = true;
     }
     if (!any && !g->printer)

@@ -33,79 +33,33 @@ enum group {
     UNKNOWN
 };
 
+static const short codes[GROUPS][24] = {
+    [NONMODAL]  = { 40, 100, 280, 300, 520, 530, 920, 921, 922, 923 },
+    [MOTION] = { 0, 10, 20, 30, 50, 51, 52, 53, 730, 740, 800, 810, 820, 830, 840, 850, 860, 880,
+                 890 },
+    [PLANE]     = { 170, 180, 190 },
+    [DISTANCE]  = { 900, 910 },
+    [CENTRE]    = { 901, 911 },
+    [FEED_MODE] = { 930, 940, 950 },
+    [UNITS]     = { 200, 210 },
+    [RADIUS]    = { 400, 410, 411, 420, 421 },
+    [LENGTH]    = { 430, 431, 432, 490 },
+    [RETRACT]   = { 980, 990 },
+    [SYSTEM]    = { 540, 550, 560, 570, 580, 590, 591, 592, 593 },
+    [PATH]      = { 610, 611, 640 },
+    [SPINDLE]   = { 960, 970 },
+    [LATHE]     = { 70, 80 },
+};
+
 static enum group group_of(int code)
 {
-    switch (code) {
-    case 40:
-    case 100:
-    case 280:
-    case 300:
-    case 520:
-    case 530:
-    case 920:
-    case 921:
-    case 922:
-    case 923:                                           return NONMODAL;
-    case 0:
-    case 10:
-    case 20:
-    case 30:
-    case 50:
-    case 51:
-    case 52:
-    case 53:
-    case 730:
-    case 740:
-    case 800:
-    case 810:
-    case 820:
-    case 830:
-    case 840:
-    case 850:
-    case 860:
-    case 880:
-    case 890: return MOTION;
-    case 170:
-    case 180:
-    case 190: return PLANE;
-    case 900:
-    case 910: return DISTANCE;
-    case 901:
-    case 911: return CENTRE;
-    case 930:
-    case 940:
-    case 950: return FEED_MODE;
-    case 200:
-    case 210: return UNITS;
-    case 400:
-    case 410:
-    case 411:
-    case 420:
-    case 421: return RADIUS;
-    case 430:
-    case 431:
-    case 432:
-    case 490: return LENGTH;
-    case 980:
-    case 990: return RETRACT;
-    case 540:
-    case 550:
-    case 560:
-    case 570:
-    case 580:
-    case 590:
-    case 591:
-    case 592:
-    case 593: return SYSTEM;
-    case 610:
-    case 611:
-    case 640: return PATH;
-    case 960:
-    case 970: return SPINDLE;
-    case 70:
-    case 80: return LATHE;
-    default:                                            return UNKNOWN;
-    }
+    if (code == 0)
+        return MOTION;
+    for (int into = 0; into < GROUPS; into++)
+        for (int i = 0; i < 24; i++)
+            if (codes[into][i] == code)
+                return (enum group)into;
+    return UNKNOWN;
 }
 
 static int wrong_code(const gcode_program *g, char letter, int code, const char *what,
@@ -115,92 +69,6 @@ static int wrong_code(const gcode_program *g, char letter, int code, const char 
 
     snprintf(words, sizeof words, "%c%g: %s", letter, code / 10.0, what);
     return gcode_fails(g, words, remedy);
-}
-
-/* A word that this machine has no use for: it is told once, at the end. */
-static void leave_out(gcode_program *g, char letter, int code)
-{
-    for (unsigned i = 0; i < g->lefts; i++)
-        if (g->left[i].letter == letter && g->left[i].code == code) {
-            g->left[i].count++;
-            return;
-        }
-    if (g->lefts < sizeof g->left / sizeof g->left[0]) {
-        g->left[g->lefts].letter  = letter;
-        g->left[g->lefts].code    = code;
-        g->left[g->lefts].line    = g->b.line;
-        g->left[g->lefts++].count = 1;
-    }
-}
-
-
-// Events
-// ------
-
-void gcode_place(const gcode_frame *f, const double at[3], double out[3])
-{
-    const double x = at[0] + f->shift[0], y = at[1] + f->shift[1];
-    const double c = cos(f->degrees * 3.14159265358979323846 / 180),
-                 s = sin(f->degrees * 3.14159265358979323846 / 180);
-
-    out[0] = (fabs(f->degrees) > 0 ? c * x - s * y : x) + f->origin[0];
-    out[1] = (fabs(f->degrees) > 0 ? s * x + c * y : y) + f->origin[1];
-    out[2] = at[2] + f->shift[2] + f->origin[2];
-    for (int i = 0; i < 3; i++)
-        out[i] *= f->unit;
-}
-
-/* The feed of a motion in mm/s; 0 if none is set. */
-static double feed_of(const gcode_program *g, double length)
-{
-    switch (g->feed_mode) {
-    case 930: return length * g->frame.unit * g->feed / 60;
-    case 950: return g->feed * g->frame.unit * g->speed / 60;
-    default:  return g->feed * g->frame.unit / 60;
-    }
-}
-
-int gcode_give(gcode_program *g, gcode_event *e, double length)
-{
-    const bool moves = e->kind <= GCODE_NURBS;
-
-    memcpy(e->from, g->at, sizeof e->from);
-    e->line  = g->b.line;
-    e->loose[0] = e->loose[1] = g->loose;
-    if (moves)
-        e->loose[1] = g->loose = g->homing ? g->homed : gcode_loose_there(g);
-    e->frame = &g->frame;
-    e->plane = g->plane;
-    e->feed  = e->kind != GCODE_RAPID || g->printer ? feed_of(g, length) : 0;
-    if (moves && e->kind != GCODE_RAPID && g->feed_mode == 930 && !gcode_has(&g->b, 'F'))
-        return gcode_fails(g, "no F: in G93 each line has its time",
-                           "give F with each motion, or G94");
-    const int code = g->sink(g->context, e);
-    if (moves)
-        memcpy(g->at, e->to, sizeof g->at);
-    return code;
-}
-
-int gcode_go(gcode_program *g, enum gcode_kind kind, const double to[3])
-{
-    gcode_event e = { .kind = kind };
-
-    memcpy(e.to, to, sizeof e.to);
-    return gcode_give(g, &e, hypot(hypot(to[0] - g->at[0], to[1] - g->at[1]), to[2] - g->at[2]));
-}
-
-int gcode_wait(gcode_program *g, double seconds)
-{
-    gcode_event e = { .kind = GCODE_WAIT, .seconds = seconds };
-
-    return gcode_give(g, &e, 0);
-}
-
-static int give_simple(gcode_program *g, enum gcode_kind kind)
-{
-    gcode_event e = { .kind = kind, .text = g->b.say, .length = g->b.say_length };
-
-    return gcode_give(g, &e, 0);
 }
 
 
@@ -216,7 +84,7 @@ static int sort_codes(gcode_program *g, int of[GROUPS])
         const int code        = g->b.g[i];
         const enum group into = group_of(code);
         if (into == UNKNOWN && g->printer) {
-            leave_out(g, 'G', code);
+            gcode_leave_out(g, 'G', code);
             continue;
         }
         if (into == UNKNOWN)
@@ -269,6 +137,7 @@ static int set_feed(gcode_program *g, int mode)
         if (!(gcode_value(&g->b, 'S') >= 0))
             return gcode_fails(g, "S below 0", "give a speed of 0 or more");
         g->speed = gcode_value(&g->b, 'S');
+        g->timed = true;
     }
     return 0;
 }
@@ -284,13 +153,14 @@ static int run_outputs(gcode_program *g)
         case 2:
         case 30:
         case 60:
+        case 61:
         case 6: break;
         case 3:
         case 4:
         case 5:
         case 7:
         case 8:
-        case 9:
+        case 9: break;
         case 48:
         case 49:
         case 50:
@@ -298,7 +168,6 @@ static int run_outputs(gcode_program *g)
         case 52:
         case 53:
         case 19:
-        case 61:
         case 62:
         case 63:
         case 64:
@@ -309,7 +178,7 @@ static int run_outputs(gcode_program *g)
         case 70:
         case 71:
         case 72:
-        case 73: leave_out(g, 'M', g->b.m[i]); break;
+        case 73: gcode_leave_out(g, 'M', g->b.m[i]); break;
         case 98:
         case 99:
             return wrong_code(g, 'M', g->b.m[i], "subroutines are not run",
@@ -319,18 +188,45 @@ static int run_outputs(gcode_program *g)
                 return wrong_code(
                     g, 'M', g->b.m[i], "is not known here",
                     "leave it out, or for a 3-D printer's file give --dialect marlin");
-            leave_out(g, 'M', g->b.m[i]);
+            gcode_leave_out(g, 'M', g->b.m[i]);
         }
     }
     return 0;
 }
 
-static int run_tool_change(gcode_program *g)
+/* M3 M4 M5, M7 M8 M9, and S while the spindle turns. */
+static int run_spindle(gcode_program *g)
 {
-    for (unsigned i = 0; i < g->b.ms; i++)
-        if (g->b.m[i] == 60)
-            return give_simple(g, GCODE_STOP);
-    return 0;
+    gcode_event spindle = { .kind = GCODE_SPINDLE }, coolant = { .kind = GCODE_COOLANT };
+    bool spins = gcode_has(&g->b, 'S') && g->spindle != 0, cools = false;
+    int code   = 0;
+
+    for (unsigned i = 0; i < g->b.ms; i++) {
+        const int m = g->b.m[i] / 10;
+        if (m >= 3 && m <= 5) {
+            g->spindle = m == 5 ? 0 : m;
+            spins      = true;
+        } else if (m >= 7 && m <= 9) {
+            g->coolant = m != 9;
+            cools      = true;
+        }
+    }
+    spindle.way   = g->spindle;
+    spindle.speed = g->timed ? g->speed : NAN;
+    coolant.way   = g->coolant;
+    if (spins)
+        code = gcode_give(g, &spindle, 0);
+    return code == 0 && cools ? gcode_give(g, &coolant, 0) : code;
+}
+
+static int run_tools(gcode_program *g)
+{
+    int code = gcode_tool_select(g);
+
+    for (unsigned i = 0; i < g->b.ms && code == 0; i++)
+        if (g->b.m[i] == 60 || g->b.m[i] == 610)
+            code = gcode_tool_change(g, g->b.m[i] / 10);
+    return code;
 }
 
 static int run_stops(gcode_program *g)
@@ -340,7 +236,7 @@ static int run_stops(gcode_program *g)
     for (unsigned i = 0; i < g->b.ms && code == 0; i++) {
         const int m = g->b.m[i] / 10;
         if (m == 0 || m == 1 || m == 60)
-            code = give_simple(g, GCODE_STOP);
+            code = gcode_simple(g, GCODE_STOP);
         else if ((m == 2 || m == 30) && !g->printer)
             g->ended = true;
     }
@@ -360,6 +256,18 @@ static int run_wait(gcode_program *g)
     return gcode_wait(g, gcode_value(b, 'P'));
 }
 
+/* G61 and G61.1 stop at corners; G64 P leaves the path by as much as P. */
+static int use_path(gcode_program *g, int code)
+{
+    const double p = code == 640 && gcode_has(&g->b, 'P') ? gcode_value(&g->b, 'P') : 0;
+
+    if (!(p >= 0))
+        return gcode_fails(g, "G64 with P below 0", "give the tolerance in units of the program");
+    g->exact  = code != 640;
+    g->within = p * g->frame.unit;
+    return 0;
+}
+
 static int set_modes(gcode_program *g, const int of[GROUPS])
 {
     int code = 0;
@@ -368,13 +276,12 @@ static int set_modes(gcode_program *g, const int of[GROUPS])
         g->plane = of[PLANE] == 170 ? 2 : of[PLANE] == 180 ? 1 : 0;
     if (of[UNITS] != GCODE_NONE)
         code = gcode_use_units(g, of[UNITS] == 200 ? INCH : 1);
-    if (code == 0 && of[RADIUS] != GCODE_NONE && of[RADIUS] != 400)
-        code = wrong_code(g, 'G', of[RADIUS], "the radius of the tool is not known here",
-                          "let the CAM compute the path of the tool's centre");
+    if (code == 0 && of[RADIUS] != GCODE_NONE)
+        code = of[RADIUS] == 400 ? gcode_radius_off(g) : gcode_tool_side(g, of[RADIUS]);
     if (code == 0 && of[LENGTH] != GCODE_NONE)
         code = gcode_use_tool(g, of[LENGTH]);
-    if (of[PATH] == 640 && gcode_has(&g->b, 'P'))
-        leave_out(g, 'G', 640);
+    if (code == 0 && of[PATH] != GCODE_NONE)
+        code = use_path(g, of[PATH]);
     if (code == 0 && of[SYSTEM] != GCODE_NONE)
         code = gcode_use_system(g,
                                 of[SYSTEM] < 591 ? (of[SYSTEM] - 530) / 10 : 6 + of[SYSTEM] - 590);
@@ -410,20 +317,44 @@ static int run_motion(gcode_program *g, const int of[GROUPS])
     return gcode_move(g);
 }
 
+/* What a path beside another one cannot go over to. */
+static int check_radius(const gcode_program *g, const int of[GROUPS])
+{
+    static const enum group fixed[] = { PLANE, UNITS, LENGTH, SYSTEM };
+    const int once = of[NONMODAL];
+
+    if (g->radius.side == 0)
+        return 0;
+    for (size_t i = 0; i < sizeof fixed / sizeof fixed[0]; i++) {
+        const int code  = of[fixed[i]];
+        const bool same = (fixed[i] == PLANE && code == 190 - 10 * g->plane) ||
+                          (fixed[i] == UNITS && (code == 210) == (g->frame.unit < 2));
+        if (code != GCODE_NONE && !same)
+            return wrong_code(g, 'G', code, "in G41 or G42", "give G40 before");
+    }
+    if (once != GCODE_NONE && once != 40)
+        return wrong_code(g, 'G', once, "in G41 or G42", "give G40 before");
+    return 0;
+}
+
 static int run_block(gcode_program *g)
 {
     int of[GROUPS], code = sort_codes(g, of);
 
     if (g->printer && gcode_has(&g->b, 'E'))
-        leave_out(g, 'E', -1);
+        gcode_leave_out(g, 'E', -1);
     if (code == 0)
         code = check_words(g);
     if (code == 0)
+        code = check_radius(g, of);
+    if (code == 0)
         code = set_feed(g, of[FEED_MODE]);
     if (code == 0)
-        code = run_tool_change(g);
+        code = run_tools(g);
     if (code == 0)
         code = run_outputs(g);
+    if (code == 0)
+        code = run_spindle(g);
     if (code == 0 && of[NONMODAL] == 40)
         code = run_wait(g);
     if (code == 0)
@@ -453,11 +384,14 @@ gcode_program *gcode_open(const char *file, enum gcode_dialect d, gcode_sink *si
     g->plane      = 2;
     g->feed_mode  = 940;
     g->system     = 1;
+    g->selected = g->loaded = -1;
     g->all.number[5220] = 1;
     g->loose = 7;
     gcode_use_offsets(g);
     return g;
 }
+
+void gcode_set_tools(gcode_program *g, const struct machine_tools *tools) { g->tools = tools; }
 
 /* grbl's own commands, as $H, and FluidNC's, as $SD/Run; real-time characters. */
 static bool is_command(const char *text, size_t length)
@@ -482,14 +416,14 @@ int gcode_line(gcode_program *g, const char *text, size_t length)
     if (g->ended)
         return 0;
     if (is_command(text, length)) {
-        leave_out(g, '$', 0);
+        gcode_leave_out(g, '$', 0);
         return 0;
     }
     code = gcode_block_read(&g->b, text, length);
     if (code == 0 && g->b.percent)
         return run_percent(g);
     if (code == 0 && g->b.say != NULL)
-        code = give_simple(g, GCODE_SAY);
+        code = gcode_simple(g, GCODE_SAY);
     g->begun = g->begun || g->b.has != 0 || g->b.gs + g->b.ms > 0;
     return code == 0 && (g->b.has & ~GCODE_BIT('N')) + g->b.gs + g->b.ms > 0 ? run_block(g) : code;
 }
@@ -510,51 +444,27 @@ bool gcode_parse_dialect(const char *text, void *out)
 
 bool gcode_ended(const gcode_program *g) { return g->ended; }
 
-static const char *reason_of(char letter, int code)
-{
-    const int m = code / 10;
-
-    if (letter == 'E')
-        return "there is no extruder: its words are left out";
-    if (letter == 'G' && code == 640)
-        return "the path stays within --tol everywhere: give the tolerance there";
-    if (letter == '$')
-        return "commands of a controller are left out: give them to it yourself";
-    if (letter == 'M' && m >= 3 && m <= 5)
-        return "no spindle or laser follows it yet: switch it by hand";
-    if (letter == 'M' && m >= 7 && m <= 9)
-        return "there is no coolant: it is left out";
-    return "has no meaning for this machine: it is left out";
-}
-
 int gcode_finish(gcode_program *g)
 {
+    const int code = gcode_radius_off(g);
+
+    if (code != 0)
+        return code;
     if (g->poles > 0)
         return tool_error(EX_DATAERR, "%s:%u: G5.2 without G5.3: end the NURBS", g->file,
                           g->pole_line);
-    for (unsigned i = 0; i < g->lefts; i++) {
-        char word[16] = "", times[32] = "";
-        if (g->left[i].letter == '$' || g->left[i].letter == 'E')
-            snprintf(word, sizeof word, "%c", g->left[i].letter);
-        else
-            snprintf(word, sizeof word, "%c%g", g->left[i].letter, g->left[i].code / 10.0);
-        if (g->left[i].count > 1)
-            snprintf(times, sizeof times, " (%u times)", g->left[i].count);
-        (void)tool_error(EX_OK, "%s:%u: %s%s: %s", g->file, g->left[i].line, word, times,
-                         reason_of(g->left[i].letter, g->left[i].code));
-    }
-    g->lefts = 0;
+    gcode_tell_left(g);
     return 0;
 }
 
 void gcode_close(gcode_program *g) { free(g); }
 
-int gcode_read(gcode_program *g, const char *text, size_t size)
+int gcode_lines(gcode_program *g, const char *text, size_t size)
 {
     const char *end = text + size;
     int code        = 0;
 
-    if (size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0)
+    if (g->b.line == 0 && size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0)
         text += 3;
     while (text < end && code == 0 && !g->ended) {
         const char *stop = memchr(text, '\n', (size_t)(end - text));
@@ -562,5 +472,12 @@ int gcode_read(gcode_program *g, const char *text, size_t size)
         code = gcode_line(g, text, (size_t)(stop - text));
         text = stop + 1;
     }
+    return code;
+}
+
+int gcode_read(gcode_program *g, const char *text, size_t size)
+{
+    const int code = gcode_lines(g, text, size);
+
     return code == 0 ? gcode_finish(g) : code;
 }

@@ -13,6 +13,7 @@
 
 #define GCODE_SYSTEMS 9
 #define GCODE_POLES   1024      /* control points of a NURBS */
+#define GCODE_HELD    64        /* events that wait in G41 and G42 */
 
 /* Codes in tenths: G5.1 is 51. */
 #define GCODE_NONE    (-1)
@@ -39,12 +40,30 @@ struct gcode_program {
     bool incremental, centre_absolute;
     int feed_mode;              /* 930 940 950 */
     double feed;                /* units per minute, per turn; 1/minutes */
-    double speed;               /* S */
+    double speed;               /* S; 0, if it is not `timed` */
+    bool timed;
+    int spindle, coolant;       /* 3, 4 or 0; 1 or 0 */
+    bool exact;                 /* G61, G61.1 */
+    double within;              /* P of G64, mm; 0: none */
     bool retract_to_r;          /* G99 */
     int system;                 /* 1 .. 9: G54 .. G59.3 */
     bool shifted;               /* G92 is in force */
     double tool[3];             /* length offset, mm */
     double last_pq[2];          /* G5: of the cubic before */
+    const struct machine_tools *tools;          /* NULL: none */
+    long selected, loaded;      /* T; the tool in the spindle, below 0: none */
+    bool apart;                 /* the tool is not at `at`, but at */
+    double place[3];
+    struct {                    /* G41 and G42; in the plane, units of the program */
+        int side;               /* 1: the tool is left of the path, -1: right, 0: on it */
+        double r;
+        bool entered;           /* there was a motion in the plane; the last one waits: */
+        double way[2], end[2];  /* its direction at its end, as programmed; that end, shifted */
+        double sweep;           /* of an arc, as programmed */
+        bool cut;               /* it begins in an inner corner */
+        gcode_event held[GCODE_HELD];
+        unsigned count;
+    } radius;
     bool after_cubic;
 
     struct {                    /* sticky words of drilling */
@@ -81,10 +100,18 @@ static inline int gcode_fails(const gcode_program *g, const char *what, const ch
 int gcode_give(gcode_program *g, gcode_event *e, double length);
 int gcode_go(gcode_program *g, enum gcode_kind kind, const double to[3]);
 int gcode_wait(gcode_program *g, double seconds);
+int gcode_simple(gcode_program *g, enum gcode_kind kind);
+
+/* Give an event from where the tool is. */
+int gcode_send(gcode_program *g, gcode_event *e);
 
 /* Where the axis words of the line lead; and the loose axes there. */
 void gcode_target(const gcode_program *g, double out[3]);
 unsigned char gcode_loose_there(const gcode_program *g);
+
+/* gcode_left.c: a word that this machine has no use for; and one line for each of them. */
+void gcode_leave_out(gcode_program *g, char letter, int code);
+void gcode_tell_left(gcode_program *g);
 
 /* gcode_motion.c: the motion of the line. */
 int gcode_move(gcode_program *g);
@@ -92,6 +119,17 @@ int gcode_nurbs_end(gcode_program *g);
 
 /* gcode_cycle.c */
 int gcode_drill(gcode_program *g);
+
+/* gcode_radius.c: a motion beside the programmed path; off: give what waits. */
+int gcode_radius_on(gcode_program *g, int side, double diameter);
+int gcode_radius_off(gcode_program *g);
+int gcode_radius_take(gcode_program *g, gcode_event *e);
+
+/* gcode_tool.c: T; M6 and M61; the length that H names, mm; G41, G42 and their .1. */
+int gcode_tool_select(gcode_program *g);
+int gcode_tool_change(gcode_program *g, int m);
+int gcode_tool_length(const gcode_program *g, double *out);
+int gcode_tool_side(gcode_program *g, int code);
 
 /* gcode_offset.c */
 void gcode_use_offsets(gcode_program *g);

@@ -57,6 +57,9 @@ static const row rows[] = {
     { "pulse", "us", AT(pulse), false, true, false, 1, 254, 0, { 0 } },
     { "pen_up", "mm", AT(pen_up), false, false, false, -16383, 16383, 0, { 0 } },
     { "pen_down", "mm", AT(pen_down), false, false, false, -16383, 16383, 0, { 0 } },
+    { "s_max", "of S", AT(s_max), false, false, false, 1, 1e6, 0, { 0 } },
+    { "spin_up", "s", AT(spin_up), false, false, false, 0, 600, 0, { 0 } },
+    { "laser", "", AT(laser), false, true, false, 0, 1, 0, { "no", "yes" } },
     { "tick_hz", "ticks/s", AT(tick_hz), false, true, false, 50, 50000, 0, { 0 } },
     { "slots", "per tick", AT(slots), false, true, false, 1, 4096, 0, { 0 } },
     { "ramp", "ticks", AT(ramp), false, true, false, 1, 32767, 0, { 0 } },
@@ -78,14 +81,24 @@ static const struct {
     int axis;
     double unit;
 } grbl[] = {
-    { 11, "corner", -1, 1 },           { 100, "steps_per_mm", 0, 1 },
-    { 101, "steps_per_mm", 1, 1 },     { 102, "steps_per_mm", 2, 1 },
-    { 110, "max_speed", 0, 1 / 60.0 }, { 111, "max_speed", 1, 1 / 60.0 },
-    { 112, "max_speed", 2, 1 / 60.0 }, { 120, "max_accel", 0, 1 },
-    { 121, "max_accel", 1, 1 },        { 122, "max_accel", 2, 1 },
-    { 130, "travel", 0, 1 },           { 131, "travel", 1, 1 },
-    { 132, "travel", 2, 1 },           { 24, "home_touch", -1, 1 / 60.0 },
-    { 25, "home_seek", -1, 1 / 60.0 }, { 27, "home_back", -1, 1 },
+    { 11, "corner", -1, 1 },
+    { 100, "steps_per_mm", 0, 1 },
+    { 101, "steps_per_mm", 1, 1 },
+    { 102, "steps_per_mm", 2, 1 },
+    { 110, "max_speed", 0, 1 / 60.0 },
+    { 111, "max_speed", 1, 1 / 60.0 },
+    { 112, "max_speed", 2, 1 / 60.0 },
+    { 120, "max_accel", 0, 1 },
+    { 121, "max_accel", 1, 1 },
+    { 122, "max_accel", 2, 1 },
+    { 130, "travel", 0, 1 },
+    { 131, "travel", 1, 1 },
+    { 132, "travel", 2, 1 },
+    { 24, "home_touch", -1, 1 / 60.0 },
+    { 25, "home_seek", -1, 1 / 60.0 },
+    { 27, "home_back", -1, 1 },
+    { 30, "s_max", -1, 1 },
+    { 32, "laser", -1, 1 },
 };
 
 typedef struct {
@@ -97,11 +110,11 @@ typedef struct {
 
 machine_file machine_usual(void)
 {
-    machine_file m = { .corner = 0.01,
-                       .tol = 0.005,
+    machine_file m = { .tol = 0.005,
                        .pen_up = 1,
                        .idle = -1,
                        .pulse = -1,
+                       .s_max = 1000,
                        .tick_hz = 1000,
                        .slots = 40,
                        .ramp = 100,

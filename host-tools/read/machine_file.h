@@ -17,7 +17,7 @@ typedef struct {
     double steps_per_mm[ENGINE_AXES];
     double max_speed[ENGINE_AXES], max_accel[ENGINE_AXES];
     double max_jerk[ENGINE_AXES];           /* 0: not limited; below 0: not given */
-    double corner, tol;                     /* junction deviation; path tolerance */
+    double corner, tol;                     /* tolerance near corners; of the path */
     double travel[ENGINE_AXES], min[ENGINE_AXES];   /* the table, for the tool: its size, 0: not
                                                      * limited; its low end */
     double home_order[ENGINE_AXES];         /* 1 to 3: when the axis is homed; 0: it is not */
@@ -31,6 +31,8 @@ typedef struct {
     double limit_opens[ENGINE_AXES], probe_opens, buttons_open;    /* 1: the contact opens */
     double idle, pulse;                     /* s to the motors' rest, 0: none; us; below 0: not
                                              * given */
+    double s_max, spin_up, laser;           /* S of full power; s until the spindle turns; 1: it is
+                                             * a laser */
     double tick_hz, slots, ramp, queue, curves;     /* whole numbers                        */
     bool   limited;                         /* the file gives a speed, an acceleration or a jerk */
     kinematics k;

@@ -29,6 +29,7 @@ static const row rows[] = {
     { "pen_down", "mm", AT(pen_down), 0, -16383, 16383 },
     { "delay", "s", AT(delay), 0, 0, 3600 },
     { "diameter", "mm", AT(diameter), 0, 0.001, 1000 },
+    { "length", "mm", AT(length), 0, -1000, 1000 },
 };
 #define ROWS (sizeof rows / sizeof rows[0])
 
@@ -103,7 +104,7 @@ static machine_tool *tool_of(machine_tools *t, const char *name, size_t length)
     if (t->count == MACHINE_TOOLS || length == 0 || length >= sizeof t->tool[0].name)
         return NULL;
     machine_tool *fresh = &t->tool[t->count++];
-    *fresh = (machine_tool){ .pen_up = NAN, .pen_down = NAN };
+    *fresh = (machine_tool){ .pen_up = NAN, .pen_down = NAN, .length = NAN };
     memcpy(fresh->name, name, length);
     return fresh;
 }
@@ -122,7 +123,7 @@ int machine_tools_line(machine_tools *t, const char *file, unsigned line, const 
     if (k == NULL || *dot != '.' || *s != '=')
         return tool_error(EX_DATAERR,
                           "%s:%u: not a line of a tool: write tool.NAME.KEY = .., KEY one of "
-                          "colours, layers, pause, feed, pen_up, pen_down, delay, diameter",
+                          "colours, layers, pause, feed, pen_up, pen_down, delay, diameter, length",
                           file, line);
     machine_tool *of = tool_of(t, name, (size_t)(dot - name));
     if (of == NULL)

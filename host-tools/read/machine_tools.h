@@ -19,6 +19,7 @@ typedef struct {
     double pen_up, pen_down;        /* mm; NAN: as without tools */
     double delay;                   /* s before it draws */
     double diameter;                /* mm, of a cutter; 0: not given */
+    double length;                  /* mm, for G43; NAN: not given */
 } machine_tool;
 
 typedef struct machine_tools {

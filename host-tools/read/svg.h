@@ -2,15 +2,19 @@
  * SPDX-License-Identifier: MIT
  *
  *     svg_file.c   the XML: read safely, ids, lines for messages
- *     svg.c        the document: elements, viewports, use, hidden elements
+ *     svg.c        the document: elements, viewports, use
+ *     svg_viewport.c  viewports: size, place, edges
+ *     svg_enter.c  what the style of an element says: is it shown, how is it painted
  *     svg_shape.c  path data and basic shapes          -> pen
  *     svg_pen.c    lines, cubics, arcs in user units   -> curves in mm
  *     svg_space.c  transforms, lengths with units, viewBox
  *     svg_style.c  properties from attributes, style="" and style sheets; var()
  *     svg_sheet.c  the rules of style sheets
  *     svg_layer.c  layers of Inkscape
- *     svg_clip.c   clip paths
+ *     svg_mask.c   clip paths and masks of elements    -> outlines
+ *     svg_clip.c   cuts curves at an outline
  *     svg_dash.c   dashes
+ *     svg_marker.c markers
  *     svg_ink.c    colours, and which of them are drawn
  *     svg_text.c   text: letters, their places, runs     -> shaped glyphs -> pen
  *     svg_font.c   properties of fonts
@@ -50,9 +54,11 @@ typedef struct {
 #define SVG_DEPTH_MAX    500
 
 #define SVG_INKS 10
+#define SVG_MARKINGS 8          /* markers in markers */
 
 #define SVG_EFFORT_MAX   100000000u /* rules tried on elements: a few seconds */
 
+typedef struct svg_vertices svg_vertices;       /* of a shape with markers, see svg_marker.c */
 typedef struct svg_fonts svg_fonts;     /* the fonts that were opened, see svg_glyphs.c */
 typedef struct svg_lines svg_lines;     /* and see svg_lines.c */
 
@@ -78,6 +84,9 @@ typedef struct {
     bool clipping;              /* what is drawn now is a clip path */
     bool masking, plain;        /* or a mask; it is white, as a clip path would do */
     unsigned long long compared;/* pairs of curves, to stop a flood of them */
+    svg_vertices *vertices;     /* of the current shape; NULL: it has no markers */
+    const xmlNode *marking[SVG_MARKINGS];       /* what is drawn now is in these markers */
+    unsigned markings;
     double dashes;              /* that were drawn, about */
     const char *inks[SVG_INKS]; /* the first colours that were seen, if only some are drawn */
     bool inked;                 /* one of those that are drawn was seen */
@@ -131,6 +140,7 @@ typedef struct {
     bool stroke, stroke_opaque, stroke_wide;/* invisible and not drawn */
     bool evenodd, clip_evenodd; /* fill-rule, clip-rule */
     const char *clip, *mask;    /* clip-path and mask of this element; NULL: none */
+    const char *marker[3];      /* at the start, between, at the end, as written; NULL: none */
     const char *dashes, *dash_offset;       /* as written; NULL: none */
     double stroke_width, mitre; /* user units; stroke-miterlimit */
     int cap, join;              /* of strokes, see drawing.h */
@@ -155,6 +165,30 @@ bool svg_draw(svg_reader *r, const xmlNode *root);
 /* Read the style of the current element into `space`; *shown: some of it is visible. `scope` must
  * outlive `space`, and must be closed. */
 bool svg_enter(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown);
+
+/* What the outermost element inherits. */
+svg_space svg_space_usual(void);
+
+/* Enter the viewport of the current element: a box of width x height (below 0: unknown) in `space`
+ * shows its viewBox. *empty: its size is 0, and nothing of it is drawn. */
+bool svg_enter_viewport(const svg_reader *r, svg_space *space, double width, double height,
+                        bool *empty);
+
+/* The sizes that an element gives itself, or `width` and `height`. */
+bool svg_sizes(const svg_reader *r, const svg_space *space, double *width, double *height);
+
+/* Go to the x and y of the current element. */
+bool svg_move_origin(const svg_reader *r, svg_space *space);
+
+/* Cut the curves from the first'th on at the edges of a viewport. */
+bool svg_cut_frame(svg_reader *r, const xmlNode *node, const svg_matrix *frame, double width,
+                   double height, size_t first);
+
+/* Draw what the viewport of an element shows, of this size at 0, 0. */
+bool svg_viewport(svg_reader *r, const xmlNode *node, svg_space space, double width, double height);
+
+/* Draw the elements in an element. */
+bool svg_children(svg_reader *r, const xmlNode *node, svg_space space);
 
 /* Begin a shape: the curves that follow are painted together. Returns false if it is invisible. */
 bool svg_begin(svg_reader *r, const svg_space *space);
@@ -186,7 +220,6 @@ enum svg_warning {
     SVG_WARN_CLIP_PATH,
     SVG_WARN_MASK,
     SVG_WARN_DASHES,
-    SVG_WARN_MARKER,
     SVG_WARN_BOX,
     SVG_WARN_UNSEEN,
     SVG_WARN_USE_NOTHING,
@@ -426,8 +459,26 @@ bool svg_shape(const svg_reader *r, const svg_space *space, bool *known);
 /* Draw the current element, a <text>. */
 bool svg_text(svg_reader *r, const svg_space *space);
 
+/* The curve in the space that `m` maps to mm. */
+drawing_curve svg_within(const drawing_curve *c, const svg_matrix *m);
+
 /* Leave out what is outside of an outline, whose parts are closed, from curve `first` on. */
 bool svg_cut(svg_reader *r, const drawing *outline, size_t first);
+
+/* Cut the curves from the first'th on, which the current element has drawn, at its clip path; at
+ * its mask, which is a clip path if it is of white shapes: what another one lets through is not
+ * known. */
+bool svg_clip_element(svg_reader *r, const svg_space *of, size_t first);
+bool svg_mask_element(svg_reader *r, const svg_space *of, size_t first);
+
+/* Does the current element have markers? Note its vertices: where a part begins; where a segment
+ * ends, whose curves are those from `before` on. Draw the markers. */
+bool svg_has_markers(const svg_reader *r, const svg_space *space);
+svg_vertices *svg_vertices_open(void);
+void svg_vertices_close(svg_vertices *all);
+void svg_vertex_move(const svg_pen *pen);
+void svg_vertex(const svg_pen *pen, size_t before, bool closes);
+bool svg_markers(svg_reader *r, const svg_space *space, const svg_vertices *all);
 
 /* Cut the curves from `first` on into the dashes of the current element. */
 bool svg_dash(svg_reader *r, const svg_space *space, size_t first);

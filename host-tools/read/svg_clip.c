@@ -18,6 +18,19 @@
 #define MEET_TOL 5e-5           /* mm */
 #define ALONG    1e-3           /* mm: so near to the outline, a piece stays */
 #define LEAST    1e-9           /* of the parameter, between two cuts */
+
+drawing_curve svg_within(const drawing_curve *c, const svg_matrix *m)
+{
+    const double area = m->a * m->d - m->b * m->c;
+    drawing_curve in = *c;
+
+    for (int k = 0; k < 4; k++) {
+        const double x = c->p[k][0] - m->e, y = c->p[k][1] - m->f;
+        in.p[k][0] = (m->d * x - m->c * y) / area;
+        in.p[k][1] = (m->a * y - m->b * x) / area;
+    }
+    return in;
+}
 #define WORK_MAX 20000000u      /* pairs of curves that are compared: a few seconds */
 
 typedef struct {

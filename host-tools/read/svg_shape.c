@@ -107,6 +107,16 @@ static bool draw_segment(path *p, char kind, const double v[7])
     }
 }
 
+static bool close_part(svg_pen *pen)
+{
+    const size_t before = pen->r->d->count;
+    const bool good     = svg_close(pen);
+
+    if (good)
+        svg_vertex(pen, before, true);
+    return good;
+}
+
 /* Read a command letter and all segments that follow it. */
 static bool draw_command(path *p)
 {
@@ -118,7 +128,7 @@ static bool draw_command(path *p)
     p->at++;
     if (kind == 'Z') {
         p->last_kind = 0;
-        return svg_close(p->pen);
+        return close_part(p->pen);
     }
     for (;;) {
         double v[7];
@@ -126,8 +136,13 @@ static bool draw_command(path *p)
             return false;
         if (letter >= 'a')
             make_absolute(p, kind, v);
+        const size_t before = p->pen->r->d->count;
         if (!draw_segment(p, kind, v))
             return false;
+        if (kind == 'M')
+            svg_vertex_move(p->pen);
+        else
+            svg_vertex(p->pen, before, false);
         kind = kind == 'M' ? 'L' : kind;
 
         const bool comma = scan_comma(&p->at);
@@ -193,7 +208,11 @@ static bool draw_line(const svg_reader *r, const svg_space *s)
         !read_length(r, s, "x2", SVG_ACROSS, &x2) || !read_length(r, s, "y2", SVG_ALONG_Y, &y2))
         return false;
     svg_move(&pen, x1, y1);
-    return svg_line(&pen, x2, y2);
+    svg_vertex_move(&pen);
+    const size_t before = r->d->count;
+    const bool good     = svg_line(&pen, x2, y2);
+    svg_vertex(&pen, before, false);
+    return good;
 }
 
 static bool draw_points(const svg_reader *r, const svg_space *s, bool closed)
@@ -209,10 +228,14 @@ static bool draw_points(const svg_reader *r, const svg_space *s, bool closed)
         return true;
     scan_space(&at);
     while (good && scan_number(&at, &v[count % 2])) {
-        if (count == 1)
+        const size_t before = r->d->count;
+        if (count == 1) {
             svg_move(&pen, v[0], v[1]);
-        else if (count % 2 == 1)
+            svg_vertex_move(&pen);
+        } else if (count % 2 == 1) {
             good = svg_line(&pen, v[0], v[1]);
+            svg_vertex(&pen, before, false);
+        }
         count++;
         scan_comma(&at);
     }
@@ -221,7 +244,7 @@ static bool draw_points(const svg_reader *r, const svg_space *s, bool closed)
     if (good && count % 2 == 1)
         good = svg_fail(r, "points: %d numbers: give x and y of each point", count);
     if (good && closed && count > 0)
-        good = svg_close(&pen);
+        good = close_part(&pen);
     xmlFree(text);
     return good;
 }

@@ -223,8 +223,28 @@ static void write_cubic(writer *w, const cubic *c, double feed)
     finish_line(w, text, feed);
 }
 
+static void write_event(writer *w, const drawing_event *e)
+{
+    char text[128];
+
+    switch (e->doing) {
+    case DRAWING_WAITS:  snprintf(text, sizeof text, "G4P%.3f", e->amount); break;
+    case DRAWING_COOLS:  snprintf(text, sizeof text, "M%d", e->way ? 8 : 9); break;
+    case DRAWING_PAUSES: snprintf(text, sizeof text, "M0"); break;
+    case DRAWING_SPINS:
+        if (e->way == 0)
+            snprintf(text, sizeof text, "M5");
+        else if (isnan(e->amount))
+            snprintf(text, sizeof text, "M%d", e->way);
+        else
+            snprintf(text, sizeof text, "M%dS%.10g", e->way, e->amount);
+    }
+    put_line(w, text);
+}
+
 void gcode_make(gcode *g, const toolpath *t, const gcode_options *o)
 {
+    size_t events = 0;
     writer w = { .g = g, .o = o };
 
     *g = (gcode){ .count = 0 };
@@ -233,6 +253,8 @@ void gcode_make(gcode *g, const toolpath *t, const gcode_options *o)
         cubic c;
         memcpy(c.p, t->move[i].p, sizeof c.p);
         w.move = i;
+        while (events < t->events && t->event[events].move <= i)
+            write_event(&w, &t->event[events++].e);
         const bool cubics = o->curves == GCODE_G5 && is_flat(&c);
         if (t->curve[i] == TOOLPATH_TRAVEL && o->rapids)
             write_line(&w, &c, 0);
@@ -243,6 +265,8 @@ void gcode_make(gcode *g, const toolpath *t, const gcode_options *o)
         else
             write_arcs(&w, &c, t->move[i].feed, 0);
     }
+    while (events < t->events)
+        write_event(&w, &t->event[events++].e);
 }
 
 void gcode_free(gcode *g)

@@ -24,7 +24,8 @@ typedef struct {
     bool rapids;                /* travels are G0, without a feed */
 } gcode_options;
 
-/* The lines that draw `t`: in mm, absolute, arcs in the plane of x and y, with z as a helix.
+/* The lines that draw `t`: in mm, absolute, arcs in the plane of x and y, with z as a helix. Events
+ * of a program are M3 M4 M5 with S, M8 M9, G4 and M0.
  *
  *   error   arcs and lines leave the curve by at most `tol` mm, and 0.0001 for their decimals
  *   see     NIST RS274/NGC 3 (G1 G2 G3); LinuxCNC's G5, which grblHAL and Marlin have too */

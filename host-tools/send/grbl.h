@@ -10,6 +10,7 @@
 #define LOFT_GRBL_H
 
 #include "engine/engine.h"  /* ENGINE_AXES */
+#include "read/machine_file.h"  /* machine_file */
 #include "send/gcode.h"     /* gcode */
 
 typedef struct grbl grbl;
@@ -20,6 +21,15 @@ int  grbl_open(grbl **g, const char *port, unsigned baud, double seconds);
 void grbl_close(grbl *g);
 
 const double *grbl_place(const grbl *g);
+const char   *grbl_name(const grbl *g);     /* its greeting; "": none */
+
+/* What it answered to `$$`, over *m, with the table as grbl_table sees it. Returns 0, or an exit
+ * code after printing one line. */
+int  grbl_machine(const grbl *g, machine_file *m);
+
+/* Its table in work coordinates, into m->travel and m->min. Returns false, and leaves *m, if it has
+ * no soft limits ($20=1): then it does not know where it is. */
+bool grbl_table(const grbl *g, machine_file *m);
 
 /* Send all lines and wait for the end; handles keys and shows progress. Returns an exit code, after
  * printing the closing line or one error. */

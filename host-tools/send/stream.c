@@ -30,6 +30,8 @@ typedef struct {
     double stop_at;         /* the clock when ^C was seen; 0: not yet */
     double held_at;         /* the clock when the machine stopped; 0: not yet */
     bool woken;             /* a job that was already running continues */
+    bool resting;           /* it was held then: it goes on, if that is no pause */
+    const char *pause;      /* what the program says of the pause; NULL: there is none */
     uint32_t ticks, elapsed;/* of the previous status */
     double pace;            /* between the last two */
     double moved;           /* the clock when the ticks last advanced */
@@ -48,7 +50,9 @@ static void state_text(const run_state *r, char text[32])
 
     switch (s->ack.state) {
     case LOFT_STATE_HOLDING:  snprintf(text, 32, "%-16s", "slowing down");    return;
-    case LOFT_STATE_HELD:     snprintf(text, 32, "%-16s", "held, r resumes"); return;
+    case LOFT_STATE_HELD:
+        snprintf(text, 32, "%-16s", r->pause ? "pause, r resumes" : "held, r resumes");
+        return;
     case LOFT_STATE_STOPPING: snprintf(text, 32, "%-16s", "aborting");        return;
     default: break;
     }
@@ -97,10 +101,14 @@ static const char *awaited_event(const run_state *r, char text[200])
     case LOFT_STATE_HOLDING:    return "the machine slows down to a hold";
     case LOFT_STATE_STOPPING:   return "the machine slows down, then the job is over";
     case LOFT_STATE_HELD:
-        snprintf(text, 200,
-                 "the machine is held: end this command, then `loft stream --resume --port %s` "
-                 "goes on, and --abort gives up",
-                 r->t->port);
+        snprintf(
+            text, 200,
+            r->pause
+                ? "the program pauses: end this command, then `loft stream --resume "
+                  "--port %s` goes on, and --abort gives up"
+                : "the machine is held: end this command, then `loft stream --resume --port %s` "
+                  "goes on, and --abort gives up",
+            r->t->port);
         return text;
     default: break;
     }
@@ -182,6 +190,11 @@ static void obey_keys(run_state *r)
     case 's': tell_state(r); break;
     case 'h': loft_sender_control(&r->t->sender, LOFT_HOLD);   break;
     case 'r': loft_sender_control(&r->t->sender, LOFT_RESUME); break;
+    case '\r':
+    case '\n':
+        if (r->pause != NULL)
+            loft_sender_control(&r->t->sender, LOFT_RESUME);
+        break;
     case 'a': loft_sender_control(&r->t->sender, LOFT_ABORT);  break;
     default:  break;
     }
@@ -199,8 +212,26 @@ static void wake_job(run_state *r)
     job_sent_from(r->j, s->ack.next);
     fprintf(stderr, "resuming at item %u%s\n", (unsigned)s->ack.next, job_of(r->j, of));
     progress_start(&r->again, (double)s->ack.next);
-    if ((s->ack.state == LOFT_STATE_HELD || s->ack.state == LOFT_STATE_HOLDING) && r->stop_at <= 0)
+    r->resting = s->ack.state == LOFT_STATE_HELD || s->ack.state == LOFT_STATE_HOLDING;
+}
+
+/* A job that stands still may be in a pause of the program: the plan knows, when it has come so
+ * far. Then the user decides. A hold of an earlier program ends. */
+static void watch_pauses(run_state *r)
+{
+    const loft_sender *s = &r->t->sender;
+    const char *before   = r->pause;
+
+    if (s->phase != LOFT_PHASE_STREAMING || (!r->j->whole && r->j->count < s->ack.executed))
+        return;
+    r->pause = s->ack.state == LOFT_STATE_HELD ? job_pause(r->j, s->ack.executed) : NULL;
+    if (r->pause != NULL && r->pause != before) {
+        progress_clear(&r->bar);
+        fprintf(stderr, "pause%s%s: Enter goes on, a gives up\n", *r->pause ? ": " : "", r->pause);
+    }
+    if (r->resting && r->pause == NULL && r->stop_at <= 0)
         loft_sender_control(&r->t->sender, LOFT_RESUME);
+    r->resting = false;
 }
 
 /* After ^C: hold, and wait until the machine has stopped and reported its position. Returns true
@@ -273,6 +304,7 @@ static int stream_loop(run_state *r)
                               r->t->port, SILENCE, where_text(r, place));
         }
         wake_job(r);
+        watch_pauses(r);
         obey_keys(r);
         if (has_stopped(r))
             break;

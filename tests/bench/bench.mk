@@ -74,8 +74,16 @@ build/bench/order: tests/bench/bench_order.c $(filter-out %/loft.o,$(TOOL_OBJ)) 
 	    $(call tool_flag,q16) $^ $(shell pkg-config --libs $(TOOL_PKG)) -lm -o $@
 
 FILES ?= 2000
-## Plan 2,000 drawings of Debian's icons and clip art; travel of 20 beside a bound   FILES=
+PIECE ?= 0
+## Plan 2,000 drawings of Debian's icons and clip art; travel of 20 beside a bound   FILES= PIECE=
 .PHONY: bench-drawings
 bench-drawings: build/bench/order tools
 	@bash tests/bench/bench_drawings.sh $(TOOL_OUT)/loft build/bench/order build/bench/drawings \
-	    $(FILES)
+	    $(FILES) 120 $(PIECE)
+
+# --- long files -----------------------------------------------------------------------------------
+LINES ?= 1000000
+## Read and plan 1,000,000 lines of G-code: lines per second, memory   LINES=
+.PHONY: bench-long
+bench-long: tools
+	@bash tests/bench/bench_long.sh $(TOOL_OUT)/loft build/bench/long $(LINES)

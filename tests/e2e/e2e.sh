@@ -86,8 +86,8 @@ one_line() {
 counted() {
     local said record
     said=$(sed -n 's/.*steps \(-\?[0-9]* -\?[0-9]* -\?[0-9]*\).*/\1/p' "$tmp/${2:-out}" | head -1)
-    record=$(tail -1 "$tmp/$1.csv" | cut -d, -f2- | tr ',' ' ')
-    [ -n "$said" ] && [ "$said" = "$record" ] \
+    record=$(grep -v "^#" "$tmp/$1.csv" | tail -1 | cut -d, -f2- | tr ',' ' ')
+    [ -n "$said" ] && [ "$said" = "${record:-0 0 0}" ] \
         || job_fails "said steps \`$said\`, the pulses led to \`$record\`"
 }
 
@@ -198,11 +198,16 @@ case_dense_curves_at_115200_baud() {
         || job_fails "no share of the line: $(cat "$tmp/out")"
 }
 case_demo() {
-    run 0 host-tools/demo.sh "$loft" "$tmp/small.csv" "$tmp/demo"
+    run 0 host-tools/demo.sh draw "$loft" "$tmp/small.csv" "$tmp/demo"
     says out 'worst path error 0.00[0-9]* mm, steps 19200 9600 320 as commanded$'
     says out "^picture: $tmp/demo/drawn.png"
     [ "$(head -c 4 "$tmp/demo/drawn.png" | tail -c 3)" = PNG ] || job_fails "no picture"
-    one_line 66 'no such file' host-tools/demo.sh "$loft" "$tmp/none.svg" "$tmp/demo2"
+    one_line 64 '--tol: give --record FILE as well' "$loft" plot tests/drawings/demo.svg --tol 1
+    printf '%s\n' 0,0,3,0,6,0,9,0 9,0,9,3,9,6,9,9 >"$tmp/corners.csv"
+    run 0 "$loft" plot "$tmp/corners.csv" --record "$tmp/demo/pulses.csv" --tol 0.005 \
+        -o "$tmp/corner.svg"
+    says out ', inset: corner at 9.000,0.000$'
+    one_line 66 'no such file' host-tools/demo.sh draw "$loft" "$tmp/none.svg" "$tmp/demo2"
 }
 case_from_a_pipe()      {
     machine pipe --speed fast --once
@@ -435,7 +440,7 @@ case_interrupt_while_planning_ends_at_once() {
     timeout -s INT 1.5 "$loft" stream "$tmp/long.loft" --dry-run >"$tmp/out" 2>"$tmp/err"
     [ $? = 124 ] || job_fails "it was not planning any more"
     says err '^loft: stopped: nothing was sent$'; is_empty out
-    timeout -s INT 0.1 "$loft" stream "$tmp/long.loft" --port "$tmp/idle" >"$tmp/out" 2>"$tmp/err"
+    timeout -s INT 0.4 "$loft" stream "$tmp/long.loft" --port "$tmp/idle" >"$tmp/out" 2>"$tmp/err"
     [ $? = 124 ] || job_fails "it was not planning any more"
     says err '^loft: stopped'; is_empty out
     run 0 "$loft" ports "$tmp/idle"; says out '	idle'
@@ -480,26 +485,57 @@ case_long_drawing_killed_goes_on() {
     counted cut
     same_path cut calm
 }
+# peak COMMAND..: run it, and append the most memory that it had, in kB, to most[]
+peak() {
+    # freed memory is free at once: a sanitizer would keep it for a while
+    ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}quarantine_size_mb=0 \
+        run 0 python3 -c 'import resource, subprocess, sys
+code = subprocess.run(sys.argv[1:]).returncode
+print("most", resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
+sys.exit(code)' "$@"
+    most+=("$(sed -n 's/^most //p' "$tmp/out")")
+}
+long_rows() {                           # long_rows N: each takes 13 s at 15 mm/s
+    awk -v n="$1" 'BEGIN { for (i = 0; i < n; i++) {
+            a = i % 2 ? 200 : 0
+            printf "%g,%g,%g,%g,%g,%g,%g,%g\n",
+                a, i / 9, a, i / 9, 200 - a, i / 9, 200 - a, i / 9
+        } }' >"$tmp/rows.csv"
+}
 case_memory_of_a_long_job() {           # 800 thousand points, each of which took 48 bytes
     local most=()
     for rows in 10 60; do
-        awk -v n=$rows 'BEGIN { for (i = 0; i < n; i++) {
-                a = i % 2 ? 200 : 0
-                printf "%g,%g,%g,%g,%g,%g,%g,%g\n",
-                    a, i / 9, a, i / 9, 200 - a, i / 9, 200 - a, i / 9
-            } }' >"$tmp/rows.csv"
+        long_rows $rows
         machine "rows$rows" --speed fast --once
-        # freed memory is free at once: a sanitizer would keep it for a while
-        ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}quarantine_size_mb=0 \
-            run 0 python3 -c 'import resource, subprocess, sys
-code = subprocess.run(sys.argv[1:]).returncode
-print("most", resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
-sys.exit(code)' "$loft" stream "$tmp/rows.csv" --feed 15 --points --port "$tmp/rows$rows"
+        peak "$loft" stream "$tmp/rows.csv" --feed 15 --points --port "$tmp/rows$rows"
         gone "$machine"; says out 'as commanded$'
-        most+=("$(sed -n 's/^most //p' "$tmp/out")")
     done
     # 131072 items are kept at most
     [ $((most[1] - most[0])) -lt 12000 ] || job_fails "${most[*]} kB"
+}
+case_memory_of_a_long_plan() {          # 6 more minutes of motion, each of which took 1600 kB
+    local most=()
+    for rows in 6 30; do
+        long_rows $rows
+        peak "$loft" plan "$tmp/rows.csv" --feed 15 --jerk 0 --spans -o "$tmp/spans.csv"
+        [ "$(wc -l <"$tmp/spans.csv")" -gt $((50 * rows)) ] || job_fails "spans are missing"
+    done
+    [ $((most[1] - most[0])) -lt 2048 ] || job_fails "${most[*]} kB"
+}
+case_memory_of_a_long_program() {       # each line took 300 bytes
+    local what most
+    for what in "plan --total" "stream --dry-run"; do
+        most=()
+        for lines in 10000 100000; do
+            awk -v n=$lines 'BEGIN { print "G21 G90\nG0 X50 Y0\nF18000"
+                for (i = 1; i <= n; i++)
+                    printf "G1 X%.5f Y%.5f\n", 50 * cos(i / 1000), 50 * sin(i / 1000)
+                print "M30" }' >"$tmp/long.nc"
+            # shellcheck disable=SC2086
+            peak "$loft" $what "$tmp/long.nc" --feed 300 --accel 30000 --jerk 0
+        done
+        [ $((most[1] - most[0])) -lt 2048 ] || job_fails "$what: ${most[*]} kB"
+    done
 }
 case_planning_is_seen() {               # on a terminal there is a bar, elsewhere nothing
     long_drawing
@@ -690,6 +726,114 @@ case_gcode() {                          # every place, and back: counted, and as
         || job_fails "it does not end at 10,10,0: $(tail -1 "$tmp/gcode.csv")"
     run 0 "$loft" plan --total "$tmp/part.nc"
     run 0 "$loft" plot -o "$tmp/part.png" "$tmp/part.nc"
+}
+
+case_gcode_tools() {                    # beside the path, with two tools; the second asks
+    printf '%s\n' 'tool.1.diameter = 6' 'tool.2.diameter = 2' 'tool.2.pause = the small one' \
+        >"$tmp/mills.txt"
+    printf '%s\n' 'G21 G61' 'T1 M6' 'G0 X0 Y0' 'G41 D1' 'G1 X20 F3000' 'X40' 'Y20' 'G40' 'G1 X20' \
+        'T2 M6' 'G42 G1 X10' 'X0' 'G40 Y0' 'M2' >"$tmp/mills.nc"
+    machine mills --speed fast
+    run 75 "$loft" stream "$tmp/mills.nc" --machine "$tmp/mills.txt" --port "$tmp/mills"
+    says err 'tool 2 is next: the small one'
+    printf '\n' | timeout 200 "$loft" stream "$tmp/mills.nc" --machine "$tmp/mills.txt" \
+        --port "$tmp/mills" --from-tool 2 >"$tmp/out" 2>"$tmp/err" || job_fails 'it did not go on'
+    says out '^drawn: .*as commanded$'
+    run 0 "$loft" stream "$tmp/mills.nc" --machine "$tmp/mills.txt" --dry-run
+    says out '^tool 1: planned: 4 curves'; says out '^tool 2: before it: the small one'
+    one_line 78 'G61: a machine that plans does not stop' "$loft" stream "$tmp/mills.nc" \
+        --machine "$tmp/mills.txt" --dry-run --plan chip
+    one_line 65 'mills.nc:4: tool 1 has no diameter' "$loft" plan "$tmp/mills.nc"
+}
+
+case_a_spindle_a_wait_and_a_pause() {
+    printf '%s\n' 'G21 G90 M3 S500' 'G1 X10 F600' 'G4 P0.5' 'Y10' '(MSG, turn it)' 'M0' 'M8' 'X0' \
+        'M9' 'M30' >"$tmp/part.nc"
+    printf 'spin_up = 2\n' >"$tmp/spin.txt"
+    machine spin --speed fast --once
+    # a sender that is killed in the pause, one that is stopped there, a resume, and the report
+    "$loft" stream "$tmp/part.nc" --port "$tmp/spin" --machine "$tmp/spin.txt" 2>"$tmp/err" &
+    local first=$!; children+=("$first"); disown "$first"
+    until_log spin ' held: '; sleep 0.5
+    kill -9 "$first"; gone "$first"
+    says err '^pause: turn it: Enter goes on, a gives up$'
+    "$loft" stream "$tmp/part.nc" --port "$tmp/spin" --machine "$tmp/spin.txt" \
+        >"$tmp/out" 2>"$tmp/err" </dev/null &
+    first=$!; children+=("$first")
+    for _ in $(seq 3000); do grep -q '^pause' "$tmp/err" && break; sleep 0.02; done
+    kill -INT "$first"; wait "$first"
+    [ $? = 75 ] || job_fails 'a pause that was left did not end with 75'
+    says err '^pause: turn it: Enter goes on, a gives up$'
+    run 0 "$loft" stream --resume --port "$tmp/spin"
+    run 0 "$loft" stream "$tmp/part.nc" --port "$tmp/spin" --machine "$tmp/spin.txt"
+    says out '^drawn: .*as commanded$'; gone "$machine"; counted spin
+    # on at half power before the first pulse and spin_up, off at the end; the coolant for the last
+    # line
+    awk -F, '/^# output 1 = 32768 from/ { on = 1 } /^# output 2 = 65535/ { wet = $0 }
+        /^# output 2 = 0 / { dry = 1 } /^# output 1/ { ones++ } /^[0-9]/ { if (!on) exit 1; n++ }
+        n == 1 { first = $1 } END { exit !(ones == 2 && wet != "" && dry && first >= 80000) }' \
+        "$tmp/spin.csv" || job_fails "$(grep output "$tmp/spin.csv")"
+    [ "$(grep -c ' held: ' "$tmp/spin.log")" = 1 ] || job_fails 'it paused more than once'
+    run 0 "$loft" stream "$tmp/part.nc" --dry-run --grbl
+    words_of_it() { grep -E '^(M|G4)' "$tmp/out" | tr '\n' ' '; }
+    [ "$(words_of_it)" = 'M3S500 G4P0.500 M0 M8 M9 ' ] || job_fails "as G-code: $(words_of_it)"
+    run 0 "$loft" stream "$tmp/part.nc" --dry-run --points
+    says err 'part.nc:1: M3, M4 or M5: the machine has no output for a spindle'
+    says err 'part.nc:6: M0, M1 or M6: the machine does not stop there'
+    run 0 "$loft" plan --total "$tmp/part.nc"
+    says err 'part.nc:1: G4, M0, M3 and the like (5 times): the times are of motion without them'
+    # as --dry-run does: 0.5 s of G4
+    seconds_of() {
+        run 0 "$loft" stream "$tmp/$1.nc" --dry-run
+        sed -n 's/^planned: .* travelled, \([0-9.]*\) s,.*/\1/p' "$tmp/out"
+    }
+    sed 's/^G4.*/G4 P0/' "$tmp/part.nc" >"$tmp/brief.nc"
+    awk -v a="$(seconds_of part)" -v b="$(seconds_of brief)" \
+        'BEGIN { exit !(a - b > 0.35 && a - b < 0.65) }' || job_fails 'G4 is not in the time'
+}
+
+# a program of 1.1 MB, read in parts, whose events stand in its later ones
+case_events_late_in_a_long_program() {
+    awk 'BEGIN { print "G21 G90\nF18000"
+        for (i = 1; i <= 40000; i++) {
+            if (i == 20001) print "M3 S500\nG4 P0.25"
+            if (i == 30001) print "M8"
+            printf "G1 X%.5f Y%.5f\n", 50 * cos(i / 1000), 50 * sin(i / 1000)
+        }
+        print "M5" }' >"$tmp/late.nc"
+    run 0 "$loft" stream "$tmp/late.nc" --dry-run --grbl --accel 30000 --jerk 0
+    # each after the point that stands before it, the arcs around it end there
+    grep -A1 'X20.4041Y45.6473' "$tmp/out" | grep -q '^M3S500$' || job_fails 'M3 elsewhere'
+    grep -A1 '^M3S500' "$tmp/out" | grep -q '^G4P0.250$' || job_fails 'G4 elsewhere'
+    grep -A1 'X7.7126Y-49.4016' "$tmp/out" | grep -q '^M8$' || job_fails 'M8 elsewhere'
+    [ "$(tail -1 "$tmp/out")" = M5 ] || job_fails 'M5 is not at the end'
+    # standard input is kept as a whole: the same words, the same job
+    mv "$tmp/out" "$tmp/parts"
+    whole() { "$loft" stream - --dry-run "$@" --accel 30000 --jerk 0 <"$tmp/late.nc" >"$tmp/out"; }
+    whole --grbl || job_fails 'standard input was refused'
+    cmp -s "$tmp/parts" "$tmp/out" || job_fails 'parts and the whole differ'
+    run 0 "$loft" stream "$tmp/late.nc" --dry-run --accel 30000 --jerk 0
+    mv "$tmp/out" "$tmp/parts"; says parts ' job [0-9a-f]*$'
+    whole || job_fails 'standard input was refused'
+    cmp -s "$tmp/parts" "$tmp/out" || job_fails 'jobs of parts and of the whole differ'
+}
+
+# S/F for each mm, off in rapids: 20 mm at F1200 and 20 at F600 with half power, 20 with a quarter
+case_a_laser_gives_each_mm_the_same() {
+    printf '%s\n' 'G21 G90' 'M4 S500' 'G0 X5 Y5' 'G1 X25 F1200' 'Y25 F600' 'G0 X5' 'G1 Y5 S250' \
+        'M5' >"$tmp/burn.nc"
+    printf 'laser = yes\n' >"$tmp/laser.txt"
+    machine laser --speed fast --once
+    run 0 "$loft" stream "$tmp/burn.nc" --port "$tmp/laser" --machine "$tmp/laser.txt"
+    gone "$machine"; counted laser
+    awk '/^output 1:/ { s = $3 } END { exit !(s > 1.99 && s < 2.01) }' "$tmp/laser.log" ||
+        job_fails "$(cat "$tmp/laser.log"), expected 2.000 s"
+    # a slow line: the queue runs low again and again
+    machine slow --speed real --queue 4 --ramp 20 --once
+    run 0 "$loft" stream "$tmp/burn.nc" --port "$tmp/slow" --machine "$tmp/laser.txt"
+    gone "$machine"; counted slow
+    awk '/^output 1:/ { s = $3 } END { exit !(s > 1.97 && s < 2.03) }' "$tmp/slow.log" ||
+        job_fails "$(cat "$tmp/slow.log"), expected 2.000 s"
 }
 
 # --- bad input ------------------------------------------------------------------------------------
@@ -929,6 +1073,80 @@ case_make() {
     one_line 64 'not known to make' "$loft" make nothing "$tmp/curve.loft"
     one_line 65 raise "$loft" make raise --of 40 "$tmp/curve.loft"
     one_line 64 'raise: --of has 2 numbers' "$loft" make raise --of 1,2 "$tmp/curve.loft"
+}
+case_make_surfaces_of_curves() {
+    for num in q16 f32 f64; do
+        printf 'bezier 2\n5 0\n5 5\n0 5\nline\n0 0 0\n20 0 0\n40 0 0\n' >"$tmp/pipe.loft"
+        head -4 "$tmp/pipe.loft" >"$tmp/curve.loft"
+        "$loft" make sweep --num $num --of 3 "$tmp/pipe.loft" >"$tmp/swept.loft"
+        run 0 "$loft" eval --num $num --uv 1,1 "$tmp/swept.loft"
+        [ "$(grep . "$tmp/out" | tr '\n' ,)" = "20 -5 0,40 -5 0," ] ||
+            job_fails "sweep $num: $(cat "$tmp/out")"
+        printf 'arc left\n%d 0 %d\n0 0 %d\n0 %d %d\n' 20 0 0 20 0 20 9 9 20 9 >"$tmp/four.loft"
+        printf 'line\n20 0 0\n20 0 9\nline\n0 20 0\n0 20 9\n' >>"$tmp/four.loft"
+        "$loft" make coons --num $num "$tmp/four.loft" >"$tmp/coons.loft"
+        run 0 "$loft" eval --num $num --uv 0.3,0.5 "$tmp/coons.loft"
+        awk 'NF { r = sqrt($1 * $1 + $2 * $2); n++
+               if (r < 19.9998 || r > 20.0002 || $3 < 4.4999 || $3 > 4.5001) exit 1 }
+             END { exit n < 1 }' "$tmp/out" || job_fails "coons $num: $(cat "$tmp/out")"
+        "$loft" make gordon --num $num --of 3 "tests/drawings/network.loft" >"$tmp/gordon.loft"
+        run 0 "$loft" eval --num $num --uv 1,1 "$tmp/gordon.loft"
+        [ "$(head -1 "$tmp/out")" = "20 20 12" ] || job_fails "gordon $num: $(cat "$tmp/out")"
+        for i in 0 10 20; do
+            printf 'line\n%d 0 0\n%d 10 %d\n%d 20 %d\n' $i $i $i $i $((2 * i))
+        done >"$tmp/grid.loft"
+        for verb in adini bessel; do
+            "$loft" make $verb --num $num "$tmp/grid.loft" >"$tmp/$verb.loft"
+            run 0 "$loft" eval --num $num --uv 0.5,0.5 "$tmp/$verb.loft"
+            awk 'NF { n++; off = $3 - $1 * $2 / 10; if (off > 1e-4 || off < -1e-4) exit 1 }
+                 END { exit n != 4 }' "$tmp/out" || job_fails "$verb $num: $(cat "$tmp/out")"
+        done
+        run 0 "$loft" make ferguson --num $num "$tmp/grid.loft"; says out '^bicubic'
+    done
+    one_line 65 'stations' "$loft" make sweep --of 1 "$tmp/pipe.loft"
+    one_line 65 'starts along the direction' "$loft" make sweep --of 3,1,0,0 "$tmp/pipe.loft"
+    one_line 65 'give two paths' "$loft" make sweep --of 3 "$tmp/curve.loft"
+    one_line 65 'give four' "$loft" make coons "$tmp/pipe.loft"
+    sed '$s/.*/0 20 8/' "$tmp/four.loft" >"$tmp/apart.loft"
+    one_line 65 'curves 2 and 4 do not meet' "$loft" make gordon --of 2 "$tmp/apart.loft"
+    one_line 65 '2 curves, 2 of them along u' "$loft" make gordon --of 2 "$tmp/pipe.loft"
+    one_line 65 'curve 3 has 2 points, the first one 3' "$loft" make bessel "$tmp/four.loft"
+}
+case_make_patches_that_join() {
+    for num in q16 f32 f64; do
+        { printf 'coons slopes 3 3\n0 0\n10 0\n20 0\n30 0\n0 30\n10 30\n20 30\n30 30\n'
+          printf '0 30 0\n0 30 6\n0 30 6\n0 30 0\n0 30 0\n0 30 -6\n0 30 -6\n0 30 0\n'
+          printf '0 0\n0 10\n0 20\n0 30\n30 0\n30 10\n30 20\n30 30\n'
+          for k in 1 2 3 4 5 6 7 8; do echo '30 0'; done; } >"$tmp/slopes.loft"
+        "$loft" make gregory --num $num "$tmp/slopes.loft" >"$tmp/gregory.loft"
+        run 0 "$loft" eval --num $num --uv 0.5,0.5 "$tmp/gregory.loft"
+        [ "$(cat "$tmp/out")" = "15 15 0.5625" ] || job_fails "gregory $num: $(cat "$tmp/out")"
+        run 0 "$loft" make fill --num $num "tests/drawings/ring.loft"
+        cp "$tmp/out" "$tmp/fill.loft"; says out '^gb 5 5 split'
+        awk '/within/ { exit !($5 < 0.001) }' "$tmp/out" ||
+            job_fails "fill $num: $(sed -n 2p "$tmp/out")"
+        cat "tests/drawings/ring.loft" "$tmp/fill.loft" >"$tmp/closed.loft"
+        run 0 "$loft" surface --num $num -o "$tmp/closed.stl" "$tmp/closed.loft"
+        printf 'nurbs-surface 2 1 3 2\n0 0 0\n0 8 1 : 2\n9 0 5\n9 8 5\n20 0 0\n20 8 3\n' \
+            >"$tmp/nurbs.loft"
+        sed 's/nurbs-surface.*/tensor 2 1/' "$tmp/nurbs.loft" >"$tmp/tensor.loft"
+        "$loft" eval --num $num --uv 0.25,0.5 "$tmp/tensor.loft" >"$tmp/want"
+        run 0 "$loft" eval --num $num --uv 0.25,0.5 "$tmp/nurbs.loft"
+        paste "$tmp/want" "$tmp/out" |
+            awk '{ for (i = 1; i < 4; i++) if (($i - $(i + 3))^2 > 1e-9) exit 1 }' ||
+            job_fails "nurbs-surface $num: $(cat "$tmp/want" "$tmp/out")"
+        run 0 "$loft" contour --num $num --heights 2 "$tmp/nurbs.loft"; says out '^line'
+    done
+    one_line 65 'not a tensor patch without weights' "$loft" make fill "$tmp/tensor.loft"
+    printf 'tensor 1 1\n0 0\n0 1\n1 0\n1 1\n' >"$tmp/alone.loft"
+    one_line 65 'leads away' "$loft" make fill "$tmp/alone.loft"
+    cat "$tmp/alone.loft" "$tmp/alone.loft" >"$tmp/twice.loft"
+    one_line 65 'no hole with 3 to 8 sides' "$loft" make fill "$tmp/twice.loft"
+    one_line 65 'give `coons slopes 3 3`'   "$loft" make gregory "$tmp/tensor.loft"
+    printf 'nurbs-surface 2 1 3 2\nknots u 0 0 1\n' >"$tmp/bad.loft"
+    one_line 65 'bad.loft:1: 3 knots u for 3 points of degree 2' "$loft" eval "$tmp/bad.loft"
+    printf 'nurbs-surface 2 1 2 2\n' >"$tmp/bad.loft"
+    one_line 65 'bad.loft:1: not two degrees, rows and columns' "$loft" eval "$tmp/bad.loft"
 }
 case_flatten_keeps_its_tolerance() {
     for num in q16 f32 f64; do
@@ -1516,6 +1734,36 @@ case_grbl_answers_late() {     # a boot loader, and a board that is reset after 
     run 0 "$loft" stream tests/drawings/outline12.csv --grbl --feed 50 --port "$tmp/twice"
     drew twice
 }
+case_grbl_says_what_it_is() {           # $$: its table, its unit, a file for --machine
+    printf '0 0 10 0 20 0 30 0\n' | tr ' ' ',' >"$tmp/long.csv"
+    for corner in '' --corner; do       # the work zero is 10 mm from the low end
+        peer "in$corner" --table 41 $corner
+        run 0 "$loft" stream "$tmp/long.csv" --grbl --port "$tmp/in$corner"
+        kill "$peer"; gone "$peer"
+        peer "past$corner" --table 39 $corner
+        one_line 65 'x 0..30, .*the table is x -10..29, y -10..29.*: moved by -1,0' \
+            "$loft" stream "$tmp/long.csv" --grbl --port "$tmp/past$corner"
+        kill "$peer"; gone "$peer"
+    done
+    peer own --table 39
+    printf 'x.travel = 50\n' >"$tmp/own.txt"
+    run 0 "$loft" stream "$tmp/long.csv" --grbl --port "$tmp/own" --machine "$tmp/own.txt"
+    run 0 "$loft" settings --grbl --port "$tmp/own" --save "$tmp/grbl.txt"
+    says out '^saved: '
+    kill "$peer"; gone "$peer"
+    for line in 'x.steps_per_mm = 250' 'z.max_speed = 5' 'x.max_accel = 80' 'x.travel = 39' \
+        'x.min = '; do
+        grep -q "^$line" "$tmp/grbl.txt" || job_fails "no $line: $(cat "$tmp/grbl.txt")"
+    done
+    one_line 65 'table is x -10..29' "$loft" plan "$tmp/long.csv" --machine "$tmp/grbl.txt"
+    run 0 "$loft" plan "$tmp/long.csv" --total --at -9,0 --machine "$tmp/grbl.txt"
+    peer inches --table 100 --inches --mpos
+    run 0 "$loft" stream "$tmp/long.csv" --grbl --port "$tmp/inches"
+    run 0 "$loft" stream "$tmp/long.csv" --grbl --port "$tmp/inches"    # from 30 mm, not 1.18
+    kill "$peer"; gone "$peer"
+    awk -F, '!/#/ { if ($1 == 0 && was > 0 && was != 30) exit 1; was = $1 }' "$tmp/inches.csv" \
+        || job_fails "inches were taken for mm: $(head -5 "$tmp/inches.csv")"
+}
 case_plan_says_what_limits() {
     plan() { run 0 "$loft" plan "$@"; is_empty err; }
     limited() {
@@ -1632,6 +1880,28 @@ case_plan_stops_exactly_at_corners() {
     one_line 64 'a machine that plans does not stop' "$loft" stream "$tmp/turn.csv" --dry-run \
         --plan chip --exact
     one_line 64 'exact' "$loft" plan "$tmp/turn.csv" --exact=181
+}
+case_plan_rounds_corners() {
+    seconds() {
+        run 0 "$loft" plan "$@" --feed 100 --total
+        awk '/^in all/ { print $4 }' "$tmp/out"
+    }
+    printf '%s\n' "0,0 10,0 20,0 30,0" "30,0 30,10 30,20 30,30" "30,30 30,31 30,32 31,40" |
+        tr ' ' ',' >"$tmp/turn.csv"
+    printf 'corner = 0.05\n' >"$tmp/round.txt"
+    for num in q16 f32 f64; do
+        local sharp round said
+        sharp=$(seconds "$tmp/turn.csv" --num $num)
+        round=$(seconds "$tmp/turn.csv" --num $num --corner 0.05)
+        said=$(seconds "$tmp/turn.csv" --num $num --machine "$tmp/round.txt")
+        awk "BEGIN { exit !($round < $sharp && $round == $said) }" ||
+            job_fails "$num: $sharp s, corners within 50 um $round s, as the machine's $said s"
+        run 0 "$loft" plan "$tmp/turn.csv" --num $num --feed 100 --corner 0.05 --certify
+        is_empty err
+    done
+    run 0 "$loft" stream "$tmp/turn.csv" --dry-run --corner 0.05
+    run 0 "$loft" stream "$tmp/turn.csv" --dry-run --plan chip --corner 0.05
+    one_line 64 'corner' "$loft" plan "$tmp/turn.csv" --corner 2
 }
 case_plan_as_a_picture() {
     run 0 "$loft" plan "$tmp/small.csv" --total --plot "$tmp/a.png" --size 400; says out '^drawn '
@@ -2321,8 +2591,10 @@ case_harmonic_coordinates_as_a_table() {
     run 0 "$loft" harmonic "$tmp/deep.csv"; says out '^error at most [0-9.]*e-0[789], '
     printf '%s\n' 26.1,-0.468 27.149,0.755 2.026,-0.682 23.439,-0.811 29.516,-0.844 15.011,-0.323 \
         >"$tmp/blade.csv"
-    run 65 "$loft" harmonic "$tmp/blade.csv"
-    says err 'blade.csv: the error is above 1e-6: the poly'
+    run 0 "$loft" harmonic "$tmp/blade.csv"; says out '^error at most [0-9.]*e-0[789], '
+    printf '0,0\n100,0.001\n200,0\n100,0.002\n' >"$tmp/needle.csv"
+    run 65 "$loft" harmonic "$tmp/needle.csv"
+    says err 'needle.csv: the error is above 1e-6, [0-9.e-]*: the polygon is too narrow somewhere'
 }
 
 

@@ -4,12 +4,15 @@
 # SPDX-License-Identifier: MIT
 """usage: grbl_peer.py LINK PATH_FILE [--g5] [--locked] [--error LINE] [--alarm LINE] [--reset LINE]
                     [--mute LINE] [--mpos] [--nowco] [--late MS] [--twice] [--babble]
+                    [--table MM] [--corner] [--inches]
 
 Written from grbl's wiki (Interface, Commands, Configuration) alone. A line takes a millisecond to
 be read, the machine draws at 40 times the feed; 15 moves are planned ahead, then lines wait in a
 buffer of 128 bytes: one more and the job has failed.
 --late: as a boot loader it hears nothing for so long after the first byte; --twice: it answers, and
 is reset when it is first asked for $I; --nowco: MPos, and WCO never; --babble: another baud rate.
+--table: x and y have MM of travel and soft limits, and the work coordinates begin 10 mm from the
+lowest corner; --corner: that corner is 0 (HOMING_FORCE_SET_ORIGIN); --inches: reports them ($13=1).
 At the end (a hang-up or SIGTERM) PATH_FILE has the places that were drawn, and a last line
 `# lines N overflow N most N`.
 """
@@ -45,19 +48,40 @@ class Peer:
         self.say("")
         self.say("Grbl 1.1h ['$' for help]")
 
+    def offset(self):
+        """Where the work zero is for the machine."""
+        if not self.o.get("table"):
+            return [10.0, 10.0, 10.0]
+        low = 0.0 if self.o.get("corner") else -float(self.o["table"])
+        return [low + 10.0, low + 10.0, -5.0]
+
+    def settings(self):
+        table = self.o.get("table")
+        size = float(table or 200)
+        lines = ["$0=10", "$10=0", f"$13={int(bool(self.o.get('inches')))}",
+                 f"$20={int(bool(table))}", "$22=1", "$23=3", "$24=25.000", "$27=1.000",
+                 "$100=250.000", "$101=250.000", "$102=100.000", "$110=1200.000", "$111=1200.000",
+                 "$112=300.000", "$120=80.000", "$121=80.000", "$122=20.000",
+                 f"$130={size:.3f}", f"$131={size:.3f}", "$132=60.000"]
+        for line in lines:
+            self.say(line)
+
     # bytes that act at once
     def realtime(self, byte):
         if byte == ord("?"):
             self.polls += 1
             machine = self.o.get("mpos") or self.o.get("nowco")
-            place = [a + 10.0 for a in self.at] if machine else self.at
+            offset = self.offset()
+            place = [a + b for a, b in zip(self.at, offset)] if machine else self.at
+            unit = 25.4 if self.o.get("inches") else 1.0
+            place = [a / unit for a in place]
             name = "MPos" if machine else "WPos"
             moving = "Run" if self.blocks else "Idle"
             state = self.state if self.state in ("Alarm", "Hold:0") else moving
             text = (f"<{state}|{name}:{place[0]:.3f},{place[1]:.3f},{place[2]:.3f}"
                     f"|FS:{self.feed if self.blocks else 0:.0f},0")
-            if self.o.get("mpos") and self.polls % 10 == 1:
-                text += "|WCO:10.000,10.000,10.000"
+            if self.polls % 10 == 1 and not self.o.get("nowco"):
+                text += "|WCO:" + ",".join(f"{b / unit:.3f}" for b in offset)
             self.say(text + (f"|Ov:{self.rate},100,100>" if self.polls % 10 == 2 else ">"))
         elif byte == ord("!"):
             self.state = "Hold:0"
@@ -113,7 +137,11 @@ class Peer:
             return
         if text == "$I":
             self.say("[VER:1.1h.20190830:]")
-            self.say(f"[OPT:V,{BLOCKS},{RX}]")
+            self.say(f"[OPT:V{'Z' if self.o.get('corner') else ''},{BLOCKS},{RX}]")
+            self.say("ok")
+            return
+        if text == "$$":
+            self.settings()
             self.say("ok")
             return
         if not text:

@@ -1,8 +1,8 @@
 /* tests/gcode/canon.c -- prints the motions of a G-code program as LinuxCNC's rs274 does
  * SPDX-License-Identifier: MIT
  *
- * canon FILE: one line for each motion: the line of the file, the canonical function with the
- * numbers that rs274 prints, then `|`, the end in mm of the machine, and the feed in mm/min.
+ * canon FILE [MACHINE]: one line for each motion: the line of the file, the canonical function with
+ * the numbers that rs274 prints, then `|`, the end in mm of the machine, and the feed in mm/min.
  * tests/gcode/peer.py compares them.
  */
 #include <math.h>
@@ -14,6 +14,7 @@
 #include "base/source.h"
 #include "base/tool.h"
 #include "read/gcode.h"
+#include "read/machine_file.h"
 
 int tool_error(int code, const char *format, ...)
 {
@@ -42,6 +43,8 @@ static int print_event(void *context, const gcode_event *e)
 
     (void)context;
     gcode_place(e->frame, e->to, mm);
+    if (e->kind == GCODE_SPINDLE || e->kind == GCODE_COOLANT)
+        return 0;                       /* motion and stops are compared */
     printf("%u ", e->line);
     switch (e->kind) {
     case GCODE_RAPID:
@@ -58,7 +61,10 @@ static int print_event(void *context, const gcode_event *e)
     case GCODE_QUADRATIC: printf("NURBS_FEED(3)"); break;
     case GCODE_NURBS:     printf("NURBS_FEED(%u)", e->count); break;
     case GCODE_WAIT:      printf("DWELL(%.4f)", e->seconds); break;
+    case GCODE_SPINDLE:
+    case GCODE_COOLANT:   break;
     case GCODE_STOP:      printf("STOP()"); break;
+    case GCODE_TOOL:      printf("CHANGE_TOOL(%ld)", e->tool); break;
     case GCODE_SAY:       printf("MESSAGE(\"%.*s\")", (int)e->length, e->text); break;
     }
     printf(" | %.4f %.4f %.4f %.4f\n", mm[0], mm[1], mm[2], e->feed * 60);
@@ -67,13 +73,17 @@ static int print_event(void *context, const gcode_event *e)
 
 int main(int argc, char **argv)
 {
+    machine_file machine = machine_usual();
     size_t size = 0;
     int code    = 0;
+    if (argc > 2 && (code = machine_read(&machine, argv[2])) != 0)
+        return code;
     char *text  = source_read(argc > 1 ? argv[1] : "-", &size, &code);
 
     if (text == NULL)
         return code;
     gcode_program *g = gcode_open(argc > 1 ? argv[1] : "-", GCODE_ANY, print_event, NULL);
+    gcode_set_tools(g, &machine.tools);
     code     = gcode_read(g, text, size);
     gcode_close(g);
     free(text);

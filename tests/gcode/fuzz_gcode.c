@@ -10,11 +10,17 @@
 #include "tools/fuzz_reader.h"
 #include "read/drawing.h"
 #include "read/gcode.h"
+#include "read/machine_tools.h"
+
+static const machine_tools bench = { .tool = { { .name = "2", .diameter = 6, .length = 5 },
+                                               { .name = "3", .diameter = 1 } },
+                                     .count = 2 };
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     char *text = text_of(data, size);
-    drawing d  = { .dialect = size > 0 && data[0] % 2 ? GCODE_MARLIN : GCODE_LINUXCNC };
+    drawing d  = { .tools = &bench,
+                  .dialect = size > 0 && data[0] % 2 ? GCODE_MARLIN : GCODE_LINUXCNC };
 
     const int code = drawing_read_gcode(&d, "fuzz.nc", text, size);
     MUST(code == (refusals ? EX_DATAERR : 0) && refusals <= 1);

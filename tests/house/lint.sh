@@ -187,7 +187,7 @@ for name in sys.argv[1:]:
 too_wide | rule "no line has more than 100 columns"
 
 # 7. every call of the compiler has the user's CPPFLAGS and CFLAGS, and, if it links, LDFLAGS
-links_and_objects="lib libraries tools test-tools test-axes test-e2e
+links_and_objects="lib libraries tools test-tools test-axes test-effort test-e2e
     build/test/q16/forward build/test/f64/harmonic build/vectors/f32
     build/bench/bench3 build/bench/motion/time-q16 build/bench/motion/moves build/loft-gpio
     build/target/gpio/guest build/target/gpio/loft-gpio-memory

@@ -113,7 +113,7 @@ static void worst_acceleration_and_jerk_are_those_of_the_cubics(arb *a)
 /* A motion beside the drawing is as far as it was moved, both ways. */
 static void a_moved_path_is_as_far_as_it_was_moved(arb *a)
 {
-    const double by = (double)arb_below(a, 600) * 1e-5;
+    const double by = arb_below(a, 3) ? (double)arb_below(a, 600) * 1e-5 : 0.9985 * TOL;
     certify c;
 
     arb_plan(a, 1 + arb_below(a, SPANS), 10);
@@ -128,7 +128,8 @@ static void a_moved_path_is_as_far_as_it_was_moved(arb *a)
     certify_make(&c, &plan);
     CHECK(c.off.worst >= by && c.off.worst <= by + TOL / 100);
     CHECK(c.missed.worst >= by && c.missed.worst <= by + TOL / 100);
-    CHECK(certify_holds(&c, TOL) == (c.off.worst <= TOL && c.speed[0].worst <= CERTIFY_SPEED));
+    CHECK(by > TOL || (c.off.worst <= TOL && c.missed.worst <= TOL));
+    CHECK(certify_holds(&c) == (c.off.worst <= TOL && c.speed[0].worst <= CERTIFY_SPEED));
 }
 
 /* Curves that the motion follows exactly: only the bound on the distance is left. */
@@ -173,6 +174,47 @@ static void a_spur_is_found(arb *a)
         CHECK(found->move == 1);
 }
 
+static void add_line(size_t n, double x0, double y0, double x1, double y1, bool drawn)
+{
+    for (int k = 0; k < 4; k++) {
+        const double at[ENGINE_AXES] = { x0 + k / 3.0 * (x1 - x0), y0 + k / 3.0 * (y1 - y0), 0 };
+        for (int i = 0; i < ENGINE_AXES; i++)
+            if (drawn)
+                move[n].p[k][i] = at[i];
+            else
+                span[n].p[k][i] = (int32_t)lround(65536 * at[i]);
+    }
+}
+
+/* A motion that cuts a corner of 90 degrees: within the tolerance of corners, or not. A gentle turn
+ * is no corner, and what is off far from one is off. */
+static void corners_have_a_tolerance_of_their_own(arb *a)
+{
+    const double cut = TOL * (1.6 + 0.01 * arb_below(a, 1000)), far = arb_below(a, 3) ? 0 : 2 * TOL,
+                 turn = arb_below(a, 3) ? 10 : 0.8;
+    certify c;
+
+    arb_plan(a, 3, 1000);
+    plan.moves  = 2;
+    plan.corner = 6 * TOL;
+    add_line(0, -10, 0, 0, 0, true);
+    add_line(1, 0, 0, turn < 10 ? 10 : 0, turn, true);
+    add_line(0, -10, far, -cut, 0, false);
+    add_line(1, -cut, 0, turn < 10 ? 10 : 0, turn < 10 ? turn : cut, false);
+    add_line(2, turn < 10 ? 10 : 0, turn < 10 ? turn : cut, turn < 10 ? 10 : 0, turn, false);
+    certify_make(&c, &plan);
+    if (turn == 10) {
+        const double off = cut / sqrt(2);
+        CHECK(certify_holds(&c) == (far == 0 && c.missed.worst <= 6 * TOL));
+        CHECK(far > 0 || (c.missed.tol == 6 * TOL && c.missed.move <= 1));
+        CHECK(far > 0 || (c.missed.worst > off - LSB && c.missed.worst < off + TOL / 10));
+    } else
+        CHECK(far == 0 || (!certify_holds(&c) && c.missed.tol == TOL));
+    plan.corner = 0;
+    certify_make(&c, &plan);
+    CHECK(turn < 10 || (!certify_holds(&c) && c.missed.tol == TOL));
+}
+
 static void a_gap_is_refused(arb *a)
 {
     certify c;
@@ -182,10 +224,10 @@ static void a_gap_is_refused(arb *a)
     for (int i = 0; i < ENGINE_AXES; i++)
         limits.max_accel[i] = limits.max_jerk[i] = 1e12;
     certify_make(&c, &plan);
-    CHECK(certify_holds(&c, TOL));
+    CHECK(certify_holds(&c));
     span[1 + arb_below(a, SPANS - 1)].p[0][arb_below(a, ENGINE_AXES)]++;
     certify_make(&c, &plan);
-    CHECK(!c.connected && !certify_holds(&c, TOL));
+    CHECK(!c.connected && !certify_holds(&c));
 }
 
 int main(void)
@@ -195,6 +237,7 @@ int main(void)
     PROPERTY(a_moved_path_is_as_far_as_it_was_moved, 50);
     PROPERTY(the_own_path_is_no_distance_away, 30);
     PROPERTY(a_spur_is_found, 200);
+    PROPERTY(corners_have_a_tolerance_of_their_own, 100);
     PROPERTY(a_gap_is_refused, 20);
     return check_failures();
 }

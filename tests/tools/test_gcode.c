@@ -1,99 +1,13 @@
 /* tests/tools/test_gcode.c -- the reader of G-code: motions, coordinates, feeds, drilling, messages
  * SPDX-License-Identifier: MIT
- *
- * Expected motions are those that LinuxCNC's rs274 prints (make check-gcode compares many more), as
- * R x y z for a rapid, L for a line, A with first and second axis of the plane, centre, turns and
- * the end across it, C for a cubic, N for a NURBS, W for a wait, S for a stop.
  */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "tools/drawn.h"
+#include "tools/gcode_moves.h"
 #include "plan/toolpath.h"
 #include "read/gcode.h"
-
-typedef struct {
-    char text[8192];
-    double feed;                /* of the last motion, mm/min */
-    double mm[3];               /* and its end on the machine */
-} seen;
-
-static void put(seen *s, const double *numbers, int count)
-{
-    for (int i = 0; i < count; i++)
-        put_number(s->text, sizeof s->text, numbers[i]);
-}
-
-static int see(void *context, const gcode_event *e)
-{
-    seen *s     = context;
-    const int a = (e->plane + 1) % 3, b = (e->plane + 2) % 3;
-    const double arc[] = {
-        e->to[a], e->to[b], e->centre[a], e->centre[b], e->turns, e->to[e->plane]
-    };
-
-    snprintf(s->text + strlen(s->text), sizeof s->text - strlen(s->text), "%s%c",
-             s->text[0] != '\0' ? " " : "", "RLACQNWS!"[e->kind]);
-    switch (e->kind) {
-    case GCODE_ARC: put(s, arc, 6); break;
-    case GCODE_CUBIC:
-    case GCODE_QUADRATIC:
-        put(s, e->inner[0], 2);
-        put(s, e->inner[1], 2);
-        put(s, e->to, 2);
-        break;
-    case GCODE_NURBS:
-        for (unsigned i = 0; i < e->count; i++)
-            put(s, e->points[i], 3);
-        break;
-    case GCODE_WAIT: put(s, &e->seconds, 1); break;
-    case GCODE_STOP:
-    case GCODE_SAY: break;
-    default: put(s, e->to, 3);
-    }
-    s->feed = 60 * e->feed;
-    gcode_place(e->frame, e->to, s->mm);
-    return 0;
-}
-
-static int run(seen *s, enum gcode_dialect d, const char *text)
-{
-    gcode_program *g = gcode_open("part.nc", d, see, s);
-
-    *s = (seen){ .feed = 0 };
-    caught[0] = '\0';
-    caught_lines = 0;
-    const int code = gcode_read(g, text, strlen(text));
-    gcode_close(g);
-    return code;
-}
-
-static void check_moves(const char *text, const char *want, int line)
-{
-    seen s;
-    const int code = run(&s, GCODE_ANY, text);
-
-    if (code != 0 || strcmp(s.text, want) != 0) {
-        printf("line %d: code %d %s\n  program %s\n  moves  %s\n  wanted %s\n", line, code, caught,
-               text, s.text, want);
-        check_bad = true;
-    }
-}
-#define MOVES(text, want) check_moves(text, want, __LINE__)
-
-static void check_fails(const char *text, const char *words, int line)
-{
-    seen s;
-    const int code = run(&s, GCODE_ANY, text);
-
-    if (code != EX_DATAERR || caught_lines != 1 || strstr(caught, words) == NULL) {
-        printf("line %d: code %d, %u lines: %s\n  wanted: %s\n", line, code, caught_lines, caught,
-               words);
-        check_bad = true;
-    }
-}
-#define FAILS(text, words) check_fails(text, words, __LINE__)
 
 static void lines_and_modes(arb *a)
 {
@@ -147,20 +61,6 @@ static void holes(arb *a)
     FAILS("G81 X1 F9\n", "part.nc:1: drilling without R and its depth: ");
     FAILS("G83 X1 Z-1 R1 F9\n", "part.nc:1: Q: the step of the pecks");
 }
-
-static void check_place(const char *text, double x, double y, double z, double feed, int line)
-{
-    seen s;
-    const int code = run(&s, GCODE_ANY, text);
-
-    if (code != 0 || fabs(s.mm[0] - x) + fabs(s.mm[1] - y) + fabs(s.mm[2] - z) > 1e-9 ||
-        fabs(s.feed - feed) > 1e-9 * feed) {
-        printf("line %d: code %d %s\n  at %g %g %g, feed %g\n", line, code, caught, s.mm[0],
-               s.mm[1], s.mm[2], s.feed);
-        check_bad = true;
-    }
-}
-#define ENDS_AT(text, x, y, z, feed) check_place(text, x, y, z, feed, __LINE__)
 
 static void places_on_the_machine(arb *a)
 {
@@ -279,9 +179,61 @@ static void a_program_is_a_drawing(arb *a)
     CHECK(read_text(&d, "G1 X1000000000 F1\n") == EX_DATAERR &&
           strstr(caught, "part.nc:1: 1e+09 mm is beyond +-16000 mm") != NULL);
     drawing_free(&d);
-    CHECK(read_text(&d, "G1 X1 F1\nG4 P1\nG4 P1\nM0\nM3 S9\n") == 0 && caught_lines == 3 &&
-          strstr(caught, "part.nc:2: G4 (2 times): ") != NULL);
     drawing_free(&d);
+}
+
+/* Events stand before the curve that follows them, which begins a path. */
+static void what_a_program_does_between_motions_is_kept(arb *a)
+{
+    drawing d = { 0 };
+    (void)a;
+
+    CHECK(read_text(&d, "M3 S9\nG1 X1 F1\nG4 P2.5\nX2\n(MSG, turn it)\nM0\nX3\nM8\nM5\n") == 0);
+    CHECK(caught_lines == 0 && d.count == 3 && d.events == 5);
+    static const struct {
+        enum drawing_doing doing;
+        size_t before;
+        unsigned line;
+    } want[5] = { { DRAWING_SPINS, 0, 1 },
+                  { DRAWING_WAITS, 1, 3 },
+                  { DRAWING_PAUSES, 2, 6 },
+                  { DRAWING_COOLS, 3, 8 },
+                  { DRAWING_SPINS, 3, 9 } };
+    for (size_t i = 0; i < 5 && d.events == 5; i++)
+        CHECK(d.event[i].doing == want[i].doing && d.event[i].before == want[i].before &&
+              d.event[i].line == want[i].line);
+    CHECK_NEAR(d.event[0].amount, 9, 0);
+    CHECK_NEAR(d.event[1].amount, 2.5, 0);
+    CHECK(strcmp(d.event[2].text, "turn it") == 0 && d.event[4].way == 0);
+    CHECK(d.curve[1].path == 1 && d.curve[2].path == 2);
+    drawing_free(&d);
+    static const char later[] = "M3 S9\nG1 X1 F1\nG4 P2.5\nM5\nM4 S8\nX2\nM0\n";
+    d = (drawing){ .from_line = 6 };
+    CHECK(drawing_read_gcode(&d, "part.nc", later, strlen(later)) == 0 && d.events == 4);
+    drawing_free(&d);
+    MOVES("M3 S5\nG1 X1 F1 S7\nX2 S7\nM5\nS9\nM4\n",
+          "P 3 5 P 3 7 L 1 0 0 P 3 7 L 2 0 0 P 0 7 P 4 9");
+    MOVES("M3 M8\nM9\n", "P 3 -1 O 1 O 0");
+}
+
+/* How the path is kept: the smallest tolerance, and stops if any motion wants them. */
+static void it_says_how_the_path_is_kept(arb *a)
+{
+    drawing d;
+    (void)a;
+    CHECK(read_text(&d, "G64 P0.05\nG1 X1 F9\nX2\n") == 0 && !d.exact && caught_lines == 0);
+    CHECK_NEAR(d.within, 0.05, 1e-12);
+    drawing_free(&d);
+    CHECK(read_text(&d, "G20\nG64 P0.002\nG1 X1 F9\nG64 P0.001\nX2\nG64\nX3\n") == 0);
+    CHECK_NEAR(d.within, 0.0254, 1e-12);
+    drawing_free(&d);
+    CHECK(read_text(&d, "G61\nG1 X1 F9\nG61.1\nX2\nG64 P1\nG0 X3\n") == 0 && d.exact &&
+          !(d.within > 0) && caught_lines == 0);
+    drawing_free(&d);
+    CHECK(read_text(&d, "G61\nG1 X1 F9\nG64\nX2\n") == 0 && d.exact && caught_lines == 1 &&
+          strstr(caught, "part.nc: G61 in a part of it: ") != NULL);
+    drawing_free(&d);
+    FAILS("G64 P-1\n", "part.nc:1: G64 with P below 0: ");
 }
 
 /* From a line on: the modes of the lines before, the way there above all of the program. */
@@ -362,7 +314,9 @@ int main(void)
     PROPERTY(hostile_lines_end, 1);
     PROPERTY(printers_are_understood, 1);
     PROPERTY(a_program_is_a_drawing, 1);
+    PROPERTY(it_says_how_the_path_is_kept, 1);
     PROPERTY(it_begins_at_a_line, 1);
+    PROPERTY(what_a_program_does_between_motions_is_kept, 1);
     PROPERTY(it_goes_on_from_the_machine, 1);
     return check_failures();
 }

@@ -235,6 +235,55 @@ static void chains_in_space_become_curves(arb *a)
     drawing_free(&lines);
 }
 
+/* A drawing that comes in parts becomes the same curves as in one piece. */
+static void parts_become_the_same_curves(arb *a)
+{
+    drawing lines = { .count = 0 }, whole = { .count = 0 }, parts = { .count = 0 },
+            some = { .count = 0 };
+    smoothing s  = { .within = 0.001 };
+    double at[2] = { 0, 0 };
+
+    for (int n = 0; n < 40; n++) {
+        const double r = 1 + 20 * random_unit(a);
+        const int count = 1 + (int)(200 * random_unit(a));
+        if (n % 3 == 0)
+            drawing_add_event(&lines, &(drawing_event){ .line = (unsigned)n });
+        for (int i = 0; i < count; i++)
+            line_to(&lines, at, at[0] + 0.05 * cos(i * 0.05 / r), at[1] + 0.05 * sin(i * 0.05 / r),
+                    i == 0 && n % 3 == 0);
+    }
+    const size_t replaced = drawing_smooth(&whole, &lines, 0.001);
+    for (size_t i = 0; i < lines.count; i++) {
+        if (some.events < lines.events && lines.event[some.events].before == i)
+            drawing_add_event(&some, &lines.event[some.events]);
+        drawing_add_like(&some, &lines.curve[i],
+                         i > 0 && lines.curve[i].path != lines.curve[i - 1].path);
+        if (random_unit(a) < 0.02 || i + 1 == lines.count) {
+            smooth_more(&s, &parts, &some, i + 1 == lines.count);
+            if (s.given > 1) {
+                drawing_forget(&some, s.given - 1);
+                s.given = 1;
+            }
+        }
+    }
+    smooth_end(&s);
+    CHECK(replaced > 0 && s.replaced == replaced && parts.count == whole.count);
+    for (size_t k = 0; k < whole.count && k < parts.count; k++)
+        CHECK(memcmp(parts.curve[k].p, whole.curve[k].p, sizeof whole.curve[k].p) == 0 &&
+              parts.curve[k].path == whole.curve[k].path);
+    CHECK(whole.events == lines.events && parts.events == lines.events && lines.events == 14);
+    for (size_t k = 0; k < whole.events && k < parts.events; k++) {
+        const drawing_event *e = &whole.event[k];
+        CHECK(parts.event[k].before == e->before && parts.event[k].line == 3 * k);
+        CHECK(memcmp(whole.curve[e->before].p[0], lines.curve[lines.event[k].before].p[0],
+                     sizeof whole.curve->p[0]) == 0);
+    }
+    drawing_free(&lines);
+    drawing_free(&whole);
+    drawing_free(&parts);
+    drawing_free(&some);
+}
+
 int main(void)
 {
     PROPERTY(curves_stay_within, 20);
@@ -242,5 +291,6 @@ int main(void)
     PROPERTY(chains_in_space_become_curves, 20);
     PROPERTY(corners_stay, 100);
     PROPERTY(what_is_no_chain_is_copied, 20);
+    PROPERTY(parts_become_the_same_curves, 10);
     return check_failures();
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "plan/tools.h"
+#include "plan/toolpath.h"
 #include "tools/drawn.h"
 
 double tool_clock(void) { return 0; }
@@ -176,6 +177,53 @@ static void a_pen_cannot_be_lifted_downwards(arb *a)
     drawing_free(&d);
 }
 
+/* A program makes a job of what each tool does; an axis that it has not named goes on. */
+static void a_program_changes_tools(arb *a)
+{
+    static const char text[] = "G91 G1 X1 F60\nT2 M6\nX2\nT9 M6\nX3\nX1\nT2 M6\nX4\n";
+    const char *const lines[] = { "tool.2.diameter = 3", "tool.9.length = 5", NULL };
+    static const double counted[] = { 0, 1, 3, 7 };
+    machine_tools t;
+    drawing d = { .tools = &t };
+    tools_part part[TOOLS_PARTS];
+
+    (void)a;
+    CHECK(read_lines(&t, lines) == 0 && t.tool[1].length > 4);
+    CHECK(drawing_read_gcode(&d, "part.nc", text, strlen(text)) == 0);
+    CHECK(tools_apply(&t, &d, "part.nc") == 0 && d.count == 5);
+    CHECK(tools_split(&t, &d, &d, part) == 4);
+    CHECK(part[0].tool == NULL && part[1].tool == &t.tool[0] && part[2].tool == &t.tool[1] &&
+          part[3].tool == &t.tool[0] && part[2].d.count == 2 && part[3].d.program);
+    for (int k = 0; k < 4; k++) {
+        toolpath_options o = { .feed = 1, .travel = 1, .rapid = 1, .start = { 20 + counted[k] } };
+        toolpath path;
+        tools_counted(&part[k].d, o.counted);
+        CHECK_NEAR(o.counted[0], counted[k], 1e-12);
+        toolpath_make(&path, &part[k].d, &o);
+        CHECK_NEAR(path.move[path.count - 1].p[3][0], 20 + (k < 3 ? counted[k + 1] : 11), 1e-9);
+        toolpath_free(&path);
+    }
+    drawing_free(&d);
+}
+
+/* More changes than there is room for are told, not left out. */
+static void too_many_changes_are_told(arb *a)
+{
+    const char *const lines[] = { "tool.1.diameter = 3", "tool.2.length = 5", NULL };
+    char text[16000] = "G1 X0 F60\n";
+    machine_tools t;
+    drawing d = { .tools = &t };
+    tools_part part[TOOLS_PARTS];
+
+    (void)a;
+    CHECK(read_lines(&t, lines) == 0);
+    for (int n = 0; n <= TOOLS_PARTS; n++)
+        sprintf(text + strlen(text), "T%d M6\nX%d\n", 1 + n % 2, n + 1);
+    CHECK(drawing_read_gcode(&d, "part.nc", text, strlen(text)) == 0);
+    CHECK(tools_split(&t, &d, &d, part) == 0);
+    drawing_free(&d);
+}
+
 int main(void)
 {
     PROPERTY(the_lines_are_read, 1);
@@ -184,5 +232,7 @@ int main(void)
     PROPERTY(the_order_stays_within_a_tool, 1);
     PROPERTY(without_tools_nothing_changes, 1);
     PROPERTY(a_pen_cannot_be_lifted_downwards, 1);
+    PROPERTY(a_program_changes_tools, 1);
+    PROPERTY(too_many_changes_are_told, 1);
     return check_failures();
 }

@@ -1,0 +1,144 @@
+/* host-tools/send/grbl_open.c -- finds out which controller of grbl's kind answers
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "send/grbl_talk.h"
+#include "base/keys.h"           /* keys_interrupted */
+#include "base/tool.h"           /* tool_error, tool_clock */
+#include "base/waits.h"          /* waits_for */
+
+#define OFFSET_WAIT 2.0     /* s */
+
+static const char *const questions[GRBL_QUESTIONS] = { "$I\n", "$$\n" };
+
+/* Explain, from the received bytes, why the controller is not ready. */
+static int report_unready(const grbl *g, double seconds)
+{
+    const char *name = g->name[0] != '\0' ? g->name : "the controller";
+
+    if (g->received == 0)
+        return tool_error(EX_UNAVAILABLE,
+                          "%s: no answer in %g s: look at its power, cable and --baud; one that "
+                          "takes longer to start needs --wait; "
+                          "or is it a loft machine? Then without --grbl",
+                          g->line.text, seconds);
+    if (!g->answered)
+        return tool_error(EX_PROTOCOL,
+                          "%s: %lu bytes came, but no word of grbl's: is --baud right, and is it a "
+                          "controller of that kind?",
+                          g->line.text, g->received);
+    if (g->machined)
+        return tool_error(EX_CONFIG,
+                          "%s: %s answers, but reports its position as MPos without WCO: set $10=0 "
+                          "with a terminal, so that it reports WPos",
+                          g->line.text, name);
+    return tool_error(EX_PROTOCOL,
+                      "%s: %s answers, but does not report its position when asked by `?`: "
+                      "reset it, or give it firmware that speaks grbl 1.1",
+                      g->line.text, name);
+}
+
+/* A board that is reset when its port is opened, or whose boot loader listens first, answers late:
+ * from its first word on it has the same time again. */
+static int greet_controller(grbl *g, double seconds)
+{
+    double until  = tool_clock() + seconds;
+    bool answered = false;
+    waits waiting = { .told = false };
+    char text[200];
+
+    snprintf(text, sizeof text, "no controller has answered at %s yet: it is asked for %g s",
+             g->line.text, seconds);
+    while (!g->placed || g->inquired < GRBL_QUESTIONS || g->asking) {
+        if (keys_interrupted())
+            return tool_error(EX_TEMPFAIL,
+                              "stopped before the controller answered: nothing was sent");
+        if (!grbl_pump(g, 50))
+            return grbl_report_vanished(g);
+        if (g->answered && !answered)
+            until = tool_clock() + seconds;
+        answered = g->answered;
+        if (!answered)
+            waits_for(&waiting, text);
+        if (answered && !g->asking && g->inquired < GRBL_QUESTIONS) {
+            const char *question = questions[g->inquired++];
+            g->asking            = true;
+            if (!grbl_put(g, question, strlen(question)))
+                return grbl_report_vanished(g);
+        }
+        if (tool_clock() < until)
+            continue;
+        if (g->placed)
+            break;                      /* a question is unknown: do without the answer */
+        return report_unready(g, seconds);
+    }
+    if (g->state == GRBL_ALARM)
+        return tool_error(EX_CONFIG,
+                          "%s: the controller is locked after an alarm: home it ($H) or unlock it "
+                          "($X) with a terminal, then run this again",
+                          g->port);
+    if (g->state != GRBL_IDLE)
+        return tool_error(EX_UNAVAILABLE,
+                          "%s: the controller is not idle: let it finish, or reset it", g->port);
+    return 0;
+}
+
+/* With soft limits, the offset tells where the table is in work coordinates. */
+static int await_offset(grbl *g)
+{
+    const double until = tool_clock() + OFFSET_WAIT;
+
+    while (grbl_settings_number(&g->settings, 20, 0) > 0 && !g->offsetted && tool_clock() < until)
+        if (!grbl_pump(g, 20))
+            return grbl_report_vanished(g);
+    return 0;
+}
+
+int grbl_open(grbl **out, const char *port, unsigned baud, double seconds)
+{
+    grbl *g = tool_grow(NULL, sizeof *g);
+
+    *g = (grbl){ .port = port, .buffer = GRBL_BUFFER, .rate = 100, .unit = 1 };
+    int code = transport_open(&g->line, port, baud);
+    if (code == 0) {
+        code = greet_controller(g, seconds);
+        code = code == 0 ? await_offset(g) : code;
+        if (code != 0)
+            g->line.kind->close(&g->line);
+    }
+    if (code != 0) {
+        free(g);
+        g = NULL;
+    }
+    *out = g;
+    return code;
+}
+
+void grbl_close(grbl *g)
+{
+    if (g == NULL)
+        return;
+    g->line.kind->close(&g->line);
+    free(g);
+}
+
+const double *grbl_place(const grbl *g) { return g->place; }
+const char   *grbl_name(const grbl *g) { return g->name; }
+
+int grbl_machine(const grbl *g, machine_file *m)
+{
+    const int code = machine_text(m, g->port, g->settings.text);
+
+    if (code == 0 && !grbl_table(g, m))
+        for (int i = 0; i < ENGINE_AXES; i++)
+            m->travel[i] = m->min[i] = 0;
+    return code;
+}
+
+bool grbl_table(const grbl *g, machine_file *m)
+{
+    return g->offsetted && grbl_settings_table(&g->settings, g->offset, m);
+}
