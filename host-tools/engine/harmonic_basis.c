@@ -45,8 +45,8 @@ void harmonic_shape_of(double v[][2], unsigned sides, harmonic_shape *h)
 }
 
 
-/* Terms
- * ----- */
+// Terms
+// -----
 
 /* Where the segment from p along d meets edge e: how far along it, or 2. */
 static long double meets(const harmonic_shape *h, harmonic_point p, harmonic_point d, unsigned e)
@@ -144,8 +144,8 @@ void harmonic_terms(const harmonic_shape *h, const harmonic_series *s, harmonic_
 }
 
 
-/* Narrowness
- * ---------- */
+// Narrowness
+// ----------
 
 static long double distance_to(const harmonic_shape *h, harmonic_point z, unsigned e)
 {

@@ -103,8 +103,8 @@ static void add_imaginary(sums *s, const number f[3])
 }
 
 
-/* Corners
- * ------- */
+// Corners
+// -------
 
 /* x within -pi..pi of `near`, in whole turns. */
 static int32_t turns_to(loft_acc x, loft_acc near)
@@ -281,8 +281,8 @@ static void add_corner(const loft_harmonic *h, unsigned at, const loft_harmonic_
 }
 
 
-/* Poles, polynomial
- * ----------------- */
+// Poles, polynomial
+// -----------------
 
 /* q = size / (z - pole): q' = -q / (z - pole), q'' = -2 q' / (z - pole). */
 static void add_pole(const loft_harmonic_pole *pole, loft_spot p, sums *s)
@@ -334,8 +334,8 @@ static void add_all(const loft_harmonic *h, loft_spot p, sums *s)
 }
 
 
-/* Public
- * ------ */
+// Public
+// ------
 
 static void prepare_corner(const loft_domain *d, unsigned at, loft_harmonic_corner *c)
 {

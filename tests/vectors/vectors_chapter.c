@@ -131,8 +131,8 @@ static void ch4_contours(row *r)
 }
 
 
-/* Numbers
- * ------- */
+// Numbers
+// -------
 
 #define ROWS 800
 
