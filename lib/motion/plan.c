@@ -103,7 +103,7 @@ static enum loft_path_state fill(loft_plan *plan)
     if (state != LOFT_PATH_PLACE)
         return state;
     if (plan->count == 0)
-        loft_emit_begin(&plan->emit, &plan->period, plan->guess.path.from);
+        loft_emit_begin(&plan->emit, &plan->period, plan->guess.path.chain.from);
     if (plan->count == 2 && is_far(plan, &plan->knot[1].on, &p))
         append_start(plan);
     append(plan, &p);
@@ -403,7 +403,7 @@ static void add_sample(loft_plan *plan)
 static void add_end(loft_plan *plan)
 {
     const loft_knot *last = &plan->knot[plan->count - 1];
-    loft_emit_add(&plan->emit, &last->point, last->on.feed, plan->guess.path.dropped);
+    loft_emit_add(&plan->emit, &last->point, last->on.feed, plan->guess.path.chain.dropped);
     loft_emit_end(&plan->emit, plan->to);
 }
 
@@ -453,7 +453,7 @@ static void begin(loft_plan *plan)
     plan->refined = 0;
     plan->at = (loft_sample){ 0, 0 };
     plan->steps = plan->step = 0;
-    loft_emit_begin(&plan->emit, &plan->period, plan->guess.path.from);
+    loft_emit_begin(&plan->emit, &plan->period, plan->guess.path.chain.from);
 }
 
 /* Why there is no span. */
@@ -462,9 +462,10 @@ static enum loft_plan_state without_span(loft_plan *plan, enum loft_path_state s
     if (state == LOFT_PATH_PLACE)
         return LOFT_PLAN_BUSY;
     if (state == LOFT_PATH_WAIT)
-        return plan->guess.path.count == 0 && plan->count == 0 ? LOFT_PLAN_REST : LOFT_PLAN_WAIT;
+        return plan->guess.path.chain.count == 0 && plan->count == 0 ? LOFT_PLAN_REST
+                                                                     : LOFT_PLAN_WAIT;
     begin(plan);
-    plan->passed = plan->guess.path.dropped;
+    plan->passed = plan->guess.path.chain.dropped;
     return LOFT_PLAN_REST;
 }
 
@@ -501,10 +502,10 @@ enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out)
 
 enum loft_status loft_plan_push(loft_plan *plan, const loft_move *move)
 {
-    return loft_path_push(&plan->guess.path, move);
+    return loft_chain_push(&plan->guess.path.chain, move);
 }
 
-void loft_plan_end(loft_plan *plan) { plan->guess.path.ended = true; }
+void loft_plan_end(loft_plan *plan) { plan->guess.path.chain.ended = true; }
 
 enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft_move moves[],
                                 uint16_t move_room, loft_knot knots[], uint16_t knot_room)

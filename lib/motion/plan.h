@@ -107,7 +107,7 @@ enum loft_plan_state loft_plan_part(loft_plan *plan, loft_span *out);
 /* Curves that can be pushed now. */
 static inline uint16_t loft_plan_room(const loft_plan *plan)
 {
-    return loft_path_room(&plan->guess.path);
+    return loft_chain_room(&plan->guess.path.chain);
 }
 
 /* Curves that lie entirely behind the end of the last span, of all that were pushed, modulo 2^16.

@@ -9,20 +9,6 @@ static enum loft_status segment(const loft_waypoints *w, uint32_t i, loft_move *
     return loft_cubic_from_natural(&w->spline, i, &move->curve);
 }
 
-/* Can the plan take it? */
-static enum loft_status check(const loft_move *m)
-{
-    if (!(m->feed > 0))
-        return LOFT_ERR_ARG;
-    if (m->feed < LOFT_SPEED_MIN || m->feed > LOFT_SPEED_MAX)
-        return LOFT_ERR_RANGE;
-    for (int k = 0; k < 4; k++)
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (!(loft_real_abs(m->curve.p[k].axis[i]) <= LOFT_PLAN_REACH))
-                return LOFT_ERR_RANGE;
-    return LOFT_OK;
-}
-
 enum loft_status loft_waypoints_init(loft_waypoints *w, loft_plan *plan, const loft_vec p[],
                                      uint32_t count, loft_real feed, loft_natural_knot memory[])
 {
@@ -35,7 +21,7 @@ enum loft_status loft_waypoints_init(loft_waypoints *w, loft_plan *plan, const l
     for (uint32_t i = 0; status == LOFT_OK && i + 1 < count; i++) {
         status = segment(w, i, &move);
         if (status == LOFT_OK)
-            status = check(&move);
+            status = loft_chain_accepts(&move);
     }
     return status;
 }

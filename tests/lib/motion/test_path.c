@@ -23,9 +23,9 @@ static bool find_places(void)
     loft_period_init(&period, &limits);
     loft_path_init(&planned, &period, ring, CURVES);
     for (unsigned k = 0; k < curves; k++)
-        if (loft_path_push(&planned, &chain[k]) != LOFT_OK)
+        if (loft_chain_push(&planned.chain, &chain[k]) != LOFT_OK)
             return false;
-    planned.ended = true;
+    planned.chain.ended = true;
     for (found = 0; found < PLACES && state == LOFT_PATH_PLACE;) {
         state = loft_path_next(&planned, &found_at[found]);
         found += state == LOFT_PATH_PLACE;
@@ -149,17 +149,17 @@ static void curves_that_do_not_fit_are_refused(arb *a)
     arb_curve(a, LINE, 3, 10, false);
     loft_period_init(&period, &limits);
     loft_path_init(&planned, &period, ring, 2);
-    CHECK(loft_path_push(&planned, &chain[0]) == LOFT_OK);
-    CHECK(loft_path_push(&planned, &chain[0]) == LOFT_ERR_ARG);
+    CHECK(loft_chain_push(&planned.chain, &chain[0]) == LOFT_OK);
+    CHECK(loft_chain_push(&planned.chain, &chain[0]) == LOFT_ERR_ARG);
     loft_move m = chain[1];
     m.feed = 0;
-    CHECK(loft_path_push(&planned, &m) == LOFT_ERR_ARG);
+    CHECK(loft_chain_push(&planned.chain, &m) == LOFT_ERR_ARG);
     m.feed = LOFT_SPEED_MIN / 2;
-    CHECK(loft_path_push(&planned, &m) == LOFT_ERR_RANGE);
-    CHECK(loft_path_push(&planned, &chain[1]) == LOFT_OK);
+    CHECK(loft_chain_push(&planned.chain, &m) == LOFT_ERR_RANGE);
+    CHECK(loft_chain_push(&planned.chain, &chain[1]) == LOFT_OK);
     m = chain[1];
     m.curve.p[0] = m.curve.p[3];
-    CHECK(loft_path_push(&planned, &m) == LOFT_ERR_SPACE);
+    CHECK(loft_chain_push(&planned.chain, &m) == LOFT_ERR_SPACE);
 }
 
 int main(void)

@@ -1,0 +1,434 @@
+/* lib/motion/corner.c
+ * SPDX-License-Identifier: MIT
+ *
+ * From rest, with jerk j in a period, a path is at X(n) = j n^3 / 6 after n periods. A corner that
+ * is passed at speed v = j t^2 / 2 is like a rest that lies X(t) beyond it: at a distance x from it
+ * the launch has lasted N = cbrt(6 (x + X(t)) / j) periods, and a period later, or before, it is at
+ * X(N +- 1). The next place is the nearest that any corner, or the cap of speed, allows.
+ *
+ * The size of a corner is measured at the scale of the tolerance. Let a and b be the points of the
+ * path at the distance l before and behind a joint P, with l = 1, 2, 4, 8, 16 times the tolerance.
+ * If P is nearer to the middle of a and b than 0.65 tol the tolerance swallows it. Otherwise it
+ * turns by w = |a + b - 2 P| / l, and may be passed at
+ *
+ *     v = min(sqrt(8 a tol), 2.9 (j tol^2)^(1/3)) / w
+ *
+ * since a change of velocity v w that takes T = sqrt(4 v w / j) leaves the corner by j T^3 / 40.
+ *
+ * Where corners have a larger tolerance, that is the one at joints that turn by more than 5
+ * degrees, at the scale of the tolerance as well. It holds on ways from a place to the next that
+ * are wholly within 31 times itself from them.
+ */
+#include "motion/corner.h"
+
+#define ONE         LOFT_CORNER_ONE
+#define TIME_MAX    ((int32_t)256 * ONE)
+#define FAR         ((int64_t)1 << 30)              /* what is farther has no effect */
+#define CAP_MAX     (4 * LOFT_COORD_MM)
+#define UNIT        LOFT_CHAIN_UNIT
+#define SHARP       LOFT_CHAIN_SHARP
+#define SCALES      5
+#define NEAR        31                              /* tolerances of a corner */
+
+static loft_coord least(loft_coord a, loft_coord b) { return a < b ? a : b; }
+
+
+// Launches
+// --------
+
+/* X(n). */
+static int64_t launched(loft_coord jerk, int32_t n)
+{
+    const int64_t x = ((int64_t)jerk * n >> 4) * n >> 10;
+    return n >= TIME_MAX || x > (int64_t)1 << 42 ? 4 * FAR : (x * n >> 10) / (6 * 64);
+}
+
+/* N(x). */
+static int32_t launch_time(loft_coord jerk, int64_t x)
+{
+    const uint32_t n = x >= FAR ? TIME_MAX
+                                : loft_coord_cbrt(((uint64_t)x * 6 << 30) / (uint32_t)jerk);
+    return n < TIME_MAX ? (int32_t)n : TIME_MAX;
+}
+
+/* The least that the axes allow along a direction. */
+static loft_coord along(const loft_coord limit[], const int16_t u[])
+{
+    int64_t most = CAP_MAX * (int64_t)16;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t part = loft_coord_abs(u[i]);
+        if (part * most > (int64_t)limit[i] * UNIT)
+            most = (int64_t)limit[i] * UNIT / part;
+    }
+    return (loft_coord)most;
+}
+
+loft_coord loft_corner_jerk(const loft_period *p, const int16_t u[], loft_coord cap)
+{
+    const int64_t a = along(p->accel, u), soft = 2 * a * a / cap;
+    loft_coord jerk = soft < CAP_MAX ? (loft_coord)soft + 1 : CAP_MAX;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t part = loft_coord_abs(u[i]);
+        if (p->jerk[i] > 0 && part * jerk > (int64_t)p->jerk[i] * UNIT)
+            jerk = (loft_coord)((int64_t)p->jerk[i] * UNIT / part) + 1;
+    }
+    return jerk;
+}
+
+loft_coord loft_corner_cap(const loft_chain *chain, const int16_t u[], uint16_t number)
+{
+    const loft_coord most = along(chain->period->speed, u), feed = loft_chain_feed(chain, number);
+    return least(least(most, feed), CAP_MAX) + 1;
+}
+
+
+// Stretches
+// ---------
+
+/* Is `after` so short that it may belong to the stretch before? At a cusp arcs become shorter and
+ * shorter: too many of them would hide what is around a joint. */
+static bool is_scrap(const loft_corners *c, const loft_corner_stretch *before,
+                     const loft_corner_stretch *after)
+{
+    return before->length + (int64_t)after->length <= c->chain->period->tol / 4 &&
+           loft_chain_turn(before->from, after->to) <= (int64_t)UNIT * UNIT &&
+           loft_chain_turn(before->to, after->from) <= (int64_t)SHARP * SHARP;
+}
+
+static void add_stretch(loft_corners *c)
+{
+    loft_corner_stretch e;
+    const loft_chain_walk *w = &c->walk;
+    loft_corner_stretch *last = &c->stretch[c->stretches > 0 ? c->stretches - 1u : 0];
+
+    loft_chain_place(w, 0, &e.at);
+    loft_chain_direction(w, 0, e.from);
+    loft_chain_direction(w, 2, e.to);
+    e.length = w->length;
+    e.s = w->s;
+    e.cap = least(loft_corner_cap(c->chain, e.from, w->number),
+                  loft_corner_cap(c->chain, e.to, w->number));
+    if (c->stretches == 0 || !is_scrap(c, last, &e)) {
+        c->stretch[c->stretches++] = e;
+        return;
+    }
+    last->length += e.length;
+    last->cap = least(last->cap, e.cap);
+    for (int i = 0; i < LOFT_AXES; i++)
+        last->to[i] = e.to[i];
+}
+
+/* How far the path leads in a stretch within l of its start, or back from its end. */
+static void bow(const loft_corner_stretch *e, bool back, loft_coord l, loft_coord out[])
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t bend = (int64_t)(e->to[i] - e->from[i]) * l / e->length * l / 2;
+        out[i] = (loft_coord)((back ? bend - (int64_t)e->to[i] * l
+                                    : e->from[i] * (int64_t)l + bend) /
+                              UNIT);
+    }
+}
+
+static bool is_sharp(const loft_corner_stretch *before, const loft_corner_stretch *after)
+{
+    return loft_chain_turn(before->to, after->from) > (int64_t)SHARP * SHARP;
+}
+
+/* The place l before or behind the start of stretch i, from there; false: it is not known, or, from
+ * a joint that is not sharp, beyond one that is: that is a corner for itself. */
+static bool probe(const loft_corners *c, unsigned i, bool back, loft_coord l, loft_coord out[])
+{
+    const loft_corner_stretch *e = c->stretch;
+    const loft_position at = e[i].at;
+    const bool sharp = is_sharp(&e[i - 1], &e[i]);
+    unsigned k = back ? i - 1 : i;
+
+    while (l > e[k].length) {
+        l -= e[k].length;
+        if (back ? k == 0 : k + 1 == c->stretches)
+            return false;
+        k = back ? k - 1 : k + 1;
+        if (!sharp && is_sharp(&e[back ? k : k - 1], &e[back ? k + 1 : k]))
+            return false;
+    }
+    const loft_position *from = &c->stretch[back ? k + 1 : k].at;
+    bow(&c->stretch[k], back, l, out);
+    for (int j = 0; j < LOFT_AXES; j++)
+        out[j] += loft_coord_sub(from->axis[j], at.axis[j]);
+    return true;
+}
+
+/* The most that the axes allow across the path, where its velocity changes by `v` of length
+ * `size`. */
+static loft_coord swing(const loft_period *p, loft_coord tol, const loft_coord v[], loft_coord size)
+{
+    int64_t accel = CAP_MAX, jerk = CAP_MAX;
+    bool soft = false;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t part = loft_coord_abs(v[i]) + 1;
+        if (part * accel > (int64_t)p->accel[i] * size)
+            accel = (int64_t)p->accel[i] * size / part;
+        if (p->jerk[i] > 0 && part * jerk > (int64_t)p->jerk[i] * size)
+            jerk = (int64_t)p->jerk[i] * size / part;
+        soft = soft || p->jerk[i] > 0;
+    }
+    const uint64_t change = (uint64_t)jerk * (uint64_t)tol / 4096 * (uint64_t)tol / 4096;
+    const loft_coord by_accel = (loft_coord)loft_coord_sqrt((uint64_t)(8 * accel * tol)),
+                     by_jerk = (loft_coord)(29 * (int64_t)loft_coord_cbrt(change) * 256 / 10);
+    return soft ? least(by_accel, by_jerk) : by_accel / 2;
+}
+
+/* By what the path turns at the joint before stretch i, at the scale l; false: not known. */
+static bool turn_at(const loft_corners *c, unsigned i, loft_coord l, loft_coord out[])
+{
+    loft_coord b[LOFT_AXES];
+
+    if (!probe(c, i, true, l, out) || !probe(c, i, false, l, b))
+        return false;
+    for (int j = 0; j < LOFT_AXES; j++)
+        out[j] += b[j];
+    return true;
+}
+
+/* Does the joint before stretch i have the tolerance of corners? */
+static bool is_corner(const loft_corners *c, unsigned i)
+{
+    const loft_coord tol = c->chain->period->tol;
+    loft_coord a[LOFT_AXES];
+
+    return c->chain->period->more > 0 && is_sharp(&c->stretch[i - 1], &c->stretch[i]) &&
+           turn_at(c, i, tol, a) && (int64_t)loft_coord_length(a) * UNIT > (int64_t)tol * SHARP;
+}
+
+/* The speed with which the joint before stretch i may be passed. */
+static loft_coord joint_speed(const loft_corners *c, unsigned i, bool corner)
+{
+    const loft_period *p = c->chain->period;
+    const loft_coord tol = p->tol + (corner ? p->more : 0);
+    loft_coord speed = CAP_MAX, a[LOFT_AXES];
+
+    for (int k = 0; k < SCALES && turn_at(c, i, tol << k, a); k++) {
+        const loft_coord size = loft_coord_length(a);
+        if ((int64_t)size * 10 > (int64_t)tol * 13) {
+            const int64_t v = ((int64_t)swing(p, tol, a, size) << k) * tol / size;
+            speed = v < speed ? (loft_coord)v : speed;
+        }
+    }
+    return speed;
+}
+
+static void drop_zone(loft_corners *c)
+{
+    c->zones--;
+    for (unsigned k = 0; k < c->zones; k++)
+        c->zone[k] = c->zone[k + 1];
+}
+
+/* It is near a corner at s. Zones that meet are one. */
+static void add_zone(loft_corners *c, int64_t s)
+{
+    const loft_period *p = c->chain->period;
+    const int64_t reach = (int64_t)(p->tol + p->more) * NEAR;
+    loft_corner_zone *last = &c->zone[c->zones > 0 ? c->zones - 1u : 0];
+
+    if (c->zones > 0 && s - reach <= last->to) {
+        last->to = s + reach;
+        return;
+    }
+    if (c->zones == LOFT_CORNERS_ZONES)
+        drop_zone(c);
+    c->zone[c->zones++] = (loft_corner_zone){ s - reach, s + reach };
+}
+
+bool loft_corners_loose(const loft_corners *c, int64_t from, int64_t to)
+{
+    bool inside = false;
+
+    for (unsigned k = 0; k < c->zones; k++)
+        inside = inside || (c->zone[k].from <= from && to <= c->zone[k].to);
+    return inside;
+}
+
+void loft_corners_drop_zones(loft_corners *c, int64_t s, bool one)
+{
+    while (c->zones > 0 && c->zone[0].to < s)
+        drop_zone(c);
+    if (c->zones == LOFT_CORNERS_ZONES && one)
+        drop_zone(c);
+}
+
+
+// Corners
+// -------
+
+loft_corner loft_corner_of(int64_t s, loft_coord speed, loft_coord jerk, bool sharp)
+{
+    loft_corner k = { .s = s, .jerk = jerk, .sharp = sharp };
+
+    k.time = (int32_t)loft_coord_sqrt(((uint64_t)(uint32_t)speed * 2 << 20) / (uint32_t)jerk);
+    k.way  = (loft_coord)launched(jerk, k.time);
+    return k;
+}
+
+void loft_corners_add(loft_corners *c, loft_corner k)
+{
+    while (c->count > 0) {
+        const loft_corner *last = &c->corner[c->count - 1];
+        const int64_t off = k.s - last->s;
+        if (!k.sharp && k.jerk >= last->jerk && last->way + off <= k.way)
+            return;
+        if (last->sharp || last->jerk < k.jerk || k.way + off > last->way)
+            break;
+        c->count--;
+    }
+    c->corner[c->count++] = k;
+}
+
+loft_corner loft_corners_last(const loft_corners *c, bool ends)
+{
+    const loft_corner_stretch *e = &c->stretch[c->stretches - 1];
+    return loft_corner_of(c->known, 0, loft_corner_jerk(c->chain->period, e->to, e->cap), ends);
+}
+
+/* The joint before stretch `looked`. */
+static void look_at_joint(loft_corners *c)
+{
+    const unsigned i = c->looked;
+    const loft_period *p = c->chain->period;
+    const loft_corner_stretch *before = &c->stretch[i - 1], *after = &c->stretch[i];
+    const bool corner = is_corner(c, i);
+    const loft_coord speed = joint_speed(c, i, corner), cap = least(before->cap, after->cap);
+
+    if (corner)
+        add_zone(c, after->s);
+    if (speed < cap)
+        loft_corners_add(c, loft_corner_of(after->s, speed > 1 ? speed : 1,
+                                           least(loft_corner_jerk(p, before->to, cap),
+                                                 loft_corner_jerk(p, after->from, cap)),
+                                           is_sharp(before, after)));
+}
+
+/* The largest scale at which a joint is looked at. */
+static loft_coord scale_most(const loft_corners *c)
+{
+    return (c->chain->period->tol + c->chain->period->more) << (SCALES - 1);
+}
+
+static int64_t scanned(const loft_corners *c) { return c->walk.s + c->walk.length; }
+
+/* Forget stretches that no joint to come looks back at. */
+static void forget(loft_corners *c)
+{
+    unsigned n = 0;
+    const int64_t from = c->looked < c->stretches ? c->stretch[c->looked].s : scanned(c);
+
+    while (n + 1u < c->looked && c->stretch[n + 1].s < from - 2 * (int64_t)scale_most(c))
+        n++;
+    if (n == 0 && c->stretches == LOFT_CORNERS_STRETCHES)
+        n = c->looked > 1 ? (c->looked - 1u + 1) / 2 : 0;
+    for (unsigned k = n; k < c->stretches; k++)
+        c->stretch[k - n] = c->stretch[k];
+    c->stretches = (uint8_t)(c->stretches - n);
+    c->looked = (uint8_t)(c->looked - n);
+}
+
+bool loft_corners_full(const loft_corners *c)
+{
+    return c->count + 2 >= LOFT_CORNERS_MOST || c->zones == LOFT_CORNERS_ZONES;
+}
+
+/* Look at joints behind which enough is known, or all that will be. */
+static void look(loft_corners *c, bool all)
+{
+    const loft_coord need = scale_most(c);
+
+    while (c->looked < c->stretches && !loft_corners_full(c) &&
+           (all || scanned(c) - c->stretch[c->looked].s > need)) {
+        if (c->looked > 0)
+            look_at_joint(c);
+        c->looked++;
+    }
+}
+
+void loft_corners_scan(loft_corners *c)
+{
+    const loft_chain *chain = c->chain;
+
+    while (!loft_corners_full(c)) {
+        if (c->stretches == LOFT_CORNERS_STRETCHES)
+            forget(c);
+        const bool more = c->stretches < LOFT_CORNERS_STRETCHES &&
+                          loft_chain_advance(chain, &c->walk);
+        if (more)
+            add_stretch(c);
+        const unsigned before = c->looked;
+        look(c, !more && (chain->ended || chain->count == chain->room ||
+                          c->stretches == LOFT_CORNERS_STRETCHES));
+        if (!more && c->looked == before)
+            break;
+    }
+    c->known = c->looked < c->stretches ? c->stretch[c->looked].s : scanned(c);
+}
+
+bool loft_corners_end_known(const loft_corners *c)
+{
+    return c->chain->ended && c->looked == c->stretches && loft_chain_walked(c->chain, &c->walk);
+}
+
+void loft_corners_begin(loft_corners *c, const loft_chain *chain)
+{
+    c->chain = chain;
+    loft_chain_begin(chain, &c->walk);
+    c->stretches = c->looked = c->count = c->zones = 0;
+    c->known = 0;
+}
+
+
+// Where they let it be
+// --------------------
+
+int64_t loft_corner_allows(const loft_corner *k, int64_t s, int32_t part)
+{
+    if (k->s <= s)
+        return k->s - k->way + launched(k->jerk, launch_time(k->jerk, s - k->s + k->way) + part);
+
+    const int32_t time = launch_time(k->jerk, k->s - s + k->way), n = time - part;
+    return time == TIME_MAX ? s + FAR
+           : n >= k->time   ? k->s + k->way - launched(k->jerk, n)
+                            : k->s - k->way + launched(k->jerk, 2 * k->time - n);
+}
+
+int32_t loft_corner_time(const loft_corner *k, int64_t s)
+{
+    return launch_time(k->jerk, loft_long_abs(k->s - s) + k->way) - k->time;
+}
+
+void loft_corners_drop(loft_corners *c, int64_t s, loft_coord cap)
+{
+    unsigned n = 0;
+    int64_t to = s + cap;
+    const loft_corner *tightest = NULL;
+
+    for (unsigned i = 0; i < c->count && c->corner[i].s <= s; i++) {
+        const int64_t next = loft_corner_allows(&c->corner[i], s, ONE);
+        tightest = next < to ? &c->corner[i] : tightest;
+        to = next < to ? next : to;
+    }
+    for (unsigned i = 0; i < c->count; i++)
+        if (c->corner[i].s > s || &c->corner[i] == tightest) {
+            const loft_corner kept = c->corner[i];
+            c->corner[n++] = kept;
+        }
+    c->count = (uint8_t)n;
+}
+
+const loft_corner *loft_corners_next_sharp(const loft_corners *c, int64_t s)
+{
+    for (unsigned i = 0; i < c->count; i++)
+        if (c->corner[i].sharp && c->corner[i].s > s)
+            return &c->corner[i];
+    return NULL;
+}
