@@ -54,7 +54,7 @@
 
 /* Outputs of a machine beside its motors (laser, spindle, relays) that actions among its spans set,
  * 0..15; with 0 it takes no actions, so no pauses either.
- * Cost: 2.3 kB of flash on an AVR; 13 bytes of RAM each, and 24. */
+ * Cost: 2.1 kB of flash on an AVR; 9 bytes of RAM each, and 24. */
 #ifndef LOFT_MACHINE_OUTPUTS
 #  define LOFT_MACHINE_OUTPUTS 2
 #endif

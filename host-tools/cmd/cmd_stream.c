@@ -198,6 +198,23 @@ static void tell_missing(const stream_options *o, const parts *all, const struct
     }
 }
 
+/* Without its laser a machine would only scan the work. */
+static int check_laser(const stream_options *o, const parts *all, const struct job_does *does)
+{
+    const drawing *d = &all->part[all->first].d;
+
+    for (size_t i = 0; o->p.machine.laser > 0 && i < d->events; i++)
+        if (d->event[i].doing == DRAWING_SPINS && !job_can(does, &d->event[i]))
+            return tool_error(EX_CONFIG,
+                              "%s:%u: the machine has no output for the laser%s: leave out `laser "
+                              "= yes` to draw without it",
+                              source_name(all->file), d->event[i].line,
+                              o->points ? " with --points"
+                              : o->chip ? " with --plan chip"
+                                        : "");
+    return 0;
+}
+
 /* Choose the options of a job for a machine with these limits. */
 static int options_of(const stream_options *o, job_options *as)
 {
@@ -371,7 +388,10 @@ static int stream_drawing(const stream_options *o, const parts *all, talk *t)
     int code    = check_machine(o, &t->sender);
     const struct job_does does = does_of(o, &t->sender);
 
-    tell_missing(o, all, &does);
+    if (code == 0)
+        code = check_laser(o, all, &does);
+    if (code == 0)
+        tell_missing(o, all, &does);
     if (code == 0)
         code = find_old(o, all, &t->sender, &w, &old);
     for (size_t k = old < all->count ? old : all->first; k < all->count && code == 0; k++) {

@@ -33,8 +33,8 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
         loft_queue_init(&d->queue, config->cell, config->cells) != LOFT_OK)
         return LOFT_ERR_RANGE;
 
-    d->output_count = config->outputs < LOFT_MACHINE_OUTPUTS ? config->outputs
-                                                             : LOFT_MACHINE_OUTPUTS;
+    d->output_count = config->outputs > LOFT_MACHINE_OUTPUTS ? LOFT_MACHINE_OUTPUTS
+                                                             : config->outputs;
     loft_outputs_clear(&d->outputs);
     d->axis = config->axis;
     d->kind = LOFT_SPANS;

@@ -15,12 +15,18 @@
 
 #define FULL 0xFFFFu
 
+/* Bits of a mode: what changes the level besides actions. */
+enum {
+    STANDING = 1, /* off while time stands still */
+    SPEED = 2
+}; /* in proportion to it: `order` is for a mm in a tick */
+
 void loft_outputs_clear(loft_outputs *o)
 {
     for (int k = 0; k < LOFT_MACHINE_OUTPUTS; k++) {
-        o->output[k].per   = 0;
-        o->output[k].level = o->output[k].next = o->output[k].now = 0;
-        o->output[k].moving = false;
+        o->output[k].order = 0;
+        o->output[k].next = o->output[k].now = 0;
+        o->output[k].mode                    = 0;
     }
 }
 
@@ -42,12 +48,12 @@ void loft_outputs_take(loft_outputs *o, const loft_action *action, uint16_t tick
 {
     const int k = action->output - 1;
 
-    o->output[k].level  = action->feed > 0 ? 0 : action->level;
-    o->output[k].moving = action->moving;
-    o->output[k].per    = 0;
+    o->output[k].mode  = action->moving ? STANDING : 0;
+    o->output[k].order = action->level;
     if (action->feed > 0) {
         const uint64_t per = (uint64_t)action->level * 60u * tick_hz / action->feed;
-        o->output[k].per   = per > UINT32_MAX ? UINT32_MAX : (uint32_t)per;
+        o->output[k].order = per > UINT32_MAX ? UINT32_MAX : (uint32_t)per;
+        o->output[k].mode  = STANDING | SPEED;
     }
 }
 
@@ -104,14 +110,15 @@ void loft_outputs_prepare(loft_outputs *o, uint16_t slots, uint16_t lasts)
     bool known   = false;
 
     for (int k = 0; k < LOFT_MACHINE_OUTPUTS; k++) {
-        o->output[k].next = o->output[k].level;
-        if (o->output[k].per == 0)
+        if (!(o->output[k].mode & SPEED)) {
+            o->output[k].next = (uint16_t)o->output[k].order;
             continue;
+        }
         if (!known)
             way = way_of(o->by);
         known = true;
         /* 2^32 * 2^36 / 2^20, of which levels up to 16 times full count */
-        const uint64_t at_one = (uint64_t)o->output[k].per * way >> 20;
+        const uint64_t at_one = (uint64_t)o->output[k].order * way >> 20;
         const uint32_t level  = (at_one > 16 * FULL ? 16 * FULL : (uint32_t)at_one) * slots / lasts;
         o->output[k].next     = (uint16_t)(level > FULL ? FULL : level);
     }
@@ -126,7 +133,7 @@ void loft_outputs_run(loft_outputs *o)
 void loft_outputs_rest(loft_outputs *o)
 {
     for (int k = 0; k < LOFT_MACHINE_OUTPUTS; k++)
-        if (o->output[k].moving || o->output[k].per)
+        if (o->output[k].mode & STANDING)
             o->output[k].now = o->output[k].next = 0;
 }
 

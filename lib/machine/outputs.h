@@ -20,10 +20,10 @@ LOFT_BEGIN_C
 /* The struct is complete so that it can be static; the fields may change without notice. */
 typedef struct {
     struct {
-        uint32_t per;               /* level for a mm in a tick; 0: the level is constant */
-        uint16_t level, next;       /* as ordered; of the prepared tick */
+        uint32_t order;             /* the level, or that for a mm in a tick */
+        uint16_t next;              /* level of the prepared tick */
         volatile uint16_t now;      /* of the running tick */
-        bool moving;                /* off while time stands still */
+        uint8_t  mode;              /* see outputs.c */
     } output[LOFT_MACHINE_OUTPUTS];
     int32_t place[LOFT_AXES];       /* raw mm, at the end of the prepared tick */
     int32_t by[LOFT_AXES];          /* raw mm, in that tick */

@@ -6,7 +6,7 @@
  *     dir      D5 D6 D7 (PD5..7)         buttons  A0 abort, A1 hold, A2 resume (PC0..2), closing to
  *              ground
  *     enable   D8 (PB0), low             line     D0 D1 (USART0), 8N1
- *     probe    A5 (PC5), closing to ground
+ *     probe    A5 (PC5), closing to ground    outputs  D11, D13, A3: outputs.h
  *
  * The timer interrupt takes the pins of a slot from a ring, so the edges do not depend on computing
  * time. When the ring runs low, the interrupt continues with interrupts enabled and makes the next
@@ -17,6 +17,7 @@
 #include <avr/io.h>
 
 #define LOFT_RING_BYTES 128u
+#include "outputs.h"
 #include "port.h"
 #include "ring.h"
 #include "slots.h"
@@ -32,7 +33,7 @@
 #  define LOFT_SLOTS 80             /* per tick of 1 ms: 80,000 steps per second and axis */
 #endif
 #define ANSWER_MOST (47 + 4 * LOFT_AXES)    /* bytes of STATUS, the longest answer: WIRE.md */
-#define CELLS 12                    /* as many as fit in RAM */
+#define CELLS (LOFT_MACHINE_OUTPUTS ? 11 : 12)  /* as many as fit in RAM */
 
 /* The machine. steps/mm, mm/s, mm/s^2, mm/s^3 */
 #define AXIS { LOFT_RAW(250), LOFT_RAW(320), LOFT_RAW(500), 10000 }
@@ -68,8 +69,10 @@ static void eeprom_put(uint16_t at, uint8_t byte)
 
 static volatile loft_cell cells[CELLS];
 static loft_machine machine;
-static loft_machine_config config = {
-    .info = { .tick_hz = LOFT_TICK_HZ, .slots = LOFT_SLOTS, .axis = { AXIS, AXIS, AXIS } },
+static loft_machine_config config = { .info = { .tick_hz = LOFT_TICK_HZ,
+              .slots = LOFT_SLOTS,
+              .outputs = LOFT_MACHINE_OUTPUTS,
+              .axis = { AXIS, AXIS, AXIS } },
     .ramp = 40,
     .cell = cells,
     .cells = CELLS,
@@ -77,8 +80,7 @@ static loft_machine_config config = {
     .settings = { .get = eeprom_get,
                   .put = eeprom_put,
                   .room = ROOM,
-                  .wiring = { 0, 0, 2, 0, 0, 0, OBEYED } }
-};
+                                                    .wiring = { 0, 0, 2, 0, 0, 0, OBEYED } } };
 
 
 // Pins
@@ -175,6 +177,7 @@ uint8_t loft_port_work(void)
     do {
         make_slots();
         loft_machine_tick(&machine);
+        follow_outputs(&machine.drive);
     } while (RING_FILLED < LOW && !loft_step_done(&machine.drive.step));
     return work_wanted();
 }
@@ -247,6 +250,8 @@ loft_machine_config *loft_port_init(void)
     UBRR0 = (F_CPU / 4 / LOFT_BAUD - 1) / 2;
     UCSR0B = 1 << RXEN0 | 1 << TXEN0 | 1 << RXCIE0;
 
+    begin_outputs();
+
     PCMSK0 = LIMITS;
     PCMSK1 = BUTTONS | PROBE;
     PCICR = 1 << PCIE1 | 1 << PCIE0;
@@ -308,7 +313,7 @@ static void watch_switches(void)
 int main(void)
 {
     static uint8_t wire[ANSWER_MOST];
-    uint8_t byte[8];
+    uint8_t byte[4];
     uint8_t count = 0, sent = 0;
 
     if (loft_machine_init(&machine, loft_port_init()) != LOFT_OK)
@@ -317,7 +322,9 @@ int main(void)
     for (;;) {
         loft_machine_push(&machine, byte, loft_ring_take(&line, byte, sizeof byte));
         RING_WORK = work_wanted();
-        if (machine.drive.active && PORTB & 1 << 0)
+        if (!machine.drive.active)
+            end_outputs();
+        else if (PORTB & 1 << 0)
             PORTB &= (uint8_t)~(1 << 0);
         if (sent == count) {
             sent = 0;

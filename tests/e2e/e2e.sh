@@ -828,6 +828,10 @@ case_a_laser_gives_each_mm_the_same() {
     gone "$machine"; counted laser
     awk '/^output 1:/ { s = $3 } END { exit !(s > 1.99 && s < 2.01) }' "$tmp/laser.log" ||
         job_fails "$(cat "$tmp/laser.log"), expected 2.000 s"
+    machine without --speed fast --once
+    one_line 78 'burn.nc:2: the machine has no output for the laser with --points' \
+        "$loft" stream "$tmp/burn.nc" --points --port "$tmp/without" --machine "$tmp/laser.txt"
+    kill "$machine"
     # a slow line: the queue runs low again and again
     machine slow --speed real --queue 4 --ramp 20 --once
     run 0 "$loft" stream "$tmp/burn.nc" --port "$tmp/slow" --machine "$tmp/laser.txt"

@@ -147,6 +147,37 @@ row "settings: damaged ones are told"       "$(grep -c 'what it kept is damaged'
 row "settings: then its firmware's"         "$(sed -n 's/^steps_per_mm = //p' "$tmp/out")" = 250
 eeprom='' jobs=
 
+echo "-- outputs: the same drawing burnt, each mm at 20 ms of full power; a spindle, left alone"
+"$loft" export "$drawing" -o "$tmp/cut.nc"
+{ printf 'G21 G90 G94 G17\nM4 S600\n'; grep '^[GXY]' "$tmp/cut.nc" | sed '1d; /^G0/d'; echo M5; } \
+    >"$tmp/burn.nc"
+printf 'laser = yes\n' >"$tmp/laser.txt"
+on_chip "$chip" "$elf" "$loft" stream "$tmp/burn.nc" --machine "$tmp/laser.txt" --port "$tmp/port" \
+    --feed 30
+python3 tests/target/energy.py "$tmp/chip.csv" >"$tmp/energy"
+row "laser: the command ends well"                          "$code" = 0
+row "laser: way, in mm"                            "$(said way "$tmp/energy")" ">=" 130.7 mm
+row "laser: full power for each mm, S600 F1800, in ms"  "$(said mean "$tmp/energy")" ">=" 19.8
+row "laser: the same, at most"                          "$(said mean "$tmp/energy")" "<=" 20.2
+row "laser: 2 mm that differ most from the mean"     "$(said worst "$tmp/energy")" "<=" 2 %
+row "laser: after the last pulse"                       "$(said after "$tmp/energy")" "<=" 0 ms
+row "laser: slots missed"                                   "$(value slots_missed)" = 0
+row "laser: all interrupts"                                 "$(value load)" "<=" 0.80 "of the time"
+row "laser: RAM, data, bss and the deepest stack"           "$(ram)" "<=" 1988 bytes
+printf '%s\n' 'G21 G90 M3 S250' 'M8' 'G1 X10 F600' 'S1000' 'X20' 'M9' 'X200' >"$tmp/part.nc"
+# levels N: those that output N has had, in /255
+levels() { awk -v n="$1" '/^# output/ && $3 == n { printf "%s%d", c, $5 / 257; c = " " }' \
+    "$tmp/chip.csv"; }
+jobs=99
+on_chip "$chip" "$elf" bash -c '
+    timeout -s KILL 8 "$0" stream "$1" --port "$2"; sleep 1; "$0" stream --abort --port "$2"' \
+    "$loft" "$tmp/part.nc" "$tmp/port"
+jobs=
+row "spindle: the abort ends well"                          "$code" = 0
+row "spindle: it went on to X200"   "$(awk '{ print ($1 > 5000) }' <(value position))" = 1
+row "spindle: power of S250, S1000 and the abort, of 255"   "$(levels 1)" = "64 255 0"
+row "spindle: coolant"                                      "$(levels 2)" = "255 0"
+
 echo "-- a line that is cut"
 "$loft" simulate --link "$tmp/cut" --speed real >"$tmp/log" & here=$!
 for _ in $(seq 3000); do [ -e "$tmp/cut" ] && break; sleep 0.02; done

@@ -57,8 +57,12 @@ struct chip {
 // The switch of x: D9, low when closed
 // ------------------------------------
 
+/* It stays so when the firmware writes to the port. */
 static void set_switch(avr_t *avr, bool closed)
 {
+    avr_ioport_external_t pin = { .name = 'B', .mask = 1 << 1, .value = closed ? 0 : 1 << 1 };
+
+    avr_ioctl(avr, AVR_IOCTL_IOPORT_SET_EXTERNAL('B'), &pin);
     avr_raise_irq(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('B'), 1), !closed);
 }
 

@@ -40,6 +40,8 @@ void gate_host(struct gate *g, uint8_t byte)
             const uint16_t most = job.kind == LOFT_POINTS ? g->points : g->queue;
             g->step = most < 4 ? 1 : most / 4u;
         }
+    } else if (loft_message_type(&g->from_host) == LOFT_HELLO) {
+        g->ended = true;                        /* another sender owes nothing */
     } else if (loft_message_type(&g->from_host) == LOFT_END) {
         g->ended = loft_end_decode(&g->from_host, &total) == LOFT_OK;
     }

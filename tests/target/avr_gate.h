@@ -17,7 +17,7 @@ struct gate {
     uint32_t sent;              /* items that the host has sent, including repeats */
     uint16_t queue, points;     /* items of both kinds that the machine's queue takes */
     uint32_t step;              /* items sent at once: see can_send of the sender */
-    bool ended;                 /* END was sent                                       */
+    bool ended;                 /* END was sent, or nothing but a greeting            */
     uint32_t jobs;              /* closed                                             */
     uint32_t frames, naks;      /* of the machine                                     */
 };

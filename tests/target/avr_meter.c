@@ -14,6 +14,12 @@
 #define VECTORS     26
 #define SLOT_VECTOR 11              /* timer 1 compare A */
 #define RX_VECTOR   18
+/* registers as addresses of data */
+#define DDRB        0x24
+#define DDRC        0x27
+#define PORTC       0x28
+#define TCCR2A      0xB0
+#define OCR2A       0xB3
 #define RING        128             /* slots in the firmware's ring */
 #define RING_FILLED 0x4B            /* GPIOR2 has their number: ports/atmega328p/slots.h */
 
@@ -81,6 +87,22 @@ static void pin_changed(struct avr_irq_t *irq, uint32_t value, void *param)
         least(&m->pulse_least, now - m->rose[axis]);
         most(&m->pulse_most, now - m->rose[axis]);
     }
+}
+
+/* The outputs: D11, in 1/255 as the timer gives it, and A3. Duty n + 1 of 256 is recorded as n of
+ * 255, and a pin that is no output as 0. */
+static void watch_outputs(struct meter *m)
+{
+    const uint8_t *data = m->avr->data;
+    const uint8_t power = data[DDRB] & data[TCCR2A] >> 4 & 1 << 3 ? data[OCR2A] : 0,
+                  coolant = data[DDRC] & data[PORTC] & 1 << 3;
+
+    if (power != m->power)
+        host_record_output(&m->record, m->avr->cycle, 1, (uint16_t)(power * 257));
+    if (coolant != m->coolant)
+        host_record_output(&m->record, m->avr->cycle, 2, coolant ? 65535 : 0);
+    m->power   = power;
+    m->coolant = coolant;
 }
 
 void meter_init(struct meter *m, avr_t *avr, uint32_t tick_pc)
@@ -164,6 +186,7 @@ void meter_run(struct meter *m)
         m->deepest = stack(avr);
         m->deepest_pc = pc;
     }
+    watch_outputs(m);
 
     if (m->depth && (instruction == RETI || (instruction == RET && m->nest[m->depth].kind == TICK &&
                                              stack(avr) > m->nest[m->depth].sp)))
