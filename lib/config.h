@@ -64,10 +64,15 @@
 
 /* How much work the planner does.
  *   1: places are not guessed twice, paces are raised less, and a call of loft_plan_part does a
- *      part of the work: for small chips
+ *      part of the work: for small chips (Cortex-M, 32-bit RISC-V and Xtensa, AVR)
  *   2: all of it, as soon as a span is asked for */
 #ifndef LOFT_PLAN_EFFORT
-#  define LOFT_PLAN_EFFORT 2
+#  if (defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M') || defined(__AVR__) ||            \
+      (defined(__riscv_xlen) && __riscv_xlen == 32) || defined(__XTENSA__)
+#    define LOFT_PLAN_EFFORT 1
+#  else
+#    define LOFT_PLAN_EFFORT 2
+#  endif
 #endif
 #if LOFT_PLAN_EFFORT < 1 || LOFT_PLAN_EFFORT > 2
 #  error "LOFT_PLAN_EFFORT must be 1 or 2"

@@ -6,6 +6,8 @@
  */
 #include "motion/path.h"
 
+#include "num/part.h"       /* loft_part, loft_doublings */
+
 #define ONE         LOFT_CORNER_ONE                 /* a period, in times of corners */
 /* Little effort: away from corners places are farther apart, so fewer of them look ahead as far. */
 #define STEP_MAX    (LOFT_PLAN_EFFORT > 1 ? ONE : ONE * 7 / 4)
@@ -232,15 +234,25 @@ static between between_of(const loft_path_place *const at[4])
     return w;
 }
 
+/* x z / 2^24, too small by less than 3; |z| <= 2^24. */
+static int32_t times(int32_t x, int32_t z)
+{
+    return 2 * loft_part(x, z >> 9) + ((x >> 15) * (z & 511) >> 9);
+}
+
+/* (1 - z) before - z after */
+static int32_t bow_at(const between *w, int i, int32_t z)
+{
+    return times(w->before[i], PART_ONE - z) - times(w->after[i], z);
+}
+
 static void place_between(const between *w, int32_t z, loft_position *out)
 {
-    const int32_t y = PART_ONE - z, in = (int32_t)((int64_t)z * y >> 24);
+    const int32_t in = times(z, PART_ONE - z);
 
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const int64_t bow = ((int64_t)w->before[i] * y - (int64_t)w->after[i] * z) >> 24;
+    for (int i = 0; i < LOFT_AXES; i++)
         out->axis[i] = loft_coord_add(w->from->axis[i],
-                                      (loft_coord)(((int64_t)w->chord[i] * z + bow * in) >> 24));
-    }
+                                      times(w->chord[i], z) + times(bow_at(w, i, z), in));
 }
 
 void loft_path_between(const loft_path_place *const at[4], int32_t z, loft_position *out)
@@ -252,13 +264,43 @@ void loft_path_between(const loft_path_place *const at[4], int32_t z, loft_posit
 /* Its derivative by z. */
 static void tangent_between(const between *w, int32_t z, loft_coord out[])
 {
-    const int32_t y = PART_ONE - z, in = (int32_t)((int64_t)z * y >> 24);
+    const int32_t y = PART_ONE - z, in = times(z, y);
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        out[i] = w->chord[i] + times(bow_at(w, i, z), y - z) -
+                 times(w->before[i] + w->after[i], in);
+}
+
+/* By how many bits the largest is longer than that. */
+static int excess(const loft_coord x[], int bits)
+{
+    const int n = 30 - bits - loft_doublings((uint32_t)largest(x) | 1);
+    return n > 0 ? n : 0;
+}
+
+/* The part of the tangent that `off` is along it, 2^-24: with 13 bits of the one and 14 of the
+ * other sums have 30, and the quotient has 14. */
+static int32_t part_along(const loft_coord off[], const loft_coord tangent[])
+{
+    const int down = excess(tangent, 13), low = excess(off, 14);
+    int32_t dot = 0, square = 0;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        const int64_t bow = ((int64_t)w->before[i] * y - (int64_t)w->after[i] * z) >> 24,
-                      sum = (int64_t)w->before[i] + w->after[i];
-        out[i] = (loft_coord)(w->chord[i] + ((bow * (y - z) - sum * in) >> 24));
+        const int32_t e = tangent[i] >> down;
+        dot += (off[i] >> low) * e;
+        square += e * e;
     }
+    if (dot == 0 || square == 0)
+        return 0;
+    const int up = loft_doublings((uint32_t)loft_coord_abs(dot)),
+              by = 15 - loft_doublings((uint32_t)square),
+              shift = 24 + low - down - up - (by > 0 ? by : 0);
+    const int32_t q = dot * ((int32_t)1 << up) / (square >> (by > 0 ? by : 0));
+    return shift <= 0 ? q >> (shift > -31 ? -shift : 31)
+           : shift < 14 && loft_coord_abs(q) < INT32_C(1) << (26 - shift)
+               ? q * ((int32_t)1 << shift)
+           : q > 0 ? 2 * PART_ONE
+                   : -2 * PART_ONE;
 }
 
 /* Along its tangent, twice; then across that, but beyond its ends. */
@@ -268,23 +310,19 @@ loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const lo
 
     for (int round = 0;; round++) {
         loft_position on;
-        loft_coord off[LOFT_AXES], along[LOFT_AXES];
-        int64_t dot = 0;
+        loft_coord off[LOFT_AXES], tangent[LOFT_AXES];
 
         place_between(&w, z, &on);
-        tangent_between(&w, z, along);
+        tangent_between(&w, z, tangent);
         legs_of(&on, p, off);
-        for (int i = 0; i < LOFT_AXES; i++)
-            dot += (int64_t)off[i] * along[i];
-        const int64_t size = (int64_t)loft_coord_length(along) + 1, way = dot / size,
-                      next = z + way * PART_ONE / size;
+        const int32_t part = part_along(off, tangent), next = z + part;
         const bool inside = next >= 0 && next <= PART_ONE;
         if (round < 2 && (inside || (z > 0 && z < PART_ONE))) {
-            z = next < 0 ? 0 : next > PART_ONE ? PART_ONE : (int32_t)next;
+            z = next < 0 ? 0 : next > PART_ONE ? PART_ONE : next;
             continue;
         }
         for (int i = 0; i < LOFT_AXES && inside; i++)
-            off[i] -= (loft_coord)(way * along[i] / size);
+            off[i] -= times(tangent[i], part);
         return loft_coord_length(off);
     }
 }
@@ -311,18 +349,23 @@ static loft_coord off_at(const loft_path *path, loft_chain_walk *w,
     return loft_path_off(at, (int32_t)z, &p);
 }
 
+/* The last walk that has not passed s. */
+static const loft_chain_walk *walk_before(const loft_path *path, int64_t s)
+{
+    return path->ahead.s > path->check.s && path->ahead.s <= s ? &path->ahead : &path->check;
+}
+
 /* How far the path is from the cubic from place k to the next, at joints and eighths of the way. */
-static loft_coord skipped(const loft_path *path, unsigned k)
+static loft_coord skipped(loft_path *path, unsigned k)
 {
     const loft_path_place *at[4];
-    loft_chain_walk w = path->check;
     loft_coord most = 0;
 
     four(path->queue, path->queued, k, at);
     const int64_t way = at[2]->s - at[1]->s;
     if (way <= 0)
         return 0;
-
+    loft_chain_walk w = *walk_before(path, at[1]->s);
     for (int n = 1; n < 8; n++) {
         const int64_t s = at[1]->s + way * n / 8;
         while (s > w.s + w.length) {
@@ -335,6 +378,8 @@ static loft_coord skipped(const loft_path *path, unsigned k)
             if (!loft_chain_advance(&path->chain, &next))
                 break;
             w = next;
+            if (w.s <= at[1]->s)
+                path->ahead = w;
         }
         const loft_coord off = off_at(path, &w, at, s);
         most = off > most ? off : most;
@@ -346,12 +391,12 @@ static loft_coord skipped(const loft_path *path, unsigned k)
 static void halve(loft_path *path, unsigned k)
 {
     loft_path_place *q = &path->queue[k];
-    loft_chain_walk w = path->check;
 
     for (unsigned i = path->queued - k; i > 1; i--)
         q[i] = q[i - 1];
     path->queued++;
     q[1].s = (q[0].s + q[2].s) / 2;
+    loft_chain_walk w = *walk_before(path, q[1].s);
     q[1].feed = loft_chain_go(&path->chain, &w, q[1].s, &q[1].at);
     q[1].feed = least(q[1].feed, q[2].feed);
     q[1].number = w.number;
@@ -456,7 +501,7 @@ void loft_path_begin(loft_path *path)
 {
     path->chain.walked = path->chain.closed = path->over = false;
     loft_corners_begin(&path->corners, &path->chain);
-    path->check = path->walk = path->corners.walk;
+    path->ahead = path->check = path->walk = path->corners.walk;
     path->queued = path->settled = 0;
     path->s = 0;
     path->step = ONE;

@@ -42,6 +42,7 @@ typedef struct {
     loft_chain         chain;
     loft_corners       corners;
     loft_chain_walk    walk, check;
+    loft_chain_walk    ahead;               /* behind check, where ways are looked at */
     bool               over;
     loft_vec           end;                 /* of the chain that is over */
     int64_t            s;                   /* of the last place */

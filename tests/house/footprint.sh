@@ -50,7 +50,9 @@ measured() {    # measured CHIP FUNCTIONS STRUCTS: `flash RAM`
         size=$($(binutil "$1" nm) -S "$out/$1.o" | awk -v s="size_$s" '$4 == s { print $2 }')
         ram=$((ram + 0x$size))
     done
-    $(binutil "$1" size) "$out/linked" | awk -v ram=$ram 'NR == 2 { print $1 + $2, ram }'
+    $(binutil "$1" size) "$out/linked" | awk -v chip="$1" -v ram=$ram 'NR == 2 {
+        if (chip != "atmega328p" || ($1 + $2 <= 32768 && ram <= 2048)) print $1 + $2, ram
+        else print "will not fit" > "/dev/stderr" }'
 }
 thousands() { echo "$1" | sed -E ':a; s/([0-9])([0-9]{3})($|,)/\1,\2\3/; ta'; }
 

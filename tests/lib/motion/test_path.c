@@ -14,6 +14,7 @@ static loft_path       planned;
 static loft_move       ring[CURVES];
 static loft_path_place found_at[PLACES];
 static unsigned        found;
+static path            track;
 
 /* All places of the chain. */
 static bool find_places(void)
@@ -71,7 +72,6 @@ static void places_lead_from_end_to_end(arb *a)
  * than what they say, which is less than the tolerance. */
 static void what_is_skipped_is_less_than_the_tolerance(arb *a)
 {
-    static path track;
 
     arb_case(a);
     CHECK(find_places());
@@ -84,7 +84,6 @@ static void what_is_skipped_is_less_than_the_tolerance(arb *a)
 /* The tolerance of corners holds on ways that are near them from one end to the other. */
 static void corners_are_near_where_they_count(arb *a)
 {
-    static path track;
 
     arb_case(a);
     limits.corner = real_of(arb_value(limits.tol) * 4);

@@ -8,6 +8,7 @@
 #define LOFT_TARGET_MATH_H
 
 #define INFINITY    (__builtin_inff())
+#define HUGE_VAL    (__builtin_inf())
 #define HUGE_VALL   (__builtin_infl())
 #define NAN         (__builtin_nanf(""))
 #define isnan(x)    ((x) != (x))
