@@ -188,7 +188,7 @@ deps-gcode:
 .PHONY: deps-target
 deps-target:
 	@sh tests/house/deps.sh gcc-arm-none-eabi gcc-avr binutils-avr avr-libc \
-	    gcc-riscv64-unknown-elf simavr libsimavr-dev libelf-dev \
+	    gcc-riscv64-unknown-elf simavr libsimavr-dev libelf-dev libunicorn-dev \
 	    qemu-system-arm qemu-system-misc qemu-system-x86 qemu-user \
 	    gcc-i686-linux-gnu libc6-dev-i386-cross gcc-powerpc-linux-gnu libc6-dev-powerpc-cross \
 	    busybox-static cpio xz-utils libgpiod-dev

@@ -7,7 +7,7 @@
 
 static loft_machine machine;
 static loft_ring line;
-static volatile uint8_t slots;          /* since the start, modulo 256 */
+static volatile uint32_t slots;         /* since the start */
 
 void loft_port_slot(void)
 {
@@ -16,20 +16,45 @@ void loft_port_slot(void)
     loft_port_pins(pins.step, pins.dir);
     if (loft_machine_senses(&machine))
         loft_machine_sense(&machine, loft_port_inputs());
-    slots++;
+    slots = slots + 1;
 }
 
 void loft_port_tick(void) { loft_machine_tick(&machine); }
 
+loft_step_tick *loft_port_take(uint8_t *count, uint8_t *dir)
+{
+    loft_step_tick *taken = loft_drive_take(&machine.drive, count, dir);
+
+    slots = slots + *count;
+    return taken;
+}
+
+bool loft_port_waits(void) { return loft_machine_senses(&machine); }
+
+bool loft_port_changed(void)
+{
+    return loft_machine_senses(&machine) && loft_latch_wanted(&machine.latch, loft_port_inputs());
+}
+
+void loft_port_latch(const int32_t ahead[LOFT_AXES])
+{
+    int32_t at[LOFT_AXES];
+
+    loft_step_position(&machine.drive.step, at);
+    for (int i = 0; i < LOFT_AXES; i++)
+        at[i] -= ahead[i];
+    loft_latch_keep(&machine.latch, at);
+}
+
 void loft_port_byte(uint8_t byte) { loft_ring_put(&line, byte); }
 
 /* Sample the switches about once per `every` slots. */
-static void watch_switches(uint8_t every)
+static void watch_switches(uint32_t every)
 {
     static loft_switches switches;
-    static uint8_t sampled;
+    static uint32_t sampled;
 
-    if ((uint8_t)(slots - sampled) < every)
+    if (slots - sampled < every)
         return;
     sampled = slots;
     const uint16_t closed = loft_port_inputs();
@@ -43,7 +68,6 @@ int main(void)
     static uint8_t wire[LOFT_FRAME_MAX];
     loft_machine_config *config = loft_port_init();
     const uint32_t slot_hz = (uint32_t)config->info.tick_hz * config->info.slots;
-    const uint8_t every = (uint8_t)(slot_hz / 1000 < 255 ? slot_hz / 1000 : 255);
     size_t count = 0, sent = 0;
 
     config->senses = true;
@@ -59,9 +83,10 @@ int main(void)
             sent = 0;
             count = loft_machine_poll(&machine, wire);
         }
-        sent += loft_port_write(wire + sent, count - sent);
-        watch_switches(every);
-        if (!loft_machine_plan(&machine) && came == 0 && sent == count)
+        const size_t wrote = loft_port_write(wire + sent, count - sent);
+        sent += wrote;
+        watch_switches(slot_hz / 1000);
+        if (!loft_machine_plan(&machine) && came == 0 && wrote == 0)
             loft_port_wait();
     }
 }

@@ -17,10 +17,10 @@
  *
  * If an interrupt that computes in every slot is too long, let it take the pins from a ring, and
  * fill the ring with loft_drive_take, many slots at once. atmega328p/port.c does so, with a main of
- * its own. On an ATmega328P at 16 MHz with three axes (avr-gcc 5.4, simulated) a slot then takes 61
- * cycles, 32 of them the pulse, and making it 25. All interrupts take 0.62 of the time at 80,000
- * slots per second with every axis pulsing in each of them. Preparing a span, in loft_machine_poll,
- * takes 20,000.
+ * its own; cortex-m/stream.h where DMA gives the slots without any interrupt. On an ATmega328P at
+ * 16 MHz with three axes (avr-gcc 5.4, simulated) a slot then takes 61 cycles, 32 of them the
+ * pulse, and making it 25. All interrupts take 0.62 of the time at 80,000 slots per second with
+ * every axis pulsing in each of them. Preparing a span, in loft_machine_poll, takes 20,000.
  */
 #ifndef LOFT_PORT_H
 #define LOFT_PORT_H
@@ -40,7 +40,8 @@ void     loft_port_start(uint32_t slot_hz);
  * the latest in the next slot, and knows which pins are inverted. Called from loft_port_slot. */
 void     loft_port_pins(uint8_t step_bits, uint8_t dir_bits);
 
-/* Send as many bytes as fit now. Returns their number and never waits. */
+/* Send as many bytes as fit now. Returns their number and never waits. If none fits, an interrupt
+ * comes soon: when there is room, or with the next slot. */
 size_t   loft_port_write(const uint8_t *bytes, size_t count);
 
 /* The inputs that are closed now, a sum of LOFT_INPUT_ (wire/message.h); 0 on a board without
@@ -55,5 +56,13 @@ void     loft_port_wait(void);
 void     loft_port_slot(void);
 void     loft_port_tick(void);
 void     loft_port_byte(uint8_t byte);
+
+/* CALLBACKS for a port that makes slots ahead, in the context of loft_port_tick: take the next
+ * slots (loft_drive_take); does a guard wait; has an input of it changed now, which may be asked in
+ * any interrupt; it had changed when so many steps were counted and not given. */
+loft_step_tick *loft_port_take(uint8_t *count, uint8_t *dir);
+bool     loft_port_waits(void);
+bool     loft_port_changed(void);
+void     loft_port_latch(const int32_t ahead[LOFT_AXES]);
 
 #endif

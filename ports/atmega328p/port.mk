@@ -60,9 +60,10 @@ flash-atmega328p: firmware-atmega328p
 
 # --- the emulated chip ----------------------------------------------------------------------------
 SIMAVR   = -D_GNU_SOURCE $(INCLUDE) -isystem /usr/include/simavr $(call num_flag,q16)
-CHIP_SRC = $(patsubst %,tests/target/avr_%.c,chip core meter gate) \
+CHIP_SRC = $(patsubst %,tests/target/avr_%.c,chip core meter gate) tests/target/chip_line.c \
            ports/host/line.c ports/host/record.c
-build/target/chip: $(CHIP_SRC) $(wildcard tests/target/avr_*.h) build/q16x3/libloft.a
+build/target/chip: $(CHIP_SRC) $(wildcard tests/target/avr_*.h tests/target/chip_*.h) \
+                   build/q16x3/libloft.a
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(BUILT) $(STD) $(SIMAVR) -Iports -Itests/target $(CHIP_SRC) \

@@ -4,11 +4,13 @@
  * A port is compiled with the number of interrupts, CORTEX_IRQS, and the number of its line's
  * interrupt, CORTEX_LINE_IRQ. cortex_line is called when a byte is received. SysTick gives the
  * slots; with CORTEX_SLOT_IRQ that interrupt does, through cortex_slot. loft_port_tick runs in the
- * interrupt of lowest priority, after cortex_later.
+ * interrupt of lowest priority, after cortex_later. With CORTEX_STREAM_IRQ slots are made ahead:
+ * see stream.h.
  */
 #ifndef LOFT_CORTEX_H
 #define LOFT_CORTEX_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #define REG(address) (*(volatile uint32_t *)(uintptr_t)(address))
@@ -23,6 +25,9 @@
 
 void cortex_line(void);
 void cortex_slot(void);
+void cortex_block(void);
+void cortex_fill(void);
+void cortex_sample(void);
 
 /* Enable interrupt `irq` at a priority above the tick and below the slots; with `first` at that of
  * the slots. */
@@ -44,6 +49,9 @@ static inline void cortex_systick(uint32_t cycles)
     SYST_CVR = 0;
     SYST_CSR = 7;
 }
+
+/* Let it stand, or run again. */
+static inline void cortex_systick_run(bool run) { SYST_CSR = run ? 7 : 6; }
 
 static inline void cortex_later(void)           { SCB_ICSR = 1u << 28; }
 static inline void cortex_interrupts(void)      { __asm__ volatile ("cpsie i" ::: "memory"); }

@@ -38,14 +38,19 @@ static void fault(void)
     }
 }
 
-#ifndef CORTEX_SLOT_IRQ
+#if defined(CORTEX_STREAM_IRQ)
+#  define systick cortex_sample
+#  define later   cortex_fill
+#elif defined(CORTEX_SLOT_IRQ)
+#  define systick fault
+#  define later   loft_port_tick
+#else
+#  define later   loft_port_tick
 static void systick(void)
 {
     loft_port_slot();
     cortex_later();
 }
-#else
-#  define systick fault
 #endif
 
 void loft_port_wait(void) { cortex_wait(); }
@@ -65,10 +70,13 @@ __attribute__((section(".vectors"), used)) static const vector vectors[16 + CORT
     { .code = fault },
     [11] = { .code = fault },
     [12] = { .code = fault },
-    [14] = { .code = loft_port_tick },
+    [14] = { .code = later },
     [15] = { .code = systick },
     [16 + CORTEX_LINE_IRQ] = { .code = cortex_line },
 #ifdef CORTEX_SLOT_IRQ
     [16 + CORTEX_SLOT_IRQ] = { .code = cortex_slot },
+#endif
+#ifdef CORTEX_STREAM_IRQ
+    [16 + CORTEX_STREAM_IRQ] = { .code = cortex_block },
 #endif
 };

@@ -1,14 +1,18 @@
-/* ports/stm32f405/port.c -- an STM32F405 or F407 at 168 MHz: three axes, 100,000 steps per second
- * each
+/* ports/stm32f405/port.c -- an STM32F405 or F407 at 168 MHz: three axes, LOFT_SLOTS steps per
+ * millisecond each
  * SPDX-License-Identifier: MIT
  *
  *     step     PA0 PA1 PA2       limits   PC0 PC1 PC2, closing to ground
  *     dir      PA3 PA4 PA5       buttons  PC3 abort, PC4 hold, PC5 resume, closing to ground
  *     enable   PA6, low          line     PA9 PA10 (USART1), 8N1
  *
+ * Timer 1 requests two transfers of DMA2 in each slot (RM0090, table 43): its update, stream 5,
+ * gives a word of the ring to PA; its compare 1, stream 1, ends the pulses.
+ *
  * Registers: ST's reference manual RM0090.
  */
 #include "cortex-m/cortex.h"
+#include "cortex-m/stream.h"
 #include "port.h"
 #include "switches.h"
 
@@ -20,7 +24,12 @@
 #  define LOFT_CRYSTAL 8
 #endif
 #define CORE    168000000u          /* Hz */
-#define PULSE   (CORE / 500000)     /* 2 us */
+/* slots per tick of 1 ms, and the length of a pulse in cycles: 2 us, or half a slot */
+#ifndef LOFT_SLOTS
+#  error "give LOFT_SLOTS, the slots of a millisecond, to all files of the board"
+#endif
+#define PERIOD  (CORE / 1000 / LOFT_SLOTS)
+#define PULSE   (PERIOD / 2 < CORE / 500000 ? PERIOD / 2 : CORE / 500000)
 
 #define RCC     0x40023800
 #define GPIOA   0x40020000
@@ -28,9 +37,14 @@
 #define USART1  0x40011000
 #define FLASHES 0x40023C00
 #define RANDOM  0x50060800
+#define TIM1    0x40010000
+#define DMA2    0x40026400
 
-#define STEPS   0x07u
-#define DIR_AT  3
+#define BSRR    (GPIOA + 0x18)
+#define WORDS   (DMA2 + 0x10 + 0x18 * 5)    /* stream 5: CR, NDTR, PAR, M0AR */
+#define ENDS    (DMA2 + 0x10 + 0x18 * 1)    /* stream 1 */
+#define LISTENS (1u << 13 | 1u << 5 | 1u << 3 | 1u << 2)    /* CR1: on, receive with interrupt */
+#define FREE    (1u << 7)           /* of SR: it can send; of CR1: then it interrupts */
 #define PULLED_UP 0x555u     /* 0..5 of GPIOC */
 #define CELLS   1024
 #include "plans.h"
@@ -40,7 +54,7 @@
 
 static volatile loft_cell cells[CELLS];
 static loft_machine_config config = {
-    .info = { .tick_hz = 1000, .slots = 100, .axis = { AXIS, AXIS, AXIS } },
+    .info = { .tick_hz = 1000, .slots = LOFT_SLOTS, .axis = { AXIS, AXIS, AXIS } },
     .ramp = 200,
     .cell = cells,
     .cells = CELLS
@@ -89,42 +103,60 @@ loft_machine_config *loft_port_init(void)
     REG(GPIOA + 0x24) = (REG(GPIOA + 0x24) & ~0x00000FF0u) | 0x00000770u;   /* AFRH: USART1 */
     REG(GPIOC + 0x0C) = (REG(GPIOC + 0x0C) & ~0x00000FFFu) | PULLED_UP;     /* PUPDR: 0..5 up */
     REG(USART1 + 0x08) = (CORE / 2 + LOFT_BAUD / 2) / LOFT_BAUD;
-    /* on, receive with interrupt */
-    REG(USART1 + 0x0C) = 1 << 13 | 1 << 5 | 1 << 3 | 1 << 2;
+    REG(USART1 + 0x0C) = LISTENS;
     loft_port_plans(&config);
     return &config;
 }
 
-void loft_port_start(uint32_t slot_hz)
+/* Memory to peripheral, words, circular, channel 6, very high priority, on. */
+#define TRANSFER (6u << 25 | 3u << 16 | 2u << 13 | 2u << 11 | 1u << 8 | 1u << 6 | 1u << 0)
+#define STEPPING (1u << 10 | 1u << 4 | 1u << 3)     /* memory goes on; interrupts at both halves */
+
+/* The slot of a word begins at the update of the timer. */
+uint32_t cortex_stream(uint32_t slot_hz)
 {
-    cortex_enable(CORTEX_LINE_IRQ, 0);
-    cortex_systick(CORE / slot_hz);
-    cortex_interrupts();
+    static uint32_t ends = STREAM_STEPS << 16;
+
+    REG(RCC + 0x30) |= 1u << 22;                        /* DMA2 */
+    REG(RCC + 0x44) |= 1u << 0;                         /* TIM1, at 168 MHz */
+    REG(TIM1 + 0x2C) = CORE / slot_hz - 1;              /* ARR */
+    REG(TIM1 + 0x34) = PULSE;                           /* CCR1 */
+    REG(TIM1 + 0x14) = 1;                               /* EGR: ARR is in force */
+
+    REG(ENDS + 0x04) = 1;
+    REG(ENDS + 0x08) = BSRR;
+    REG(ENDS + 0x0C) = (uint32_t)(uintptr_t)&ends;
+    REG(ENDS + 0x00) = TRANSFER;
+    REG(WORDS + 0x04) = STREAM_WORDS;
+    REG(WORDS + 0x08) = BSRR;
+    REG(WORDS + 0x0C) = (uint32_t)(uintptr_t)cortex_ring();
+    REG(WORDS + 0x00) = TRANSFER | STEPPING;
+    REG(TIM1 + 0x0C) = 1u << 9 | 1u << 8;               /* DIER: requests of compare 1, update */
+    return CORE;
 }
 
-/* BSRR sets by its low half and clears by its high half. */
-void loft_port_pins(uint8_t step_bits, uint8_t dir_bits)
-{
-    static uint8_t dir_last;
+void cortex_run(bool run) { REG(TIM1 + 0x00) = run; }
 
-    if (dir_bits != dir_last) {
-        REG(GPIOA + 0x18) = (uint32_t)dir_bits << DIR_AT | (uint32_t)(~dir_bits & STEPS)
-                                                               << (DIR_AT + 16);
-        dir_last = dir_bits;
-    }
-    if (step_bits) {
-        REG(GPIOA + 0x18) = step_bits;
-        cortex_delay(PULSE);
-        REG(GPIOA + 0x18) = STEPS << 16;
-    }
+uint32_t cortex_given(void) { return (STREAM_WORDS - REG(WORDS + 0x04)) % STREAM_WORDS; }
+
+void cortex_acknowledge(void) { REG(DMA2 + 0x0C) = 0x0F40; }   /* HIFCR: stream 5 */
+
+void cortex_line(void)
+{
+    if (REG(USART1 + 0x00) & 1u << 5)
+        loft_port_byte((uint8_t)REG(USART1 + 0x04));
+    REG(USART1 + 0x0C) = LISTENS;
 }
 
-void cortex_line(void) { loft_port_byte((uint8_t)REG(USART1 + 0x04)); }
-
+/* Otherwise wake up when it can send. */
 size_t loft_port_write(const uint8_t *bytes, size_t count)
 {
-    if (count == 0 || !(REG(USART1 + 0x00) & 1 << 7))
+    if (count == 0)
         return 0;
+    if (!(REG(USART1 + 0x00) & FREE)) {
+        REG(USART1 + 0x0C) = LISTENS | FREE;
+        return 0;
+    }
     REG(USART1 + 0x04) = *bytes;
     return 1;
 }

@@ -11,40 +11,26 @@
  * The chip's time stops while it is the host's turn (avr_gate.h). The program ends when N jobs, or
  * one, have been drawn and closed, and prints lines `name value`.
  */
-#include <signal.h>
 #include <simavr/avr_eeprom.h>
 #include <simavr/avr_ioport.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sysexits.h>
-#include <time.h>
-#include <unistd.h>
 
 #include "avr_core.h"
-#include "avr_gate.h"
-#include "host/line.h"          /* the pseudo terminal  */
+#include "chip_line.h"
 
 #define HZ          AVR_HZ
 #define BATCH       (HZ / 1000)     /* cycles between two checks of the line */
 #define SETTLE      (HZ / 50)       /* after the last byte, time to answer it: */
 #define KEEPS       (HZ / 5)        /* more while it writes to its EEPROM, 3.3 ms a byte */
 #define EEPROM      1024
-/* of real time without an expected byte: the sender is gone, not only busy */
-#define QUIET_MS    10000
-/* the same while it may wait for the machine's answer to its last frames */
-#define WINDOW_MS   400
-#define LEAVE_MS    10000           /* time to read the last answer */
 #define BOUNCE      (HZ / 10000)    /* cycles between two changes of a contact, at least */
 
 struct chip {
     struct avr_core core;
-    struct gate gate;
-    struct host_line line;
-    uint8_t out[65536];                 /* to the host; indices wrap                           */
-    uint16_t out_head, out_tail;
-    uint32_t given_up;                  /* the limit up to which the host did not send in time */
-    uint32_t waits;                     /* how often that happened */
+    struct chip_line line;
     int32_t x, touch;                   /* steps of x at the pins; where its switch closes or 0 */
     bool closed, level;                 /* the switch, and its contact that bounces */
     avr_cycle_count_t bounce;           /* cycles, and until when */
@@ -106,21 +92,6 @@ static void watch_x(struct chip *c, const char *touch)
                                 x_steps, c);
 }
 
-static volatile sig_atomic_t stop_wanted;
-
-static void want_stop(int signal)
-{
-    (void)signal;
-    stop_wanted = 1;
-}
-
-static int64_t now_ms(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (int64_t)t.tv_sec * 1000 + t.tv_nsec / 1000000;
-}
-
 
 // The EEPROM
 // ----------
@@ -159,31 +130,14 @@ static void byte_out(void *context, uint8_t byte)
 {
     struct chip *c = context;
 
-    c->out[c->out_head++] = byte;
-    gate_machine(&c->gate, byte);
+    chip_line_out(&c->line, byte);
 }
 
-static void take_bytes(struct chip *c)
+static void byte_in(void *context, uint8_t byte)
 {
-    uint8_t byte[256];
-    const size_t count = host_line_read(&c->line, byte, sizeof byte);
+    struct chip *c = context;
 
-    for (size_t i = 0; i < count; i++) {
-        avr_core_put(&c->core, byte[i]);
-        gate_host(&c->gate, byte[i]);
-    }
-}
-
-static void give_bytes(struct chip *c)
-{
-    while (c->out_tail != c->out_head) {
-        const size_t most = c->out_head > c->out_tail ? (size_t)(c->out_head - c->out_tail)
-                                                      : sizeof c->out - c->out_tail;
-        const size_t count = host_line_write(&c->line, c->out + c->out_tail, most);
-        if (count == 0)
-            return;
-        c->out_tail = (uint16_t)(c->out_tail + count);
-    }
+    avr_core_put(&c->core, byte);
 }
 
 static bool bytes_pending(const struct chip *c)
@@ -193,48 +147,14 @@ static bool bytes_pending(const struct chip *c)
     return c->core.in_tail != c->core.in_head || c->core.avr->cycle - c->core.heard < settle;
 }
 
-/* Let the host speak while it is its turn: during a job until it has sent what it may, otherwise
- * until it sends anything. If it does not send, stop waiting until it may send more. */
-static void wait_for_host(struct chip *c)
-{
-    const bool busy = gate_busy(&c->gate);
-    const int64_t began = now_ms();
-    sigset_t none;
-
-    sigemptyset(&none);
-    for (;;) {
-        const uint16_t before = c->core.in_head;
-        give_bytes(c);
-        take_bytes(c);
-        if (stop_wanted || (busy ? !gate_owed(&c->gate) : c->core.in_head != before))
-            return;
-        if (busy && now_ms() - began > (gate_answered(&c->gate) ? QUIET_MS : WINDOW_MS)) {
-            c->given_up = c->gate.ack.limit;
-            c->waits++;
-            return;
-        }
-        host_line_wait(&c->line, c->out_tail != c->out_head, busy ? 20 : -1, &none);
-    }
-}
-
 static void run_chip(struct chip *c)
 {
-    while (c->gate.jobs < c->jobs && !stop_wanted) {
+    while (c->line.gate.jobs < c->jobs && !chip_line_stopped()) {
         if (!avr_core_run(&c->core, BATCH, true))
             return;
-        give_bytes(c);
-        if (gate_busy(&c->gate) ? gate_owed(&c->gate) && c->gate.ack.limit != c->given_up
-                                : !bytes_pending(c))
-            wait_for_host(c);
-        else
-            take_bytes(c);
+        chip_line_turn(&c->line, bytes_pending(c));
     }
-    for (const int64_t began = now_ms(); now_ms() - began < LEAVE_MS;) {
-        give_bytes(c);
-        usleep(30000);                  /* a pseudo terminal delays bytes */
-        if (c->out_tail == c->out_head && host_line_drained(&c->line))
-            break;
-    }
+    chip_line_leave(&c->line);
 }
 
 
@@ -279,7 +199,8 @@ static void print_results(const struct chip *c)
     printf("stack %d\nstack_at %#x\n", 0x8FF - m->deepest, (unsigned)m->deepest_pc);
     printf("bytes_received %llu\nbytes_given %llu\noverruns %llu\nnaks %u\nhost_late %u\n",
            (unsigned long long)c->core.received, (unsigned long long)c->core.given,
-           (unsigned long long)c->core.overruns, (unsigned)c->gate.naks, (unsigned)c->waits);
+           (unsigned long long)c->core.overruns, (unsigned)c->line.gate.naks,
+           (unsigned)c->line.waits);
     printf("byte_cycles %u\nseconds %.6f\n", c->core.byte_cycles, (double)c->core.avr->cycle / HZ);
 }
 
@@ -328,7 +249,8 @@ int main(int argc, char **argv)
     c.jobs += c.jobs == 0;
     c.core.out = byte_out;
     c.core.context = &c;
-    gate_init(&c.gate);
+    c.line.put = byte_in;
+    c.line.context = &c;
     int code = argc < 2 ? EX_USAGE
                         : avr_core_start(&c.core, argv[1], (uint32_t)strtoul(tick, NULL, 0));
     if (code == 0) {
@@ -337,16 +259,13 @@ int main(int argc, char **argv)
         code = host_record_open(&c.core.meter.record, &o);
     }
     if (code == 0)
-        code = host_line_open(&c.line, o.link, 0);
+        code = chip_line_open(&c.line, o.link, NULL);
     if (code != 0)
         return code;
     c.core.meter.profile = profile ? calloc(16384, sizeof *c.core.meter.profile) : NULL;
-    printf("machine: %s\n", c.line.name);
-    fflush(stdout);
-    signal(SIGTERM, want_stop);
     run_chip(&c);
     meter_flush(&c.core.meter);
-    host_line_close(&c.line);
+    chip_line_close(&c.line);
     print_results(&c);
     code = host_record_close(&c.core.meter.record, &o);
     if (code == 0)

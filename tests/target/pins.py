@@ -14,14 +14,6 @@ NRF51 = re.compile(r"nrf51_gpio_write offset (0x\w+) value (0x\w+)")
 NRF51_STEP, NRF51_DIR = (3, 2, 1), (18, 20, 16)     # as in ports/nrf51/port.c
 
 
-def stm32f405(line, pins):
-    found = STORE.match(line)
-    if not found or found[1] != "GPIOA" or found[2] != "0x018":
-        return None
-    value = int(found[3], 16)
-    return (pins | value & 0xFFFF) & ~(value >> 16)
-
-
 def mps2(line, pins):
     found = STORE.match(line)
     if not found or found[2] != "0x004" or found[1] not in ("cmsdk-ahb-gpio", "gpio0"):
@@ -43,7 +35,7 @@ def riscv(line, pins):
 
 
 def main(board, path):
-    readers = {"riscv-virt": riscv, "stm32f405": stm32f405, "nrf51": nrf51}
+    readers = {"riscv-virt": riscv, "nrf51": nrf51}
     read = mps2 if board.startswith("mps2") else readers[board]
     pins, slot, at = 0, 0, [0, 0, 0]
     print("slot,x,y,z")

@@ -38,12 +38,28 @@ build/target/bad_line: tests/target/bad_line.c build/q16x3/libloft.a
 	    -D_GNU_SOURCE $(call num_flag,q16) $(filter %.c %.a,$^) -o $@
 -include build/target/bad_line.d
 
+ARM_CHIP_SRC = $(patsubst %,tests/target/%.c,arm_chip arm_core arm_stream chip_line avr_gate) \
+               ports/host/line.c ports/host/record.c
+build/target/arm_chip: $(ARM_CHIP_SRC) $(wildcard tests/target/arm_*.h tests/target/chip_*.h) \
+                       build/q16x3/libloft.a
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(BUILT) $(STD) -D_GNU_SOURCE $(INCLUDE) -Iports -Itests/target \
+	    $(call num_flag,q16) $(ARM_CHIP_SRC) build/q16x3/libloft.a -lunicorn -lm -o $@
+
+## Run boards that step by a timer and DMA in a model of both: every slot, guards, instructions
+.PHONY: check-stream
+check-stream: firmware-stm32f405 firmware-stm32f405-fast build/target/arm_chip build/target/rate \
+              $(TOOL_OUT)/loft
+	@bash tests/target/stream.sh build/firmware $(TOOL_OUT)/loft build/target
+TARGET_BESIDE += check-stream
+
 ## Run a whole job on each 32-bit board in QEMU: every pulse at the pins, also over a bad line
 .PHONY: check-boards
 check-boards: $(addprefix firmware-,$(FIRMWARES)) build/target/stores.so build/target/bad_line \
-              $(TOOL_OUT)/loft
+              build/target/arm_chip $(TOOL_OUT)/loft
 	@bash tests/target/qemu.sh build/firmware $(TOOL_OUT)/loft build/target/stores.so \
-	    build/target/bad_line
+	    build/target/bad_line build/target/arm_chip
 
 include tests/target/units.mk
 include tests/target/hosts.mk

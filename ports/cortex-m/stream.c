@@ -1,0 +1,118 @@
+/* ports/cortex-m/stream.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "cortex-m/stream.h"
+
+#include "cortex-m/cortex.h"
+#include "cortex-m/words.h"
+#include "port.h"
+
+#define SAMPLES 100000u     /* per second, while a guard waits */
+
+static uint32_t ring[STREAM_WORDS + STREAM_AHEAD];
+static volatile uint8_t given, made = 2;    /* halves, modulo 256: the block's, the fill's */
+static volatile bool waits;                 /* the timer stands: the next half is not made */
+
+/* An input of a guard has changed: at this word of this half. */
+static volatile bool changed;
+static uint32_t changed_word;
+static uint8_t changed_half;
+
+uint32_t *cortex_ring(void) { return ring; }
+
+void cortex_block(void)
+{
+    cortex_acknowledge();
+    given++;
+    if (given == made) {
+        cortex_run(false);
+        waits = true;
+    }
+    cortex_later();
+}
+
+/* A half that has just been given may not be counted yet: its interrupt waits. */
+void cortex_sample(void)
+{
+    if (changed || !loft_port_changed())
+        return;
+    const uint32_t word = cortex_given();
+    const uint8_t half = given;
+
+    changed_half = (uint8_t)(half + ((word / STREAM_HALF ^ half) & 1u));
+    changed_word = word % STREAM_HALF;
+    LOFT_BARRIER();
+    changed = true;
+}
+
+/* The words from the change on are made and not given: they are in the ring, and their pulses are
+ * counted. */
+static void latch(void)
+{
+    const uint32_t left = (uint8_t)(made - changed_half) * STREAM_HALF + STREAM_AHEAD -
+                          changed_word;
+    uint32_t at = (changed_half & 1u) * STREAM_HALF + changed_word;
+    int32_t ahead[LOFT_AXES] = { 0 };
+
+    for (uint32_t k = 0; k < left && k < STREAM_WORDS; k++) {
+        const uint32_t word = ring[at];
+        for (int i = 0; i < LOFT_AXES; i++)
+            if (word & 1u << i)
+                ahead[i] += word & 1u << (STREAM_DIR_AT + i) ? -1 : 1;
+        at = at + 1 == STREAM_WORDS ? 0 : at + 1;
+    }
+    loft_port_latch(ahead);
+    LOFT_BARRIER();
+    changed = false;
+}
+
+/* A half without a pulse after two others is already in the ring. */
+static void make_half(uint32_t *word)
+{
+    static uint8_t rested, rests_at;        /* halves; the directions in them */
+    bool rests = true;
+
+    for (uint32_t left = STREAM_HALF; left > 0;) {
+        uint8_t count = (uint8_t)(left < WORDS_MOST ? left : WORDS_MOST), dir;
+        loft_step_tick *taken = loft_port_take(&count, &dir);
+        rests = rests && !taken && dir == rests_at;
+        if (!rests || rested < 2)
+            give_words(taken, word, count, dir);
+        rests_at = dir;
+        word += count;
+        left -= count;
+        loft_port_tick();
+    }
+    rested = rests ? (uint8_t)(rested + (rested < 2)) : 0;
+}
+
+void cortex_fill(void)
+{
+    if (changed)
+        latch();
+    while ((uint8_t)(made - given) < 2) {
+        const bool second = made & 1;
+        make_half(&ring[(second ? STREAM_HALF : 0) + STREAM_AHEAD]);
+        if (second && STREAM_AHEAD)
+            ring[0] = ring[STREAM_WORDS];
+        LOFT_BARRIER();
+        made++;
+    }
+    if (waits) {
+        waits = false;
+        LOFT_BARRIER();
+        cortex_run(true);
+    }
+    cortex_systick_run(loft_port_waits());
+}
+
+void loft_port_start(uint32_t slot_hz)
+{
+    for (uint32_t k = 0; k < STREAM_WORDS; k++)
+        ring[k] = stream_dir(0);
+    cortex_enable(CORTEX_LINE_IRQ, 0);
+    cortex_enable(CORTEX_STREAM_IRQ, 1);
+    cortex_systick(cortex_stream(slot_hz) / SAMPLES);
+    cortex_run(true);
+    cortex_interrupts();
+}

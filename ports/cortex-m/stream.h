@@ -1,0 +1,52 @@
+/* ports/cortex-m/stream.h -- slots made ahead: a ring of words that a timer gives to the pins,
+ * without the core
+ * SPDX-License-Identifier: MIT
+ *
+ * A timer requests a transfer by DMA in each slot, from the ring to the register that sets and
+ * clears pins. A second request, later in the slot, ends the pulses: its word clears all step pins.
+ * The core makes a half of the ring when that half is given. So a pulse is counted half a
+ * millisecond before it is given, at most, and so much later a stop begins at the pins.
+ *
+ *     cortex_block    a half of the ring is given: in the interrupt of highest priority
+ *     cortex_fill     in that of lowest priority: makes that half, and latches
+ *     cortex_sample   while a guard waits, 100,000 times a second: has its input changed?
+ *
+ * If a half is not made in time the timer stops until it is: no word is given twice.
+ */
+#ifndef LOFT_CORTEX_STREAM_H
+#define LOFT_CORTEX_STREAM_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define STREAM_HALF  (LOFT_SLOTS / 4u)      /* slots of half a ring: a quarter of a tick */
+#define STREAM_WORDS (2 * STREAM_HALF)
+
+/* Words that the transfer has fetched ahead of those that it has given: 0 or 1. The first word of a
+ * half is made with the half before, so that it is there. */
+#ifndef STREAM_AHEAD
+#  define STREAM_AHEAD 0
+#endif
+
+/* A word sets pins by its low half and clears pins by its high one: bits 0..2 step x, y, z, bits
+ * 3..5 their directions. Every word has all directions. */
+#define STREAM_STEPS 0x07u
+#define STREAM_DIR_AT 3
+static inline uint32_t stream_dir(uint8_t dir)
+{
+    return (uint32_t)(dir & STREAM_STEPS) << STREAM_DIR_AT | (uint32_t)(~dir & STREAM_STEPS)
+                                                                 << (STREAM_DIR_AT + 16);
+}
+
+/* The ring, for the transfer. */
+uint32_t *cortex_ring(void);
+
+/* OF THE PORT: set up timer and transfer, and return the clock of the core in Hz; let the timer run
+ * or stand; the number of words of this turn of the ring that are given; the transfer's interrupt
+ * is acknowledged. */
+uint32_t cortex_stream(uint32_t slot_hz);
+void     cortex_run(bool run);
+uint32_t cortex_given(void);
+void     cortex_acknowledge(void);
+
+#endif

@@ -1,0 +1,431 @@
+/* tests/target/arm_chip.c -- a microcontroller whose slots a timer and DMA give, behind a line
+ * SPDX-License-Identifier: MIT
+ * usage: arm_chip KIND FIRMWARE.elf [--link PATH | --socket PATH] [--record FILE] [--steps N]
+ *                 [--touch STEPS[,MS]] [--late US] [--jobs N]
+ *
+ * --touch: the limit switch of x closes with the pulse of x that reaches STEPS, and bounces for MS.
+ * --late: once, in mid-job, the interrupt that makes slots is held for US microseconds.
+ *
+ * It ends when N jobs, or one, have been drawn and closed, and prints lines `name value`.
+ * Registers: RM0090 (stm32f405), RM0008 (stm32f103).
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sysexits.h>
+
+#include "arm_stream.h"
+#include "chip_line.h"
+
+#define SETTLE  20                      /* ms after the last byte, time to answer it */
+
+/* What differs between the chips. Addresses: RCC's clock control, reset and clock; the port of the
+ * pins, that of the switches; timer 1; its transfers; USART 1. */
+struct kind {
+    const char *name;
+    int model;
+    bool fpu, streams;
+    struct arm_memory memory;
+    uint32_t hz, bus;                   /* of the core; of USART 1 */
+    unsigned irq_line, irq_stream;
+    uint32_t rcc, pins, bsrr, idr, timer, dma, usart, random;
+};
+static const struct kind kinds[] = {
+    { .name = "stm32f405",
+      .model = UC_CPU_ARM_CORTEX_M4,
+      .fpu = true,
+      .streams = true,
+      .memory = { 0x08000000, 0x100000, 0x20000000, 0x20000 },
+      .hz = 168000000,
+      .bus = 84000000,
+      .irq_line = 37,
+      .irq_stream = 68,
+      .rcc = 0x40023800,
+      .pins = 0x40020000,
+      .bsrr = 0x40020018,
+      .idr = 0x40020810,
+      .timer = 0x40010000,
+      .dma = 0x40026400,
+      .usart = 0x40011000,
+      .random = 0x50060800 },
+    { .name = "stm32f103",
+      .model = UC_CPU_ARM_CORTEX_M3,
+      .streams = false,
+      .memory = { 0x08000000, 0x10000, 0x20000000, 0x5000 },
+      .hz = 72000000,
+      .bus = 72000000,
+      .irq_line = 37,
+      .irq_stream = 15,
+      .rcc = 0x40021000,
+      .pins = 0x40010800,
+      .bsrr = 0x40010810,
+      .idr = 0x40010C08,
+      .timer = 0x40012C00,
+      .dma = 0x40020000,
+      .usart = 0x40013800 },
+};
+
+struct chip {
+    const struct kind *kind;
+    struct arm_core core;
+    struct arm_stream stream;
+    struct chip_line line;
+    uint32_t plain[0x20000];            /* registers without an effect: 0x40000000.. */
+    uint8_t in[65536];                  /* to the chip; indices wrap */
+    uint16_t in_head, in_tail;
+    bool came;                          /* RXNE */
+    uint8_t data;
+    uint64_t came_at, sent_at, heard, received, overruns;
+    int32_t x, touch;                   /* steps of x at the pins; where its switch closes, or 0 */
+    uint64_t bounce, settled;           /* cycles */
+    bool closed;
+    uint64_t late;                      /* cycles; 0: no more */
+    uint32_t jobs;
+};
+
+
+// The line
+// --------
+
+static uint64_t byte_cycles(const struct chip *c)
+{
+    const uint32_t divider = c->plain[(c->kind->usart + 8 - 0x40000000) / 4];
+
+    return 10ull * (divider ? divider : 1) * (c->kind->hz / c->kind->bus);
+}
+
+static void byte_in(void *context, uint8_t byte)
+{
+    struct chip *c = context;
+
+    if (c->in_head == c->in_tail && c->came_at < c->core.now)
+        c->came_at = c->core.now;
+    c->in[c->in_head++] = byte;
+    c->heard = c->core.now;
+}
+
+/* CR1: an interrupt when a byte can be sent. */
+static bool asks_to_send(const struct chip *c)
+{
+    return c->plain[(c->kind->usart + 0x0C - 0x40000000) / 4] >> 7 & 1;
+}
+
+/* A byte is there after ten bits. */
+static void receive(struct chip *c, uint64_t now)
+{
+    while (c->in_head != c->in_tail && c->came_at + byte_cycles(c) <= now) {
+        c->came_at += byte_cycles(c);
+        c->overruns += c->came;
+        c->data = c->in[c->in_tail++];
+        c->came = true;
+        c->received++;
+        c->heard = now;
+    }
+    if (c->came || (asks_to_send(c) && c->sent_at <= now))
+        arm_core_raise(&c->core, c->kind->irq_line);
+}
+
+
+// Registers
+// ---------
+
+static void x_pulse(void *context)
+{
+    struct chip *c = context;
+    const unsigned pins = c->stream.pins.now;
+
+    if (!(pins & 1))
+        return;
+    c->x = c->stream.pins.record.position[0];
+    const bool closed = c->touch && (c->touch < 0 ? c->x <= c->touch : c->x >= c->touch);
+    if (closed != c->closed)
+        c->settled = c->stream.pins.last + c->bounce;
+    c->closed = closed;
+}
+
+/* Of the switches; a contact bounces by a pattern without a period. */
+static uint32_t inputs(const struct chip *c)
+{
+    const uint64_t now = c->core.now, us = c->kind->hz / 1000000;
+    bool closed = c->closed;
+
+    if (now < c->settled && (c->settled - now) / us * 2654435761u >> 9 & 1)
+        closed = !closed;
+    return closed ? 0xFFFE : 0xFFFF;
+}
+
+static uint32_t read_register(void *context, uint32_t address)
+{
+    struct chip *c = context;
+    const struct kind *k = c->kind;
+    const struct arm_stream *s = &c->stream;
+    const uint32_t plain = address - 0x40000000 < sizeof c->plain
+                               ? c->plain[(address - 0x40000000) / 4]
+                               : 0;
+
+    if (address == k->rcc)                      /* clocks that are on are ready */
+        return plain | (plain & 0x01010001) << 1;
+    if (address == k->rcc + 4 && !k->streams)   /* the clock that is chosen is used */
+        return plain | (plain & 3) << 2;
+    if (address == k->idr)
+        return inputs(c);
+    if (address == k->usart)
+        return (uint32_t)c->came << 5 | (uint32_t)(c->core.now >= c->sent_at) << 7;
+    if (address == k->usart + 4) {
+        c->came = c->core.pending[16 + k->irq_line] = false;    /* it asks as long as it is set */
+        return c->data;
+    }
+    if (k->random && address == k->random + 4)
+        return 1;
+    if (k->random && address == k->random + 8)
+        return 20260101;
+    if (address == k->dma + (k->streams ? 0x10 + 0x18 * 5 + 4 : 8 + 20 * 4 + 4))
+        return s->transfer[UPDATE].left;
+    return plain;
+}
+
+/* A stream: CR, NDTR, PAR, M0AR. Only what the firmware must set right. */
+static void write_stream(struct arm_stream *s, int which, uint32_t offset, uint32_t value)
+{
+    struct arm_transfer *t = &s->transfer[which];
+    const uint32_t wanted = 6u << 25 | 2u << 13 | 2u << 11 | 1u << 8 | 1u << 6;
+
+    switch (offset) {
+    case 0x00:
+        t->increments = value >> 10 & 1;
+        t->half_asks  = value >> 3 & 1;
+        t->end_asks   = value >> 4 & 1;
+        arm_stream_enable(s, which, (value & 1) && (value & (7u << 25 | 0x7800 | 0x1C0)) == wanted);
+        break;
+    case 0x04: t->count = value & 0xFFFF; break;
+    case 0x08: t->to = value; break;
+    case 0x0C: t->from = value; break;
+    default: break;
+    }
+}
+
+/* A channel: CCR, CNDTR, CPAR, CMAR. */
+static void write_channel(struct arm_stream *s, int which, uint32_t offset, uint32_t value)
+{
+    struct arm_transfer *t = &s->transfer[which];
+    const uint32_t wanted = 2u << 10 | 2u << 8 | 1u << 5 | 1u << 4;
+
+    switch (offset) {
+    case 0x00:
+        t->increments = value >> 7 & 1;
+        t->half_asks  = value >> 2 & 1;
+        t->end_asks   = value >> 1 & 1;
+        arm_stream_enable(s, which, (value & 1) && (value & (0xF00 | 1u << 5 | 1u << 4)) == wanted);
+        break;
+    case 0x04: t->count = value & 0xFFFF; break;
+    case 0x08: t->to = value; break;
+    case 0x0C: t->from = value; break;
+    default: break;
+    }
+}
+
+static void write_timer(struct arm_stream *s, uint32_t offset, uint32_t value)
+{
+    switch (offset) {
+    case 0x00: arm_stream_run(s, value & 1, s->core->now); break;
+    case 0x0C: s->requests = (value >> 8 & 1) << UPDATE | (value >> 9 & 1) << COMPARE; break;
+    case 0x2C: s->reload = value; break;
+    case 0x34: s->compare = value; break;
+    default: break;
+    }
+}
+
+static void write_register(void *context, uint32_t address, uint32_t value)
+{
+    struct chip *c = context;
+    const struct kind *k = c->kind;
+    struct arm_stream *s = &c->stream;
+
+    if (address - 0x40000000 < sizeof c->plain)
+        c->plain[(address - 0x40000000) / 4] = value;
+    if (address == k->bsrr)
+        arm_pins_write(s, value, c->core.now);
+    else if (address - k->timer < 0x80)
+        write_timer(s, address - k->timer, value);
+    else if (k->streams && address - (k->dma + 0x10 + 0x18 * 5) < 0x18)
+        write_stream(s, UPDATE, address - (k->dma + 0x10 + 0x18 * 5), value);
+    else if (k->streams && address - (k->dma + 0x10 + 0x18 * 1) < 0x18)
+        write_stream(s, COMPARE, address - (k->dma + 0x10 + 0x18 * 1), value);
+    else if (!k->streams && address - (k->dma + 8 + 20 * 4) < 20)       /* channel 5: TIM1_UP */
+        write_channel(s, UPDATE, address - (k->dma + 8 + 20 * 4), value);
+    else if (!k->streams && address - (k->dma + 8 + 20 * 1) < 20)       /* channel 2: TIM1_CH1 */
+        write_channel(s, COMPARE, address - (k->dma + 8 + 20 * 1), value);
+    else if (address == k->usart + 0x0C)
+        c->core.pending[16 + k->irq_line] = c->came;
+    else if (address == k->usart + 4) {
+        chip_line_out(&c->line, (uint8_t)value);
+        c->heard = c->core.now;
+        c->sent_at = c->core.now + byte_cycles(c);
+    }
+}
+
+static void advance(void *context, uint64_t now)
+{
+    struct chip *c = context;
+
+    arm_stream_advance(&c->stream, now);
+    receive(c, now);
+    if (c->late && c->stream.pins.pulses[0] > 2000) {
+        c->core.hold_irq = 14;
+        c->core.hold_until = now + c->late;
+        c->late = 0;
+    }
+}
+
+static uint64_t next(void *context)
+{
+    struct chip *c = context;
+    const uint64_t half = arm_stream_next(&c->stream),
+                   byte = c->in_head == c->in_tail ? ARM_NEVER : c->came_at + byte_cycles(c);
+
+    const uint64_t first = half < byte ? half : byte;
+    return asks_to_send(c) && c->sent_at < first ? c->sent_at : first;
+}
+
+
+// What it came to
+// ---------------
+
+static void print_least(const char *name, uint64_t cycles)
+{
+    if (cycles != UINT64_MAX)
+        printf("%s %llu\n", name, (unsigned long long)cycles);
+}
+
+/* Instructions of the time with pulses, to its cycles: all, those of slots and ticks, those of the
+ * main loop. */
+struct share {
+    uint64_t from, all, slots, rest;
+};
+
+static void count_share(const struct arm_core *m, unsigned irq, struct share *at)
+{
+    at->all   = m->ran;
+    at->slots = m->ran_in[14] + m->ran_in[15] + m->ran_in[16 + irq];
+    at->rest  = m->ran_in[0];
+}
+
+static void print_results(const struct chip *c, const struct share *a, const struct share *b)
+{
+    const struct arm_pins *p = &c->stream.pins;
+    const double per = b->from > a->from ? 1.0 / (double)(b->from - a->from) : 0;
+
+    printf("load %.4f\nload_slots %.4f\nload_main %.4f\nmips %.2f\n",
+           (double)(b->all - a->all) * per, (double)(b->slots - a->slots) * per,
+           (double)(b->rest - a->rest) * per, (double)(b->all - a->all) * per * c->kind->hz / 1e6);
+    print_least("pulse_least", p->pulse_least);
+    print_least("pulse_most", p->pulse_most ? p->pulse_most : UINT64_MAX);
+    print_least("low_least", p->low_least);
+    print_least("setup_least", p->setup_least);
+    print_least("hold_least", p->hold_least);
+    print_least("between_least", p->between_least);
+    printf("pulses %llu %llu %llu\n", (unsigned long long)p->pulses[0],
+           (unsigned long long)p->pulses[1], (unsigned long long)p->pulses[2]);
+    printf("position %d %d %d\n", (int)p->record.position[0], (int)p->record.position[1],
+           (int)p->record.position[2]);
+    printf("waits %u\n", (unsigned)c->stream.waits);
+    printf("bytes_received %llu\noverruns %llu\nnaks %u\nhost_late %u\nseconds %.6f\n",
+           (unsigned long long)c->received, (unsigned long long)c->overruns,
+           (unsigned)c->line.gate.naks, (unsigned)c->line.waits, (double)c->core.now / c->kind->hz);
+}
+
+static void run_chip(struct chip *c)
+{
+    const uint64_t ms = c->kind->hz / 1000;
+    const struct arm_pins *p = &c->stream.pins;
+    struct share begun = { 0 }, ended = { 0 };
+    uint64_t last = 0;
+
+    while (c->line.gate.jobs < c->jobs && !chip_line_stopped()) {
+        if (!arm_core_run(&c->core, c->core.now + ms))
+            break;
+        if (p->first && !begun.from) {
+            begun.from = c->core.now;
+            count_share(&c->core, c->kind->irq_stream, &begun);
+        }
+        if (p->last != last) {
+            last = p->last;
+            ended.from = c->core.now;
+            count_share(&c->core, c->kind->irq_stream, &ended);
+        }
+        chip_line_turn(&c->line, c->in_head != c->in_tail || c->core.now - c->heard < SETTLE * ms);
+    }
+    chip_line_leave(&c->line);
+    print_results(c, &begun, &ended);
+}
+
+static const struct kind *kind_of(const char *name)
+{
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+        if (strncmp(name, kinds[k].name, strlen(kinds[k].name)) == 0)
+            return &kinds[k];
+    return NULL;
+}
+
+int main(int argc, char **argv)
+{
+    static struct chip c;
+    struct loft_host_options o = loft_host_defaults();
+    const char *socket = NULL, *touch = "0";
+    double steps = 250;
+    char *tail;
+
+    c.kind = argc > 2 ? kind_of(argv[1]) : NULL;
+    if (!c.kind) {
+        fprintf(stderr, "usage: arm_chip KIND FIRMWARE.elf [--link PATH] ..\n");
+        return EX_USAGE;
+    }
+    o.tick_hz = 1000;
+    o.slots = (uint16_t)(c.kind->hz / 1000 < 32767 ? c.kind->hz / 1000 : 32767);
+    for (int i = 3; i + 1 < argc; i += 2) {
+        if (strcmp(argv[i], "--link") == 0)
+            o.link = argv[i + 1];
+        if (strcmp(argv[i], "--socket") == 0)
+            socket = argv[i + 1];
+        if (strcmp(argv[i], "--record") == 0)
+            o.record = argv[i + 1];
+        if (strcmp(argv[i], "--steps") == 0)
+            steps = atof(argv[i + 1]);
+        if (strcmp(argv[i], "--touch") == 0)
+            touch = argv[i + 1];
+        if (strcmp(argv[i], "--late") == 0)
+            c.late = (uint64_t)(atof(argv[i + 1]) * c.kind->hz / 1e6);
+        if (strcmp(argv[i], "--jobs") == 0)
+            c.jobs = (uint32_t)strtoul(argv[i + 1], NULL, 0);
+    }
+    for (int i = 0; i < LOFT_AXES; i++)
+        o.steps_per_mm[i] = steps;
+    c.jobs += c.jobs == 0;
+    c.touch = (int32_t)strtol(touch, &tail, 0);
+    c.bounce = (uint64_t)((*tail ? atof(tail + 1) : 0) * c.kind->hz / 1000);
+    c.core.memory = c.kind->memory;
+    c.core.read = read_register;
+    c.core.write = write_register;
+    c.core.advance = advance;
+    c.core.next = next;
+    c.core.chip = &c;
+    c.line.put = byte_in;
+    c.line.context = &c;
+    c.stream.preloads = c.kind->streams;
+    c.stream.irq = c.kind->irq_stream;
+    c.stream.bsrr = c.kind->bsrr;
+    c.stream.pulse = x_pulse;
+    c.stream.context = &c;
+    arm_stream_init(&c.stream, &c.core);
+    int code = arm_core_start(&c.core, argv[2], c.kind->model, c.kind->fpu);
+    if (code == 0)
+        code = host_record_open(&c.stream.pins.record, &o);
+    if (code == 0)
+        code = chip_line_open(&c.line, o.link, socket);
+    if (code != 0)
+        return code;
+    run_chip(&c);
+    chip_line_close(&c.line);
+    const int closed = host_record_close(&c.stream.pins.record, &o);
+    return c.core.failed ? EX_SOFTWARE : closed;
+}

@@ -1,0 +1,125 @@
+#!/bin/bash
+# tests/target/stream.sh -- boards whose slots a timer and DMA give, in a model of both: each pulse,
+# its slot, its length, directions, guards, and the instructions that it takes
+# SPDX-License-Identifier: MIT
+# usage: tests/target/stream.sh FIRMWARE_FOLDER LOFT HELPERS ; HELPERS holds arm_chip and rate
+set -u
+firmware=$1 loft=$2 helpers=$3
+drawing=tests/drawings/outline12.csv feed=50
+tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
+result=$tmp/result
+. tests/target/rows.sh
+
+# on_arm BOARD OPTIONS COMMAND..: the board behind $tmp/port; as on_chip of rows.sh
+on_arm() {
+    local board=$1 options=$2 child
+    shift 2
+    # shellcheck disable=SC2086
+    "$helpers/arm_chip" "$board" "$firmware/$board/loft.elf" --link "$tmp/port" \
+        --record "$tmp/chip.csv" $options >"$tmp/chip" 2>"$tmp/chip.err" &
+    child=$!
+    for _ in $(seq 3000); do [ -e "$tmp/port" ] && break; sleep 0.02; done
+    timeout -k 5 120 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; code=$?
+    timeout 30 tail --pid=$child -f /dev/null || kill $child
+    wait $child
+    sed 's/^/     /' "$tmp/chip.err"
+    [ $code = 0 ] || sed 's/^/     /' "$tmp/err"
+}
+
+# slots_of RECORD CYCLES: the pulses with the slot of each, counted from the first
+slots_of() {
+    awk -F, -v cycles="$2" '
+        /^[0-9]/ { if (!n++) first = $1
+                   printf "%.0f %s %s %s\n", ($1 - first) / cycles, $2, $3, $4 }' "$1" | cksum
+}
+
+# rates BOARD STEPS CYCLES LOAD PULSE: STEPS per ms, one in each slot of CYCLES
+rates() {
+    local name="$1, $2 steps/ms" axes
+    for axes in 1 3; do
+        on_arm "$1" "" "$helpers/rate" "$tmp/port" $axes "$2"
+        row "$name, $axes axes: every step there"           "$code" = 0
+        row "$name, $axes axes: steps counted at the pins" \
+            "$(value position | awk '{ print $1 }')" = "$(said position)"
+        row "$name, $axes axes: ticks that were slowed"     "$(said slowed)" = 0
+        row "$name, $axes axes: all instructions"           "$(value load)" "<=" "$4" "of the time"
+        row "$name, $axes axes: shortest pulse"             "$(value pulse_least)" ">=" "$5" cycles
+        row "$name, $axes axes: shortest pause"             "$(value low_least)" ">=" "$5" cycles
+        row "$name, $axes axes: steps apart, at least"     "$(value between_least)" ">=" "$3" cycles
+    done
+    cp "$tmp/chip.csv" "$tmp/chip3.csv"
+    "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --slots "$2" --steps 250 \
+        --max-speed 400 --accel 2000 --queue 1024 --ramp 200 >"$tmp/log" & local here=$!
+    for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
+    timeout 60 "$helpers/rate" "$tmp/here" 3 "$2" >"$tmp/planned" 2>&1
+    kill $here 2>/dev/null; wait $here 2>/dev/null
+    row "$name: each pulse in the slot of the simulated machine" \
+        "$(slots_of "$tmp/chip3.csv" "$3")" = "$(slots_of "$tmp/here.csv" 1)"
+}
+
+# draws BOARD SLOTS CYCLES [LATE]: the drawing; LATE: once the slots are made so many us late
+draws() {
+    local name="$1, a drawing" late=${4:-}
+    "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --slots "$2" --steps 250 \
+        --max-speed 400 --accel 2000 --queue 1024 --ramp 200 >"$tmp/log" & local here=$!
+    for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
+    timeout 60 "$loft" stream "$drawing" --feed $feed --port "$tmp/here" >"$tmp/planned" 2>&1
+    wait $here
+    on_arm "$1" "${late:+--late $late}" "$loft" stream "$drawing" --feed $feed --port "$tmp/port"
+    name="$name${late:+, slots made $late us late}"
+    row "$name: the command ends well"                      "$code" = 0
+    row "$name: steps told and steps counted at the pins" \
+        "$(told "$tmp/out")" = "$(value position)"
+    row "$name: every axis steps as on the simulated machine" \
+        "$(path_of "$tmp/chip.csv")" = "$(path_of "$tmp/here.csv")"
+    row "$name: direction set before the pulse, at least" "$(value setup_least)" ">=" "$3" cycles
+    row "$name: direction kept after the pulse, at least" "$(value hold_least)" ">=" "$3" cycles
+    if [ "$(value host_late)" != 0 ]; then      # then the pace was lower for a while
+        echo "     $name: the sender was late, so its slots are not compared"
+    elif [ -z "$late" ]; then
+        row "$name: each pulse in the slot of the simulated machine" \
+            "$(slots_of "$tmp/chip.csv" "$3")" = "$(slots_of "$tmp/here.csv" 1)"
+    else
+        row "$name: times that the slots waited"            "$(value waits)" = 1
+    fi
+}
+
+# late BOARD STEPS CYCLES US: the highest rate, and once the slots are made so late
+late() {
+    local name="$1, $2 steps/ms, slots made $4 us late"
+    on_arm "$1" "--late $4" "$helpers/rate" "$tmp/port" 3 "$2"
+    row "$name: every step there"                           "$code" = 0
+    row "$name: times that the slots waited"                "$(value waits)" = 1
+    row "$name: steps counted at the pins" \
+        "$(value position | awk '{ print $1 }')" = "$(said position)"
+    row "$name: steps apart, at least"                     "$(value between_least)" ">=" "$3" cycles
+}
+
+# guarded BOARD STEPS_PER_TICK STEPS[,MS] FILTER: the switch of x closes with one pulse; its place
+# is sampled each 10 us
+guarded() {
+    local name="$1, a guard at $2 steps/ms${3#"${3%,*}"}" most=$(($2 / 100 + 1))
+    on_arm "$1" "--touch $3" "$helpers/rate" "$tmp/port" 3 "$2" "$4"
+    row "$name: the guard ends the job"                     "$code" = 0
+    row "$name: steps between the switch and the latch"  $(($(said latched) - ${3%,*})) ">=" 0
+    row "$name: the same, at most 10 us" $(($(said latched) - ${3%,*})) "<=" $most
+    row "$name: rests behind it, on its count" \
+        "$(said position)" = "$(value position | awk '{ print $1 }')"
+}
+behind() { echo $(($(said position) - $(said latched))); }
+
+rates stm32f405-fast 1000 168 0.10 84
+rates stm32f405      250  672 0.10 336
+draws stm32f405 250 672
+draws stm32f405-fast 1000 168
+draws stm32f405 250 672 600
+late stm32f405-fast 1000 168 600
+guarded stm32f405 5 700 8
+guarded stm32f405 100 20001,5 8
+row "stm32f405: it slows down behind the switch, in steps"  "$(behind)" ">=" 1000
+# two ticks, the ring of half a tick, the filter of one ms and the sample of the main loop
+guarded stm32f405 100 20001 1!
+row "stm32f405, at once: steps behind the switch, 5 ms"     "$(behind)" "<=" 500
+guarded stm32f405-fast 1000 200001 1!
+row "stm32f405-fast, at once: steps behind the switch, 5 ms" "$(behind)" "<=" 5000
+sum
