@@ -169,6 +169,7 @@
 #include "toolpath/cutter.h"
 #include "toolpath/drop.h"
 #include "toolpath/raster.h"
+#include "toolpath/waterline.h"
 #include "toolpath/sheet.h"
 #include "motion/plan.h"
 #include "kinematics/kinematics.h"

@@ -68,7 +68,10 @@ static void take_point(void *context, const double point[ENGINE_AXES])
     memcpy(p->point[p->count++], point, sizeof *p->point);
     if (p->bar.shown) {
         const unsigned across = 1 - p->o->axis;
-        progress_show(&p->bar, point[across] - p->o->area[0][across], "milling");
+        progress_show(&p->bar,
+                      p->o->levels ? p->point[0][2] - point[2]
+                                   : point[across] - p->o->area[0][across],
+                      "milling");
     }
 }
 
@@ -92,7 +95,9 @@ static int print_path(const engine *e, const tool_wish *w, const path *p, const 
 
     printf("# %s, %zu lines, %zu points, %.1f mm\n", w->name, r->lines, p->count, way_of(p));
     printf("# cuts below the surface: none, proved for each of %zu chords\n", p->count - 1);
-    printf("# above the lowest way: at most %g\n", w->o.tol);
+    printf(w->o.levels ? "# beside the surface: at most %g\n"
+                       : "# above the lowest way: at most %g\n",
+           w->o.tol);
     if (r->cusp > 0)
         printf("# cusps: at most %.6f, asked %g\n", r->cusp, w->o.cusp);
     puts("line");
@@ -183,7 +188,7 @@ static int run_mill(const tool_command *self, int argc, char **argv)
     const engine *e = &engine_f64;
     tool_wish w = { .o = { .radius = 3, .corner = 3, .tol = 0.01 }, .name = "ball:6" };
     tool_list area = { .count = 0 }, lowest = { .count = 0 };
-    const char *along = "x", *record_file = NULL, *output = "left.png";
+    const char *along = "x", *pattern = "raster", *record_file = NULL, *output = "left.png";
     double safe = 5;
     int first;
 
@@ -192,13 +197,17 @@ static int run_mill(const tool_command *self, int argc, char **argv)
                     "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER (ball:6)"),
         TOOL_NUMBER("cusp", "MM", &w.o.cusp, 0.0005, 60,
                     "height that a ball may leave between two lines (0.02)"),
-        TOOL_NUMBER("step", "MM", &w.o.step, 0.001, 1000, "distance of lines, instead of --cusp"),
-        TOOL_TEXT("along", "x|y", &along, "direction of the lines (x)"),
+        TOOL_NUMBER("step", "MM", &w.o.step, 0.001, 1000,
+                    "distance of lines or heights, instead of --cusp"),
+        TOOL_TEXT("pattern", "raster|waterline", &pattern,
+                  "lines from border to border, or around at even heights (raster)"),
+        TOOL_TEXT("along", "x|y", &along, "direction of a raster's lines (x)"),
         TOOL_NUMBER("tol", "MM", &w.o.tol, 0.001, 10,
                     "how much higher than necessary the path may be (0.01)"),
-        TOOL_LIST(
-            "area", "X,Y,X,Y", &area, -4096, 4096,
-            "where the axis of the tool may be: two corners (0.7 radius around the surfaces)"),
+        TOOL_LIST("area", "X,Y,X,Y", &area, -4096, 4096,
+                  "where the axis of the tool may be: two corners (0.7 radius around the surfaces, "
+                  "1.25 with "
+                  "waterlines)"),
         TOOL_LIST("floor", "Z", &lowest, -4096, 4096,
                   "lowest height of the tip (that of the surfaces)"),
         TOOL_NUMBER("safe", "MM", &safe, 0, 1000,
@@ -227,6 +236,9 @@ static int run_mill(const tool_command *self, int argc, char **argv)
     if (strcmp(along, "x") != 0 && strcmp(along, "y") != 0)
         return tool_error(EX_USAGE, "--along %s: give x or y", along);
     w.o.axis = along[0] == 'y';
+    if (strcmp(pattern, "raster") != 0 && strcmp(pattern, "waterline") != 0)
+        return tool_error(EX_USAGE, "--pattern %s: give raster or waterline", pattern);
+    w.o.levels = pattern[0] == 'w';
     if (lowest.count > 1 || (area.count != 0 && area.count != 4))
         return tool_error(EX_USAGE, lowest.count > 1 ? "--floor: give one height"
                                                      : "--area: give X,Y,X,Y: two corners");
@@ -250,8 +262,10 @@ const tool_command command_mill = {
     "pn, octant. Prints the path of the tip as one `line` in .loft, which `loft stream` mills\n"
     "with z: lines there and back, their distance from the cusps that a ball leaves, in\n"
     "chords within --tol. Each chord is proved not to cut below any surface; beside walls the\n"
-    "path goes up and down on the spot. The first lines of the output say what is proved and\n"
-    "measured. Surfaces are seen from above. With --record the surfaces are drawn instead,\n"
-    "coloured by what a machine left on them or cut off them.\n",
+    "path goes up and down on the spot. --pattern waterline goes around what is steep, from\n"
+    "above down, the surface to the right; the distance of heights is that of --cusp on an\n"
+    "upright wall. The first lines of the output say what is proved and measured. Surfaces\n"
+    "are seen from above. With --record the surfaces are drawn instead, coloured by what a\n"
+    "machine left on them or cut off them.\n",
     run_mill
 };

@@ -2,16 +2,19 @@
  * once per number type
  * SPDX-License-Identifier: MIT
  */
+#include <math.h>
 #include <stdlib.h>
 
 #include "toolpath/raster.h"        /* loft_raster */
 
 #include "base/tool.h"              /* tool_grow */
+#include "engine/engine_levels.h"
 #include "engine/engine_sheet.h"
 #include "engine/mill.h"
 
 #define FEW     16      /* so many surfaces are cut into 64 sheets each */
 #define BEYOND  0.7     /* radii: there a ball touches a border that slopes outward by 45 degrees */
+#define AROUND  1.25    /* radii: there is room to go around */
 
 /* Surfaces stay open, for sheets borrow them. */
 typedef struct {
@@ -60,8 +63,9 @@ static int complete_order(const sheet_list *l, mill_order *o, loft_box *area, mi
     if (!o->floored)
         o->lowest = double_of(box.min.axis[2]);
     for (int k = 0; k < 2 && !o->bounded; k++) {
-        o->area[0][k] = double_of(box.min.axis[k]) - BEYOND * o->radius;
-        o->area[1][k] = double_of(box.max.axis[k]) + BEYOND * o->radius;
+        const double margin = (o->levels ? AROUND : BEYOND) * o->radius;
+        o->area[0][k] = double_of(box.min.axis[k]) - margin;
+        o->area[1][k] = double_of(box.max.axis[k]) + margin;
     }
     *area = box;
     for (int k = 0; k < 2; k++)
@@ -71,36 +75,29 @@ static int complete_order(const sheet_list *l, mill_order *o, loft_box *area, mi
     return LOFT_OK;
 }
 
-static int start_raster(const sheet_list *l, const mill_order *o, const loft_box *area,
-                        loft_raster *r)
+static int start_drop(const sheet_list *l, const mill_order *o, loft_drop *d)
 {
-    loft_real radius, corner, tol, lowest, cusp, step;
+    loft_real radius, corner, tol, lowest;
     loft_cutter cutter;
-    loft_drop d;
 
     if (!real_of(o->radius, &radius) || !real_of(o->corner, &corner) || !tol_of(o->tol, &tol) ||
-        !real_of(o->lowest, &lowest) || !tol_of(o->cusp, &cusp) || !real_of(o->step, &step))
+        !real_of(o->lowest, &lowest))
         return LOFT_ERR_RANGE;
-    int status = loft_cutter_init(&cutter, radius, corner);
-    if (status == LOFT_OK)
-        status = loft_drop_init(&d, l->sheet, (uint32_t)l->sheets, &cutter, tol, lowest);
-    return status ? status : (int)loft_raster_init(r, &d, area, o->axis, cusp, step);
+    const int status = loft_cutter_init(&cutter, radius, corner);
+    return status ? status
+                  : (int)loft_drop_init(d, l->sheet, (uint32_t)l->sheets, &cutter, tol, lowest);
 }
 
-int ENGINE_OF(engine_mill)(const surfaces *all, mill_order *o, engine_point_sink *sink,
-                           void *context, mill_report *out)
+static int mill_raster(const loft_drop *d, const mill_order *o, const loft_box *area,
+                       engine_point_sink *sink, void *context, mill_report *out)
 {
-    sheet_list l = { 0 };
+    loft_real cusp, step;
     loft_raster r;
-    loft_box area;
     loft_vec tip;
 
-    *out = (mill_report){ 0 };
-    int status = open_sheets(&l, all, &out->failed);
-    if (status == LOFT_OK)
-        status = complete_order(&l, o, &area, out);
-    if (status == LOFT_OK)
-        status = start_raster(&l, o, &area, &r);
+    if (!tol_of(o->cusp, &cusp) || !real_of(o->step, &step))
+        return LOFT_ERR_RANGE;
+    const int status = loft_raster_init(&r, d, area, o->axis, cusp, step);
     while (status == LOFT_OK && loft_raster_next(&r, &tip)) {
         double point[ENGINE_AXES];
         point_of(tip, point);
@@ -110,6 +107,32 @@ int ENGINE_OF(engine_mill)(const surfaces *all, mill_order *o, engine_point_sink
         out->lines = r.lines;
         out->cusp = double_of(r.cusp);
     }
+    return status;
+}
+
+/* Over an upright wall levels leave the cusps that lines leave over a level plane. */
+static double depth_of(const mill_order *o)
+{
+    return o->step > 0 ? o->step : 2 * sqrt(o->cusp * (2 * o->radius - o->cusp));
+}
+
+int ENGINE_OF(engine_mill)(const surfaces *all, mill_order *o, engine_point_sink *sink,
+                           void *context, mill_report *out)
+{
+    sheet_list l = { 0 };
+    loft_box area;
+    loft_drop d;
+
+    *out = (mill_report){ 0 };
+    int status = open_sheets(&l, all, &out->failed);
+    if (status == LOFT_OK)
+        status = complete_order(&l, o, &area, out);
+    if (status == LOFT_OK)
+        status = start_drop(&l, o, &d);
+    if (status == LOFT_OK)
+        status = o->levels ? ENGINE_OF(engine_levels)(&d, &area, out->top, depth_of(o), sink,
+                                                      context, out)
+                           : mill_raster(&d, o, &area, sink, context, out);
     close_sheets(&l);
     return status;
 }

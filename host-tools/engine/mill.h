@@ -1,7 +1,8 @@
 /* host-tools/engine/mill.h -- surfaces milled by lines: the order, the path, what is known of it
  * SPDX-License-Identifier: MIT
  *
- *     engine_mill.c   lib/toolpath over the surfaces of a file; compiled once per number type
+ *     engine_mill.c     lib/toolpath over the surfaces of a file; compiled once per number type
+ *     engine_levels.c   waterlines, level by level; likewise
  */
 #ifndef LOFT_HOST_MILL_H
 #define LOFT_HOST_MILL_H
@@ -13,6 +14,7 @@
 typedef struct {
     double radius, corner;      /* of the cutter: equal for a ball, corner 0 for a flat end */
     double cusp, step;          /* one of them is 0 */
+    bool levels;                /* waterlines, not lines from border to border */
     double tol;
     unsigned axis;              /* along which lines run: 0, x; 1, y */
     bool bounded, floored;      /* area, lowest are given; otherwise those of the surfaces */

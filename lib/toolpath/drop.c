@@ -481,3 +481,16 @@ bool loft_drop_clear(const loft_drop *d, const loft_vec *from, const loft_vec *t
             return false;
     return true;
 }
+
+loft_real loft_drop_over(const loft_drop *d, const loft_vec *from, const loft_vec *to)
+{
+    const loft_real a = loft_vec_axis(from, 2), b = loft_vec_axis(to, 2);
+    loft_vec up = *from, over = *to;
+    loft_real z = a > b ? a : b, more = d->tol;
+
+    for (;; z += more, more += more) {
+        up.axis[LOFT_AXES > 2 ? 2 : 0] = over.axis[LOFT_AXES > 2 ? 2 : 0] = z;
+        if (loft_drop_clear(d, &up, &over) || !(z < LOFT_REAL(LOFT_SHEET_REACH)))
+            return z;
+    }
+}

@@ -73,6 +73,15 @@ loft_real loft_drop_height(const loft_drop *d, loft_real x, loft_real y, loft_dr
  */
 bool loft_drop_clear(const loft_drop *d, const loft_vec *from, const loft_vec *to);
 
+/* The height at which the cutter may go straight from above one tip to above another.
+ *
+ *   range   coordinates within LOFT_SHEET_REACH
+ *   error   never too low, at least that of both; at most twice as far above these as it must be
+ *           and tol
+ *   cost    a loft_drop_clear for each power of 2 of the rise in tol
+ */
+loft_real loft_drop_over(const loft_drop *d, const loft_vec *from, const loft_vec *to);
+
 LOFT_END_C
 
 #endif

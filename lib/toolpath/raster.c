@@ -100,18 +100,10 @@ static bool chord_fits(loft_pass *p, const loft_vec *end, uint32_t to)
 static void go_over(loft_pass *p, const loft_vec *to)
 {
     loft_vec up = p->from, over = *to;
-    loft_real z = loft_vec_axis(&up, 2), more = p->d->tol;
+    const loft_real z = loft_drop_over(p->d, &up, to);
 
-    if (z < loft_vec_axis(to, 2))
-        z = loft_vec_axis(to, 2);
     set_height(&up, z);
     set_height(&over, z);
-    while (!loft_drop_clear(p->d, &up, &over) && z < LOFT_REAL(LOFT_SHEET_REACH)) {
-        z += more;
-        more += more;
-        set_height(&up, z);
-        set_height(&over, z);
-    }
     p->next[0] = *to;           /* the last one first */
     p->next[1] = over;
     p->queued = 2;

@@ -984,6 +984,10 @@ case_mill() {
     done
     run 0 "$loft" mill --tool bull:4:0.5 --step 3 --along y "$tmp/dome.loft"
     says out '^# bull:4:0.5, 5 lines'
+    run 0 "$loft" mill --tool ball:4 --pattern waterline --step 1 --tol 0.05 "$tmp/dome.loft"
+    says out '^# ball:4, 3 lines'; says out '^# beside the surface: at most 0.05'
+    cp "$tmp/out" "$tmp/path.loft"; run 0 "$loft" plan "$tmp/path.loft"; says out '^in all'
+    one_line 64 'give raster or waterline' "$loft" mill --pattern spiral "$tmp/dome.loft"
     printf 'octant 9\n' >"$tmp/octant.loft"
     run 0 "$loft" mill --tool flat:3 --step 3 --floor 4 "$tmp/octant.loft"
     says out '^# flat:3, 5 lines'
