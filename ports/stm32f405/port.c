@@ -11,9 +11,6 @@
  *
  * Registers: ST's reference manual RM0090.
  */
-#include "cortex-m/cortex.h"
-#include "cortex-m/stream.h"
-#include "port.h"
 #include "switches.h"
 
 #ifndef LOFT_BAUD
@@ -24,13 +21,6 @@
 #  define LOFT_CRYSTAL 8
 #endif
 #define CORE    168000000u          /* Hz */
-/* slots per tick of 1 ms, and the length of a pulse in cycles: 2 us, or half a slot */
-#ifndef LOFT_SLOTS
-#  error "give LOFT_SLOTS, the slots of a millisecond, to all files of the board"
-#endif
-#define PERIOD  (CORE / 1000 / LOFT_SLOTS)
-#define PULSE   (PERIOD / 2 < CORE / 500000 ? PERIOD / 2 : CORE / 500000)
-
 #define RCC     0x40023800
 #define GPIOA   0x40020000
 #define GPIOC   0x40020800
@@ -39,12 +29,11 @@
 #define RANDOM  0x50060800
 #define TIM1    0x40010000
 #define DMA2    0x40026400
+#include "cortex-m/stm32.h"
 
 #define BSRR    (GPIOA + 0x18)
 #define WORDS   (DMA2 + 0x10 + 0x18 * 5)    /* stream 5: CR, NDTR, PAR, M0AR */
 #define ENDS    (DMA2 + 0x10 + 0x18 * 1)    /* stream 1 */
-#define LISTENS (1u << 13 | 1u << 5 | 1u << 3 | 1u << 2)    /* CR1: on, receive with interrupt */
-#define FREE    (1u << 7)           /* of SR: it can send; of CR1: then it interrupts */
 #define PULLED_UP 0x555u     /* 0..5 of GPIOC */
 #define CELLS   1024
 #include "plans.h"
@@ -59,15 +48,6 @@ static loft_machine_config config = {
     .cell = cells,
     .cells = CELLS
 };
-
-/* Wait for `bits` in a register, but not forever: an emulator may lack it. */
-static bool came(uint32_t address, uint32_t bits)
-{
-    for (uint32_t left = 20000; left; left--)
-        if (REG(address) & bits)
-            return true;
-    return false;
-}
 
 /* Crystal (or the internal clock, 16 MHz) to 168 MHz; APB1 at a quarter, APB2 at half. */
 static void set_clock(void)
@@ -102,8 +82,7 @@ loft_machine_config *loft_port_init(void)
     REG(GPIOA + 0x00) = (REG(GPIOA + 0x00) & ~0x003C3FFFu) | 0x00281555u;
     REG(GPIOA + 0x24) = (REG(GPIOA + 0x24) & ~0x00000FF0u) | 0x00000770u;   /* AFRH: USART1 */
     REG(GPIOC + 0x0C) = (REG(GPIOC + 0x0C) & ~0x00000FFFu) | PULLED_UP;     /* PUPDR: 0..5 up */
-    REG(USART1 + 0x08) = (CORE / 2 + LOFT_BAUD / 2) / LOFT_BAUD;
-    REG(USART1 + 0x0C) = LISTENS;
+    set_line(CORE / 2, LOFT_BAUD);
     loft_port_plans(&config);
     return &config;
 }
@@ -119,9 +98,7 @@ uint32_t cortex_stream(uint32_t slot_hz)
 
     REG(RCC + 0x30) |= 1u << 22;                        /* DMA2 */
     REG(RCC + 0x44) |= 1u << 0;                         /* TIM1, at 168 MHz */
-    REG(TIM1 + 0x2C) = CORE / slot_hz - 1;              /* ARR */
-    REG(TIM1 + 0x34) = PULSE;                           /* CCR1 */
-    REG(TIM1 + 0x14) = 1;                               /* EGR: ARR is in force */
+    set_timer(CORE, slot_hz);
 
     REG(ENDS + 0x04) = 1;
     REG(ENDS + 0x08) = BSRR;
@@ -131,35 +108,13 @@ uint32_t cortex_stream(uint32_t slot_hz)
     REG(WORDS + 0x08) = BSRR;
     REG(WORDS + 0x0C) = (uint32_t)(uintptr_t)cortex_ring();
     REG(WORDS + 0x00) = TRANSFER | STEPPING;
-    REG(TIM1 + 0x0C) = 1u << 9 | 1u << 8;               /* DIER: requests of compare 1, update */
+    set_requests();
     return CORE;
 }
-
-void cortex_run(bool run) { REG(TIM1 + 0x00) = run; }
 
 uint32_t cortex_given(void) { return (STREAM_WORDS - REG(WORDS + 0x04)) % STREAM_WORDS; }
 
 void cortex_acknowledge(void) { REG(DMA2 + 0x0C) = 0x0F40; }   /* HIFCR: stream 5 */
-
-void cortex_line(void)
-{
-    if (REG(USART1 + 0x00) & 1u << 5)
-        loft_port_byte((uint8_t)REG(USART1 + 0x04));
-    REG(USART1 + 0x0C) = LISTENS;
-}
-
-/* Otherwise wake up when it can send. */
-size_t loft_port_write(const uint8_t *bytes, size_t count)
-{
-    if (count == 0)
-        return 0;
-    if (!(REG(USART1 + 0x00) & FREE)) {
-        REG(USART1 + 0x0C) = LISTENS | FREE;
-        return 0;
-    }
-    REG(USART1 + 0x04) = *bytes;
-    return 1;
-}
 
 /* An emulator without this port does not keep pull-ups, and has no switches. */
 uint16_t loft_port_inputs(void)

@@ -19,16 +19,16 @@
 
 #define SETTLE  20                      /* ms after the last byte, time to answer it */
 
-/* What differs between the chips. Addresses: RCC's clock control, reset and clock; the port of the
- * pins, that of the switches; timer 1; its transfers; USART 1. */
+/* What differs between the chips. Addresses: RCC's clock control; the pins of the slots, the
+ * port of the switches and x in it; timer 1; its transfers; USART 1. */
 struct kind {
     const char *name;
     int model;
     bool fpu, streams;
     struct arm_memory memory;
     uint32_t hz, bus;                   /* of the core; of USART 1 */
-    unsigned irq_line, irq_stream;
-    uint32_t rcc, pins, bsrr, idr, timer, dma, usart, random;
+    unsigned irq_line, irq_stream, x_switch;
+    uint32_t rcc, bsrr, idr, timer, dma, usart, random;
 };
 static const struct kind kinds[] = {
     { .name = "stm32f405",
@@ -41,7 +41,6 @@ static const struct kind kinds[] = {
       .irq_line = 37,
       .irq_stream = 68,
       .rcc = 0x40023800,
-      .pins = 0x40020000,
       .bsrr = 0x40020018,
       .idr = 0x40020810,
       .timer = 0x40010000,
@@ -56,8 +55,8 @@ static const struct kind kinds[] = {
       .bus = 72000000,
       .irq_line = 37,
       .irq_stream = 15,
+      .x_switch = 10,
       .rcc = 0x40021000,
-      .pins = 0x40010800,
       .bsrr = 0x40010810,
       .idr = 0x40010C08,
       .timer = 0x40012C00,
@@ -143,15 +142,18 @@ static void x_pulse(void *context)
     c->closed = closed;
 }
 
-/* Of the switches; a contact bounces by a pattern without a period. */
+/* Of the switches. A contact that bounces is first as it will be, then changes each 64 us or later,
+ * by a pattern without a period. */
 static uint32_t inputs(const struct chip *c)
 {
-    const uint64_t now = c->core.now, us = c->kind->hz / 1000000;
+    const uint64_t now = c->core.now, part = c->kind->hz / 1000000 * 64;
     bool closed = c->closed;
 
-    if (now < c->settled && (c->settled - now) / us * 2654435761u >> 9 & 1)
-        closed = !closed;
-    return closed ? 0xFFFE : 0xFFFF;
+    if (now < c->settled) {
+        const uint64_t k = (now + c->bounce - c->settled) / part;
+        closed ^= k > 0 && (k * 2654435761u >> 9 & 1);
+    }
+    return closed ? 0xFFFFu & ~(1u << c->kind->x_switch) : 0xFFFF;
 }
 
 static uint32_t read_register(void *context, uint32_t address)

@@ -26,6 +26,14 @@ on_arm() {
     [ $code = 0 ] || sed 's/^/     /' "$tmp/err"
 }
 
+# numbers BOARD: of the simulated machine that is like it
+numbers() {
+    case $1 in
+    stm32f103*) echo --steps 250 --max-speed 200 --accel 1000 --queue 256 --ramp 200 ;;
+    *)          echo --steps 250 --max-speed 400 --accel 2000 --queue 1024 --ramp 200 ;;
+    esac
+}
+
 # slots_of RECORD CYCLES: the pulses with the slot of each, counted from the first
 slots_of() {
     awk -F, -v cycles="$2" '
@@ -48,8 +56,9 @@ rates() {
         row "$name, $axes axes: steps apart, at least"     "$(value between_least)" ">=" "$3" cycles
     done
     cp "$tmp/chip.csv" "$tmp/chip3.csv"
-    "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --slots "$2" --steps 250 \
-        --max-speed 400 --accel 2000 --queue 1024 --ramp 200 >"$tmp/log" & local here=$!
+    # shellcheck disable=SC2046
+    "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --slots "$2" \
+        $(numbers "$1") >"$tmp/log" & local here=$!
     for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
     timeout 60 "$helpers/rate" "$tmp/here" 3 "$2" >"$tmp/planned" 2>&1
     kill $here 2>/dev/null; wait $here 2>/dev/null
@@ -60,8 +69,9 @@ rates() {
 # draws BOARD SLOTS CYCLES [LATE]: the drawing; LATE: once the slots are made so many us late
 draws() {
     local name="$1, a drawing" late=${4:-}
-    "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --slots "$2" --steps 250 \
-        --max-speed 400 --accel 2000 --queue 1024 --ramp 200 >"$tmp/log" & local here=$!
+    # shellcheck disable=SC2046
+    "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --slots "$2" \
+        $(numbers "$1") >"$tmp/log" & local here=$!
     for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
     timeout 60 "$loft" stream "$drawing" --feed $feed --port "$tmp/here" >"$tmp/planned" 2>&1
     wait $here
@@ -110,10 +120,14 @@ behind() { echo $(($(said position) - $(said latched))); }
 
 rates stm32f405-fast 1000 168 0.10 84
 rates stm32f405      250  672 0.10 336
+rates stm32f103-fast 500  144 0.15 72
+draws stm32f103 250 288
 draws stm32f405 250 672
 draws stm32f405-fast 1000 168
 draws stm32f405 250 672 600
 late stm32f405-fast 1000 168 600
+late stm32f103-fast 500 144 600
+guarded stm32f103 100 20001,5 8
 guarded stm32f405 5 700 8
 guarded stm32f405 100 20001,5 8
 row "stm32f405: it slows down behind the switch, in steps"  "$(behind)" ">=" 1000

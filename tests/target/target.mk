@@ -49,8 +49,8 @@ build/target/arm_chip: $(ARM_CHIP_SRC) $(wildcard tests/target/arm_*.h tests/tar
 
 ## Run boards that step by a timer and DMA in a model of both: every slot, guards, instructions
 .PHONY: check-stream
-check-stream: firmware-stm32f405 firmware-stm32f405-fast build/target/arm_chip build/target/rate \
-              $(TOOL_OUT)/loft
+check-stream: $(patsubst %,firmware-%,stm32f405 stm32f405-fast stm32f103 stm32f103-fast) \
+              build/target/arm_chip build/target/rate $(TOOL_OUT)/loft
 	@bash tests/target/stream.sh build/firmware $(TOOL_OUT)/loft build/target
 TARGET_BESIDE += check-stream
 

@@ -1,0 +1,66 @@
+/* ports/cortex-m/stm32.h -- what STM32 chips share: USART 1 is the line, timer 1 gives the slots
+ * SPDX-License-Identifier: MIT
+ *
+ * A port includes it after the addresses USART1 and TIM1. These are the registers of F1, F2 and F4
+ * (RM0008, RM0090).
+ */
+#ifndef LOFT_CORTEX_STM32_H
+#define LOFT_CORTEX_STM32_H
+
+#include "cortex-m/cortex.h"
+#include "cortex-m/stream.h"
+#include "port.h"
+
+#define LISTENS (1u << 13 | 1u << 5 | 1u << 3 | 1u << 2)    /* CR1: on, receive with interrupt */
+#define FREE    (1u << 7)           /* of SR: it can send; of CR1: then it interrupts */
+
+/* Wait for `bits` in a register, but not forever: an emulator may lack it. */
+static inline bool came(uint32_t address, uint32_t bits)
+{
+    for (uint32_t left = 20000; left; left--)
+        if (REG(address) & bits)
+            return true;
+    return false;
+}
+
+static inline void set_line(uint32_t bus_hz, uint32_t baud)
+{
+    REG(USART1 + 0x08) = (bus_hz + baud / 2) / baud;
+    REG(USART1 + 0x0C) = LISTENS;
+}
+
+void cortex_line(void)
+{
+    if (REG(USART1 + 0x00) & 1u << 5)
+        loft_port_byte((uint8_t)REG(USART1 + 0x04));
+    REG(USART1 + 0x0C) = LISTENS;
+}
+
+/* Otherwise wake up when it can send. */
+size_t loft_port_write(const uint8_t *bytes, size_t count)
+{
+    if (count == 0)
+        return 0;
+    if (!(REG(USART1 + 0x00) & FREE)) {
+        REG(USART1 + 0x0C) = LISTENS | FREE;
+        return 0;
+    }
+    REG(USART1 + 0x04) = *bytes;
+    return 1;
+}
+
+/* A slot lasts `hz` / `slot_hz` cycles of the timer, a pulse 2 us, or half a slot. Its requests are
+ * those of the update and of compare 1, once the transfers are enabled. */
+static inline void set_timer(uint32_t hz, uint32_t slot_hz)
+{
+    const uint32_t period = hz / slot_hz, most = hz / 500000;
+
+    REG(TIM1 + 0x2C) = period - 1;                              /* ARR */
+    REG(TIM1 + 0x34) = period / 2 < most ? period / 2 : most;   /* CCR1 */
+    REG(TIM1 + 0x14) = 1;                                       /* EGR: ARR is in force */
+}
+static inline void set_requests(void)   { REG(TIM1 + 0x0C) = 1u << 9 | 1u << 8; }   /* DIER */
+
+void cortex_run(bool run) { REG(TIM1 + 0x00) = run; }
+
+#endif
