@@ -249,7 +249,7 @@ fuzz: lib/names.h
 	    build/fuzz/wire
 
 FUZZED = $(INCLUDE) -O1 -g $(filter-out -MMD -MP,$(TOOL_STD)) -fsanitize=address,undefined \
-         -fno-sanitize-recover=all -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3
+         -fno-sanitize-recover=all -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3 -DDRAWING_CURVES_MAX=200000u
 build/fuzz/tools/%.o: %.c | lib/names.h
 	@mkdir -p $(@D)
 	$(SAY) "  CC  $@"

@@ -180,22 +180,23 @@ static void tell_missing(const stream_options *o, const parts *all, const struct
                                                           "for a spindle",
                                         [DRAWING_COOLS] = "M7, M8 or M9: the machine has no output "
                                                           "for a coolant" };
-    const drawing *d = &all->part[all->first].d;
     unsigned count[4] = { 0 };
 
-    for (size_t i = 0; i < d->events; i++)
-        count[d->event[i].doing] += !job_can(does, &d->event[i]);
-    for (size_t i = 0; i < d->events; i++) {
-        const drawing_event *e = &d->event[i];
-        if (count[e->doing] == 0 || job_can(does, e))
-            continue;
-        (void)tool_error(EX_OK, "%s:%u: %s (%u times)%s", source_name(all->file), e->line,
-                         what[e->doing], count[e->doing],
-                         o->chip     ? ": --plan host lets it"
-                         : o->points ? ": not with --points"
-                                     : "");
-        count[e->doing] = 0;
-    }
+    for (size_t k = all->first; k < all->count; k++)
+        for (size_t i = 0; i < all->part[k].d.events; i++)
+            count[all->part[k].d.event[i].doing] += !job_can(does, &all->part[k].d.event[i]);
+    for (size_t k = all->first; k < all->count; k++)
+        for (size_t i = 0; i < all->part[k].d.events; i++) {
+            const drawing_event *e = &all->part[k].d.event[i];
+            if (count[e->doing] == 0 || job_can(does, e))
+                continue;
+            (void)tool_error(EX_OK, "%s:%u: %s (%u times)%s", source_name(all->file), e->line,
+                             what[e->doing], count[e->doing],
+                             o->chip     ? ": --plan host lets it"
+                             : o->points ? ": not with --points"
+                                         : "");
+            count[e->doing] = 0;
+        }
 }
 
 /* Without its laser a machine would only scan the work. */

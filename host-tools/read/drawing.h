@@ -105,7 +105,9 @@ typedef struct drawing_clip {
 #define DRAWING_FILLED  4u
 #define DRAWING_HIDDEN  8u      /* only filled, not drawn */
 #define DRAWING_SHAPE   16u
-#define DRAWING_CURVES_MAX 4000000u     /* more are refused: a few kB can expand to billions */
+#ifndef DRAWING_CURVES_MAX      /* more are refused: a few kB can expand to billions */
+#define DRAWING_CURVES_MAX 4000000u
+#endif
 
 /* Read `file` ("-" is standard input). Its content tells the format: SVG, curves (LOFT.md), G-code
  * or CSV (x0,y0,..,x3,y3 in mm per line). Returns 0, or a code of <sysexits.h> after printing one

@@ -11,7 +11,7 @@
 #include "read/gcode_state.h"
 
 #define CHIP 0.254              /* mm: the way back that breaks a chip, of LinuxCNC */
-#define HOLES_MOST 100000       /* of a line, and pecks of a hole */
+#define HOLES_MOST 100000       /* of a line, and their pecks */
 
 /* Straight along the axis across the plane. */
 static int plunge(gcode_program *g, enum gcode_kind kind, double height)
@@ -29,8 +29,6 @@ static int peck(gcode_program *g, double r, double bottom, double step, bool who
     const double chip = CHIP / g->frame.unit;
     int code = 0;
 
-    if (!(step > 0) || (r - bottom) / step > HOLES_MOST)
-        return gcode_fails(g, "Q: the step of the pecks", "give Q above 0, and not too small");
     for (double at = r - step; at > bottom && code == 0; at -= step) {
         code = plunge(g, GCODE_LINE, at);
         if (code == 0 && whole)
@@ -120,8 +118,12 @@ int gcode_drill(gcode_program *g)
     const double top = first_height(g), r = g->incremental ? top + g->cycle.r : g->cycle.r,
                  bottom = g->incremental ? r + g->cycle.z : g->cycle.z,
                  clear = g->retract_to_r ? r : fmax(top, r);
+    const int c = g->cycle.code;
     if (bottom > r)
         return gcode_fails(g, "drilling from R upwards", "give a depth below R");
+    if ((c == 830 || c == 730) &&
+        (!(g->cycle.q > 0) || times * ((r - bottom) / g->cycle.q) > HOLES_MOST))
+        return gcode_fails(g, "Q: the step of the pecks", "give Q above 0, and not too small");
     memcpy(at, g->at, sizeof at);
     at[up] = fmax(g->retract_to_r ? g->at[up] : top, r);
     for (int i = 0; i < 3; i++)

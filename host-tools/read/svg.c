@@ -286,11 +286,15 @@ static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space,
     warn_undrawn(r, &space);
     if (!space.visible)
         return true;
+    const bool tiled = space.pattern != NULL && !r->clipping;
+    if (tiled && space.fill_opaque && !svg_pattern(r, &space))
+        return false;
+    space.fill = space.fill && !tiled;
     const bool seen = svg_begin(r, &space), marked = svg_has_markers(r, &space),
                chosen = seen && svg_ink_chosen(r, &space, r->fill & DRAWING_STROKED);
     if (chosen || marked)
         return draw_shape(r, &space, chosen, marked);
-    if (seen || r->clipping)
+    if (seen || tiled || r->clipping)
         return true;
     svg_warn(r, SVG_WARN_UNSEEN,
              "<%s> without fill and stroke is invisible and not drawn: give it a stroke to draw it",

@@ -15,6 +15,7 @@
  *     svg_clip.c   cuts curves at an outline
  *     svg_dash.c   dashes
  *     svg_marker.c markers
+ *     svg_pattern.c shapes filled with patterns          -> tiles, cut at the shape
  *     svg_ink.c    colours, and which of them are drawn
  *     svg_text.c   text: letters, their places, runs     -> shaped glyphs -> pen
  *     svg_font.c   properties of fonts
@@ -54,7 +55,7 @@ typedef struct {
 #define SVG_DEPTH_MAX    500
 
 #define SVG_INKS 10
-#define SVG_MARKINGS 8          /* markers in markers */
+#define SVG_MARKINGS 8          /* markers and patterns in each other */
 
 #define SVG_EFFORT_MAX   100000000u /* rules tried on elements: a few seconds */
 
@@ -85,8 +86,9 @@ typedef struct {
     bool masking, plain;        /* or a mask; it is white, as a clip path would do */
     unsigned long long compared;/* pairs of curves, to stop a flood of them */
     svg_vertices *vertices;     /* of the current shape; NULL: it has no markers */
-    const xmlNode *marking[SVG_MARKINGS];       /* what is drawn now is in these markers */
+    const xmlNode *marking[SVG_MARKINGS];   /* what is drawn now is in these markers, patterns */
     unsigned markings;
+    unsigned tiles;             /* of patterns, that were drawn */
     double dashes;              /* that were drawn, about */
     const char *inks[SVG_INKS]; /* the first colours that were seen, if only some are drawn */
     bool inked;                 /* one of those that are drawn was seen */
@@ -136,6 +138,7 @@ typedef struct {
     svg_matrix to_mm;
     double width, height;       /* of the viewport in user units, for %; below 0: unknown */
     bool visible;
+    const xmlNode *pattern;     /* that fills; NULL: none */
     bool fill, fill_opaque;                 /* an element with neither fill nor stroke is */
     bool stroke, stroke_opaque, stroke_wide;/* invisible and not drawn */
     bool evenodd, clip_evenodd; /* fill-rule, clip-rule */
@@ -210,6 +213,7 @@ bool svg_fail(const svg_reader *r, const char *format, ...) __attribute__((forma
 
 enum svg_warning {
     SVG_WARN_SELECTOR,
+    SVG_WARN_DATA,
     SVG_WARN_TEXT,
     SVG_WARN_LETTER,
     SVG_WARN_LAYER,
@@ -219,6 +223,7 @@ enum svg_warning {
     SVG_WARN_PICTURE,
     SVG_WARN_CLIP_PATH,
     SVG_WARN_MASK,
+    SVG_WARN_PATTERN,
     SVG_WARN_DASHES,
     SVG_WARN_BOX,
     SVG_WARN_UNSEEN,
@@ -454,7 +459,7 @@ void svg_lines_close(svg_lines *lines);
 // ------
 
 /* Draw the current element if it is a shape; *known tells whether it is one. */
-bool svg_shape(const svg_reader *r, const svg_space *space, bool *known);
+bool svg_shape(svg_reader *r, const svg_space *space, bool *known);
 
 /* Draw the current element, a <text>. */
 bool svg_text(svg_reader *r, const svg_space *space);
@@ -471,6 +476,23 @@ bool svg_cut(svg_reader *r, const drawing *outline, size_t first);
 bool svg_clip_element(svg_reader *r, const svg_space *of, size_t first);
 bool svg_mask_element(svg_reader *r, const svg_space *of, size_t first);
 
+/* Fill the current element, a shape, with its pattern. */
+bool svg_pattern(svg_reader *r, const svg_space *of);
+
+/* Close each part of an outline by a line. */
+void svg_close_outline(drawing *d);
+
+/* The box of the curves from `first` on in the space that `m` maps to mm; 0 without any. */
+void svg_box(const drawing *d, size_t first, const svg_matrix *m, double box[2][2]);
+
+/* Apply the style of the elements around a node and of itself, not their transforms: `room` scopes,
+ * of which *count are to be closed. */
+bool svg_enter_from_root(svg_reader *r, const xmlNode *node, svg_space *space, svg_scope *scope,
+                         size_t room, size_t *count, bool *shown);
+
+/* Is this marker or pattern being drawn, or too many of them? */
+bool svg_is_marking(const svg_reader *r, const xmlNode *node);
+
 /* Does the current element have markers? Note its vertices: where a part begins; where a segment
  * ends, whose curves are those from `before` on. Draw the markers. */
 bool svg_has_markers(const svg_reader *r, const svg_space *space);
@@ -483,8 +505,8 @@ bool svg_markers(svg_reader *r, const svg_space *space, const svg_vertices *all)
 /* Cut the curves from `first` on into the dashes of the current element. */
 bool svg_dash(svg_reader *r, const svg_space *space, size_t first);
 
-/* Draw path data. */
-bool svg_path(const svg_reader *r, const char *data, svg_pen *pen);
+/* Draw path data, up to what cannot be read in it. */
+bool svg_path(svg_reader *r, const char *data, svg_pen *pen);
 
 /* Is there a layer for each word of --layer? */
 bool svg_layers_check(const svg_reader *r, const xmlNode *root);

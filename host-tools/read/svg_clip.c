@@ -189,6 +189,30 @@ static void keep_areas(drawing *d, const drawing *outline, size_t first, drawing
     }
 }
 
+/* Where a curve only touches the outline, a speck is left, which a pen would draw as a dot. */
+static bool is_speck(const drawing *d, size_t first, size_t end)
+{
+    for (size_t i = first; i < end; i++)
+        for (int k = 0; k < 4; k++)
+            if (hypot(d->curve[i].p[k][0] - d->curve[first].p[0][0],
+                      d->curve[i].p[k][1] - d->curve[first].p[0][1]) > ALONG)
+                return false;
+    return true;
+}
+
+/* Append the paths that are not specks. */
+static void add_paths(drawing *d, const drawing *from)
+{
+    for (size_t first = 0, end; first < from->count; first = end) {
+        for (end = first + 1; end < from->count; end++)
+            if (from->curve[end].path != from->curve[first].path)
+                break;
+        const bool speck = is_speck(from, first, end);
+        for (size_t i = first; i < end && !speck; i++)
+            drawing_add_like(d, &from->curve[i], i == first);
+    }
+}
+
 bool svg_cut(svg_reader *r, const drawing *outline, size_t first)
 {
     drawing *d  = r->d;
@@ -217,9 +241,7 @@ bool svg_cut(svg_reader *r, const drawing *outline, size_t first)
     }
     if (good) {
         d->count = first;
-        for (size_t i = 0; i < out.count; i++)
-            drawing_add_like(d, &out.curve[i],
-                             i == 0 || out.curve[i].path != out.curve[i - 1].path);
+        add_paths(d, &out);
     }
     free(at.at);
     drawing_free(&out);

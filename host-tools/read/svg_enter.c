@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/scan.h"       /* scan_number */
@@ -30,14 +31,35 @@ static bool is_inherited(const char *value)
     return value == NULL || strcmp(value, "inherit") == 0 || strcmp(value, "unset") == 0;
 }
 
+/* url(#id) of a pattern, of something else that paints (gradients), or of nothing: then what
+ * follows it paints, or nothing. */
+static bool is_painting(const svg_reader *r, const char *value, const xmlNode **pattern)
+{
+    const char *open = strchr(value, '#'), *after = strchr(value, ')');
+    char id[200];
+
+    snprintf(id, sizeof id, "%.*s", open ? (int)strcspn(open + 1, ")\"'") : 0,
+             open ? open + 1 : "");
+    const xmlNode *node = svg_find(r, id);
+    *pattern = node != NULL && svg_is(node, "pattern") ? node : NULL;
+    if (node != NULL || after == NULL)
+        return true;
+    after++;
+    scan_space(&after);
+    return *after != '\0' && !is_clear(after);
+}
+
 /* Does the property paint, and with which colour? If it is not set, both stay. */
 static void read_paint(svg_reader *r, const svg_style *style, enum svg_property which, bool *paints,
-                       const char **ink)
+                       const char **ink, const xmlNode **pattern)
 {
     char *value = svg_property(r, style, which, NULL);
 
     if (!is_inherited(value)) {
-        *paints = strcmp(value, "initial") == 0 ? which == SVG_FILL : !is_clear(value);
+        *pattern = NULL;
+        *paints  = strcmp(value, "initial") == 0       ? which == SVG_FILL
+                  : strncmp(value, "url(", 4) == 0 ? is_painting(r, value, pattern)
+                                                   : !is_clear(value);
         if (r->d->only != NULL || r->d->tools != NULL || r->masking)
             *ink = svg_ink(r, value);
     }
@@ -157,8 +179,9 @@ static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space
     xmlFree(overflow);
 
     read_visibility(r, style, &space->visible);
-    read_paint(r, style, SVG_FILL, &space->fill, &space->fill_ink);
-    read_paint(r, style, SVG_STROKE, &space->stroke, &space->stroke_ink);
+    const xmlNode *none;        /* strokes have no tiles */
+    read_paint(r, style, SVG_FILL, &space->fill, &space->fill_ink, &space->pattern);
+    read_paint(r, style, SVG_STROKE, &space->stroke, &space->stroke_ink, &none);
     read_rule(r, style, SVG_FILL_RULE, &space->evenodd);
     read_rule(r, style, SVG_CLIP_RULE, &space->clip_evenodd);
     space->clip = space->mask = NULL;   /* not inherited */

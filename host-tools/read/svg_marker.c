@@ -207,9 +207,8 @@ static bool place_marker(const svg_reader *r, const svg_space *of, const vertex 
     return true;
 }
 
-/* The style of the elements around a node, and of itself; not their transforms. */
-static bool enter_from_root(svg_reader *r, const xmlNode *node, svg_space *space, svg_scope *scope,
-                            size_t room, size_t *count, bool *shown)
+bool svg_enter_from_root(svg_reader *r, const xmlNode *node, svg_space *space, svg_scope *scope,
+                         size_t room, size_t *count, bool *shown)
 {
     const xmlNode *way[SVG_DEPTH_MAX];
     size_t n = 0;
@@ -241,7 +240,7 @@ static bool draw_marker(svg_reader *r, const xmlNode *node, const svg_space *of,
         return false;
     if (!(size[0] > 0))
         return true;
-    bool good = enter_from_root(r, node, &space, scope, SVG_DEPTH_MAX, &scopes, &shown);
+    bool good = svg_enter_from_root(r, node, &space, scope, SVG_DEPTH_MAX, &scopes, &shown);
     r->node   = node;
     if (good && shown)
         good = svg_viewport(r, node, space, size[0], size[1]);
@@ -250,7 +249,7 @@ static bool draw_marker(svg_reader *r, const xmlNode *node, const svg_space *of,
     return good;
 }
 
-static bool is_marking(const svg_reader *r, const xmlNode *node)
+bool svg_is_marking(const svg_reader *r, const xmlNode *node)
 {
     for (unsigned i = 0; i < r->markings; i++)
         if (r->marking[i] == node)
@@ -294,7 +293,7 @@ bool svg_markers(svg_reader *r, const svg_space *space, const svg_vertices *all)
     for (size_t i = 0; i < all->count && good; i++) {
         const bool first = i == 0, last = i + 1 == all->count;
         for (int k = 0; k < 3 && good; k++) {
-            if (node[k] == NULL || is_marking(r, node[k]) ||
+            if (node[k] == NULL || svg_is_marking(r, node[k]) ||
                 (k == 0   ? !first
                  : k == 2 ? !last
                           : first || last))

@@ -22,8 +22,7 @@ static const xmlNode *target_of(svg_reader *r, const char *value, const char *na
     return node != NULL && svg_is(node, name) ? node : NULL;
 }
 
-/* Close each part of an outline by a line. */
-static void close_outline(drawing *d)
+void svg_close_outline(drawing *d)
 {
     drawing out = { .count = 0 };
 
@@ -45,13 +44,11 @@ static void close_outline(drawing *d)
     *d = out;
 }
 
-/* With clipPathUnits="objectBoundingBox", 0..1 is the box of what is clipped. */
-static void enter_box(const svg_reader *r, svg_space *space, size_t first)
+void svg_box(const drawing *d, size_t first, const svg_matrix *m, double all[2][2])
 {
-    double all[2][2] = { { 0, 0 }, { 0, 0 } };
-
-    for (size_t i = first; i < r->d->count; i++) {
-        drawing_curve in  = svg_within(&r->d->curve[i], &space->to_mm);
+    memset(all, 0, 4 * sizeof all[0][0]);
+    for (size_t i = first; i < d->count; i++) {
+        drawing_curve in  = svg_within(&d->curve[i], m);
         const drawing one = { .curve = &in, .count = 1 };
         double box[2][2];
         (void)drawing_box(&one, box);
@@ -60,6 +57,14 @@ static void enter_box(const svg_reader *r, svg_space *space, size_t first)
             all[1][k] = i == first || box[1][k] > all[1][k] ? box[1][k] : all[1][k];
         }
     }
+}
+
+/* With clipPathUnits="objectBoundingBox", 0..1 is the box of what is clipped. */
+static void enter_box(const svg_reader *r, svg_space *space, size_t first)
+{
+    double all[2][2];
+
+    svg_box(r->d, first, &space->to_mm, all);
     space->to_mm = svg_multiply(
         space->to_mm,
         (svg_matrix){ all[1][0] - all[0][0], 0, 0, all[1][1] - all[0][1], all[0][0], all[0][1] });
@@ -91,7 +96,7 @@ static bool draw_outline(svg_reader *r, const xmlNode *node, svg_space space, co
     r->fill     = fill;
     r->node     = was;
     svg_scope_close(&scope);
-    close_outline(outline);
+    svg_close_outline(outline);
     return good;
 }
 

@@ -13,25 +13,32 @@
 
 /* Path data while it is read. The last control point is kept for S and T to reflect. */
 typedef struct {
+    svg_reader *r;
     const char *data, *at;
+    bool bad;               /* what follows cannot be read */
     svg_pen *pen;
     double last[2];
     char last_kind;         /* C or Q: the kind of curve that `last` belongs to; 0: none */
 } path;
 
-static bool refuse_data(const path *p, const char *wanted)
+/* As in browsers, what is before an error is drawn. */
+static void end_data(path *p, const char *wanted)
 {
     const int before = p->at - p->data > 20 ? 20 : (int)(p->at - p->data);
 
+    p->bad = true;
     if (*p->at == '\0')
-        return svg_fail(p->pen->r, "path data ends after \"%.*s\": %s is missing", before,
-                        p->at - before, wanted);
-    return svg_fail(p->pen->r, "path data: \"%.12s\" behind \"%.*s\": %s is expected", p->at,
-                    before, p->at - before, wanted);
+        svg_warn(p->r, SVG_WARN_DATA, "path data ends after \"%.*s\": %s is missing", before,
+                 p->at - before, wanted);
+    else
+        svg_warn(p->r, SVG_WARN_DATA,
+                 "path data: \"%.12s\" behind \"%.*s\": %s is expected, what follows is not drawn",
+                 p->at, before, p->at - before, wanted);
 }
 
-/* The numbers of one segment: `x` and `y` pairs; for A two radii, an angle, two flags, x and y. */
-static bool read_numbers(path *p, char kind, double v[7])
+/* The numbers of one segment: `x` and `y` pairs; for A two radii, an angle, two flags, x and y.
+ * Without them p->bad. */
+static void read_numbers(path *p, char kind, double v[7])
 {
     static const char kinds[] = "MLTHVSQCA", counts[] = "222114467";
     const int count = counts[strchr(kinds, kind) - kinds] - '0';
@@ -42,14 +49,16 @@ static bool read_numbers(path *p, char kind, double v[7])
         else
             scan_space(&p->at);
         if (kind == 'A' && (i == 3 || i == 4)) {
-            if (*p->at != '0' && *p->at != '1')
-                return refuse_data(p, "a flag, 0 or 1,");
+            if (*p->at != '0' && *p->at != '1') {
+                end_data(p, "a flag, 0 or 1,");
+                return;
+            }
             v[i] = *p->at++ - '0';
         } else if (!scan_number(&p->at, &v[i])) {
-            return refuse_data(p, "a number");
+            end_data(p, "a number");
+            return;
         }
     }
-    return true;
 }
 
 /* Relative numbers become absolute ones. */
@@ -124,7 +133,7 @@ static bool draw_command(path *p)
     char kind = letter >= 'a' ? (char)(letter - 'a' + 'A') : letter;
 
     if (letter == '\0' || strchr("MLTHVSQCAZ", kind) == NULL)
-        return refuse_data(p, "one of MLHVCSQTAZ");
+        return end_data(p, "one of MLHVCSQTAZ"), true;
     p->at++;
     if (kind == 'Z') {
         p->last_kind = 0;
@@ -132,8 +141,9 @@ static bool draw_command(path *p)
     }
     for (;;) {
         double v[7];
-        if (!read_numbers(p, kind, v))
-            return false;
+        read_numbers(p, kind, v);
+        if (p->bad)
+            return true;
         if (letter >= 'a')
             make_absolute(p, kind, v);
         const size_t before = p->pen->r->d->count;
@@ -151,17 +161,16 @@ static bool draw_command(path *p)
     }
 }
 
-bool svg_path(const svg_reader *r, const char *data, svg_pen *pen)
+bool svg_path(svg_reader *r, const char *data, svg_pen *pen)
 {
-    path p = { .data = data, .at = data, .pen = pen };
+    path p = { .r = r, .data = data, .at = data, .pen = pen };
 
-    (void)r;
     scan_space(&p.at);
     if (strcmp(p.at, "none") == 0)
         return true;
     if (*p.at != '\0' && *p.at != 'M' && *p.at != 'm')
-        return refuse_data(&p, "M");
-    while (*p.at != '\0') {
+        return end_data(&p, "M"), true;
+    while (*p.at != '\0' && !p.bad) {
         if (!draw_command(&p))
             return false;
         scan_space(&p.at);
@@ -189,7 +198,7 @@ static bool read_size(const svg_reader *r, const svg_space *s, const char *name,
            svg_fail(r, "%s=%g: a size cannot be negative", name, *out);
 }
 
-static bool draw_path(const svg_reader *r, const svg_space *s)
+static bool draw_path(svg_reader *r, const svg_space *s)
 {
     char *data = svg_attribute(r->node, "d");
     svg_pen pen = svg_pen_at(r, s->to_mm);
@@ -199,7 +208,7 @@ static bool draw_path(const svg_reader *r, const svg_space *s)
     return good;
 }
 
-static bool draw_line(const svg_reader *r, const svg_space *s)
+static bool draw_line(svg_reader *r, const svg_space *s)
 {
     svg_pen pen = svg_pen_at(r, s->to_mm);
     double x1, y1, x2, y2;
@@ -215,7 +224,7 @@ static bool draw_line(const svg_reader *r, const svg_space *s)
     return good;
 }
 
-static bool draw_points(const svg_reader *r, const svg_space *s, bool closed)
+static bool draw_points(svg_reader *r, const svg_space *s, bool closed)
 {
     char *text = svg_attribute(r->node, "points");
     const char *at = text;
@@ -240,26 +249,23 @@ static bool draw_points(const svg_reader *r, const svg_space *s, bool closed)
         scan_comma(&at);
     }
     if (good && *at != '\0')
-        good = svg_fail(r, "points: \"%.12s\" behind %d numbers: a number is expected", at, count);
-    if (good && count % 2 == 1)
-        good = svg_fail(r, "points: %d numbers: give x and y of each point", count);
+        svg_warn(r, SVG_WARN_DATA,
+                 "points: \"%.12s\" behind %d numbers: a number is expected, what follows is not "
+                 "drawn",
+                 at, count);
+    else if (good && count % 2 == 1)
+        svg_warn(r, SVG_WARN_DATA, "points: %d numbers: give x and y of each point", count);
     if (good && closed && count > 0)
         good = close_part(&pen);
     xmlFree(text);
     return good;
 }
 
-static bool draw_polyline(const svg_reader *r, const svg_space *s)
-{
-    return draw_points(r, s, false);
-}
-static bool draw_polygon(const svg_reader *r, const svg_space *s)
-{
-    return draw_points(r, s, true);
-}
+static bool draw_polyline(svg_reader *r, const svg_space *s) { return draw_points(r, s, false); }
+static bool draw_polygon(svg_reader *r, const svg_space *s) { return draw_points(r, s, true); }
 
 /* Four quarters, starting at three o'clock, in the direction of increasing angles. */
-static bool draw_quarters(const svg_reader *r, const svg_space *s, double cx, double cy, double rx,
+static bool draw_quarters(svg_reader *r, const svg_space *s, double cx, double cy, double rx,
                           double ry)
 {
     svg_pen pen = svg_pen_at(r, s->to_mm);
@@ -273,7 +279,7 @@ static bool draw_quarters(const svg_reader *r, const svg_space *s, double cx, do
            svg_arc(&pen, rx, ry, 0, false, true, cx + rx, cy) && svg_close(&pen);
 }
 
-static bool draw_circle(const svg_reader *r, const svg_space *s)
+static bool draw_circle(svg_reader *r, const svg_space *s)
 {
     double cx, cy, radius;
 
@@ -294,7 +300,7 @@ static bool read_radii(const svg_reader *r, const svg_space *s, double *rx, doub
     return true;
 }
 
-static bool draw_ellipse(const svg_reader *r, const svg_space *s)
+static bool draw_ellipse(svg_reader *r, const svg_space *s)
 {
     double cx, cy, rx, ry;
 
@@ -302,7 +308,7 @@ static bool draw_ellipse(const svg_reader *r, const svg_space *s)
            read_radii(r, s, &rx, &ry) && draw_quarters(r, s, cx, cy, rx, ry);
 }
 
-static bool draw_rect(const svg_reader *r, const svg_space *s)
+static bool draw_rect(svg_reader *r, const svg_space *s)
 {
     svg_pen pen = svg_pen_at(r, s->to_mm);
     double x, y, w, h, rx, ry;
@@ -324,11 +330,11 @@ static bool draw_rect(const svg_reader *r, const svg_space *s)
            svg_close(&pen);
 }
 
-bool svg_shape(const svg_reader *r, const svg_space *space, bool *known)
+bool svg_shape(svg_reader *r, const svg_space *space, bool *known)
 {
     static const struct {
         const char *name;
-        bool (*draw)(const svg_reader *r, const svg_space *s);
+        bool (*draw)(svg_reader *r, const svg_space *s);
     } shapes[] = { { "path", draw_path },      { "rect", draw_rect },
                    { "circle", draw_circle },  { "ellipse", draw_ellipse },
                    { "line", draw_line },      { "polyline", draw_polyline },

@@ -67,7 +67,7 @@ bench-motion: $(MOTION)/moves $(foreach w,$(MOTION_WHAT),$(MOTION)/$(w)-q16 $(MO
 	@bash tests/bench/bench_motion.sh $(MOTION) $(CASES)
 
 # --- drawings of Debian's packages ----------------------------------------------------------------
-build/bench/order: tests/bench/bench_order.c $(filter-out %/loft.o,$(TOOL_OBJ)) $(TOOL_LIBS)
+build/bench/order build/bench/rsvg: build/bench/%: tests/bench/bench_%.c $(filter-out %/loft.o,$(TOOL_OBJ)) $(TOOL_LIBS)
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(INCLUDE) -Itests $(BUILT) $(filter-out $(DEPS),$(TOOL_STD)) \
@@ -75,11 +75,17 @@ build/bench/order: tests/bench/bench_order.c $(filter-out %/loft.o,$(TOOL_OBJ)) 
 
 FILES ?= 2000
 PIECE ?= 0
+RSVG_FILES = $(if $(filter command,$(firstword $(origin FILES))),$(FILES),500)
 ## Plan 2,000 drawings of Debian's icons and clip art; travel of 20 beside a bound   FILES= PIECE=
 .PHONY: bench-drawings
 bench-drawings: build/bench/order tools
 	@bash tests/bench/bench_drawings.sh $(TOOL_OUT)/loft build/bench/order build/bench/drawings \
 	    $(FILES) 120 $(PIECE)
+
+## Compare 500 drawings with pictures by librsvg at 300 dpi, in pieces   FILES=500 PIECE=
+.PHONY: check-rsvg
+check-rsvg: build/bench/rsvg
+	@bash tests/bench/bench_rsvg.sh build/bench/rsvg build/bench/drawings $(RSVG_FILES) $(PIECE)
 
 # --- long files -----------------------------------------------------------------------------------
 LINES ?= 1000000

@@ -4,33 +4,23 @@
 # usage: tests/bench/bench_drawings.sh LOFT ORDER FOLDER [FILES] [SECONDS] [PIECE]
 # The packages are downloaded into FOLDER, not installed. FILES drawings, chosen by a fixed seed,
 # are planned, PIECE of them in a call (0: all that are left); what is refused or takes more than
-# SECONDS is listed. Results are kept in FOLDER/results: a call goes on where the last one ended.
+# SECONDS is listed. Results are kept in FOLDER/plan-results: a call goes on where the last one
+# ended.
 # After the last drawing ORDER measures the travel of 20 drawings with 200 to 5,000 paths.
 set -u
 loft=$1 order=$2 folder=$3 files=${4:-2000} seconds=${5:-120} piece=${6:-0}
-packages="tango-icon-theme adwaita-icon-theme breeze-icon-theme inkscape openclipart-svg"
-mkdir -p "$folder/svg"
-for package in $packages; do
-    [ -e "$folder/$package" ] && continue
-    (cd "$folder" && apt-get download -qq "$package") || exit 1
-    dpkg-deb --fsys-tarfile "$folder/$package"_*.deb |
-        tar -x -C "$folder/svg" --wildcards '*.svg' 2>/dev/null
-    touch "$folder/$package"
-done
-seeded() { openssl enc -aes-128-ctr -pass pass:loft -nosalt -md sha256 </dev/zero 2>/dev/null; }
-all() { (cd "$folder/svg" && find . -type f -name '*.svg' | LC_ALL=C sort); }
-all | shuf -n "$files" --random-source=<(seeded) >"$folder/list"
-touch "$folder/results"
+. "${0%/*}/drawings.sh"
+all | choose "$files" >"$folder/plan-list"
+touch "$folder/plan-results"
 
 # a line for each drawing: exit code, what it says last, its name
-cut -f3 "$folder/results" | awk 'NR == FNR { done[$0]; next } !($0 in done)' - "$folder/list" |
-    head -n "$([ "$piece" -gt 0 ] && echo "$piece" || echo "$files")" |
+left_of plan "$piece" 3 |
     while IFS= read -r file; do
         said=$(timeout "$seconds" "$loft" plan --num f64 --total "$folder/svg/$file" 2>&1 \
             >/dev/null </dev/null)
         code=$?
         said=${said##*$'\n'} said=${said#*.svg:}
-        printf '%s\t%s\t%s\n' "$code" "${said//$'\t'/ }" "$file" >>"$folder/results"
+        printf '%s\t%s\t%s\n' "$code" "${said//$'\t'/ }" "$file" >>"$folder/plan-results"
     done
 
 awk -F '\t' -v seconds="$seconds" '
@@ -44,11 +34,11 @@ awk -F '\t' -v seconds="$seconds" '
     }
     END { for (why in list) print "refused:" why ":" list[why]
           printf "%d drawings: %d planned (%d with a warning), %d refused, %d slow\n",
-              n, ok, warned, refused, slow }' "$folder/list" "$folder/results"
-[ "$(cut -f3 "$folder/results" | grep -cxFf "$folder/list")" -ge "$files" ] ||
+              n, ok, warned, refused, slow }' "$folder/plan-list" "$folder/plan-results"
+[ "$(cut -f3 "$folder/plan-results" | grep -cxFf "$folder/plan-list")" -ge "$files" ] ||
     { echo "to be continued: call it again"; exit 0; }
 
 mapfile -t strokes < <(all | (cd "$folder/svg" && xargs -d '\n' grep -c '<path') |
     awk -F: '$NF >= 200 && $NF <= 5000 { sub(/:[0-9]*$/, ""); print }' |
-    shuf -n 20 --random-source=<(seeded))
+    choose 20)
 (cd "$folder/svg" && "$OLDPWD/$order" 10 "${strokes[@]}")

@@ -32,7 +32,7 @@ static void white_masks_cut(arb *a)
     /* black holes, gradients and strokes: all is drawn, and a line says so */
     static const char *const others[] = {
         "<path d='M0 0h9v9H0z'/><path d='M2 2h4v4z' fill='black'/>",
-        "<path d='M2 2h4v4z' fill='url(#gradient)'/>",
+        "<linearGradient id='g'/><path d='M2 2h4v4z' fill='url(#g)'/>",
         "<path d='M2 2h4v4z' fill='none' stroke='white'/>", "<path d='M2 2h4v4z' fill='gray'/>"
     };
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {

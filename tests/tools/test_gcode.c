@@ -129,6 +129,7 @@ static void hostile_lines_end(arb *a)
     FAILS("G91 G81 X1 Z-1 R1 L100001 F1\n", "part.nc:1: L of drilling is its number of holes: ");
     FAILS("G83 X1 Z-1e9 R1 Q1 F1\n", "part.nc:1: E: an extruder: ");
     FAILS("G83 X1 Z-900000 R1 Q1 F1\n", "part.nc:1: Q: the step of the pecks");
+    FAILS("G91 G83 X1 Z-50 R1 Q1 L50000 F1\n", "part.nc:1: Q: the step of the pecks");
 }
 
 /* A printer's file: heaters and extruder are left out, once told; G28 goes to 0; G0 has a feed. */

@@ -1,0 +1,74 @@
+/* tests/tools/test_pattern.c -- shapes that are filled with patterns, in SVG
+ * SPDX-License-Identifier: MIT
+ *
+ * Where the tiles are is what librsvg 2.54 shows.
+ */
+#include "tools/drawn.h"
+
+#define LINE "<path d='M0 1H4' fill='none' stroke='red'/>"
+#define TILE(attributes) "<pattern id='p' " attributes ">" LINE "</pattern>"
+#define USER "width='4' height='4' patternUnits='userSpaceOnUse' "
+#define FILLED(attributes)                                                                         \
+    "<rect x='2' y='2' width='8' height='4' fill='url(#p)' " attributes "/>"
+
+static void tiles_are_cut_at_the_shape(arb *a)
+{
+    (void)a;
+    DRAWS(TILE(USER) FILLED(""), "M 2 5 L 4 5 M 4 5 L 8 5 M 8 5 L 10 5");
+    DRAWS(TILE(USER "x='1' y='3'") FILLED(""), "M 2 4 L 5 4 M 5 4 L 9 4 M 9 4 L 10 4");
+    DRAWS(TILE(USER) FILLED("stroke='red'"), "M 2 5 L 4 5 M 4 5 L 8 5 M 8 5 L 10 5"
+                                             " M 2 2 L 10 2 L 10 6 L 2 6 L 2 2");
+    DRAWS(TILE(USER "patternTransform='scale(2)'") FILLED(""), "M 2 2 L 8 2 M 8 2 L 10 2");
+    DRAWS(TILE(USER) "<g transform='translate(1 0)'>" FILLED("") "</g>",
+          "M 3 5 L 5 5 M 5 5 L 9 5 M 9 5 L 11 5");
+    DRAWS(TILE(USER) "<path fill-rule='evenodd' fill='url(#p)' d='M0 0H9V3H0zM3 0H6V3H3z'/>",
+          "M 0 1 L 3 1 M 6 1 L 8 1 M 8 1 L 9 1");
+    CHECK(caught_lines == 0);
+}
+
+static void their_size_may_be_that_of_the_shape(arb *a)
+{
+    (void)a;
+    DRAWS(TILE("width='.5' height='.5'") FILLED(""),
+          "M 2 3 L 6 3 M 6 3 L 10 3 M 2 5 L 6 5 M 6 5 L 10 5");
+    DRAWS(TILE("x='25%' width='50%' height='1' viewBox='0 0 8 8'") FILLED(""),
+          "M 4 2.5 L 6 2.5 M 8 2.5 L 10 2.5");
+    DRAWS("<pattern id='p' width='.5' height='1' patternContentUnits='objectBoundingBox'>"
+          "<path d='M0 .5H.25' fill='none' stroke='red'/></pattern>" FILLED(""),
+          "M 2 4 L 4 4 M 6 4 L 8 4");
+}
+
+static void they_inherit_from_where_they_refer_to(arb *a)
+{
+    (void)a;
+    DRAWS("<g fill='none' stroke='red'><pattern id='q' " USER "><path d='M0 1H4'/></pattern></g>"
+          "<pattern id='p' href='#q' y='1'/>" FILLED(""),
+          "M 2 2 L 4 2 M 4 2 L 8 2 M 8 2 L 10 2 M 2 6 L 4 6 M 4 6 L 8 6 M 8 6 L 10 6");
+    DRAWS("<pattern id='p' href='#p'/>" FILLED("") LINE, "M 0 1 L 4 1");
+    DRAWS("<pattern id='p' " USER "><rect width='4' height='4' fill='url(#p)'/>" LINE
+          "</pattern>" FILLED(""),
+          "M 2 5 L 4 5 M 4 5 L 8 5 M 8 5 L 10 5");              /* not in itself */
+    DRAWS("<path d='M0 1H4' fill='url(#none)'/><path d='M0 2H4' fill='url(#none) red'/>",
+          "M 0 2 L 4 2");
+}
+
+static void too_many_are_left_out_and_told(arb *a)
+{
+    (void)a;
+    DRAWS("<pattern id='p' width='.01' height='.01' patternUnits='userSpaceOnUse'>" LINE
+          "</pattern>" FILLED("") LINE,
+          "M 0 1 L 4 1");
+    CHECK(caught_lines == 1 && strstr(caught, "pattern of 320000 tiles is left out"));
+    DRAWS(TILE("width='0' height='1'") FILLED("") LINE, "M 0 1 L 4 1");
+    DRAWS(TILE("") FILLED("") LINE, "M 0 1 L 4 1");
+    CHECK(caught_lines == 0);
+}
+
+int main(void)
+{
+    PROPERTY(tiles_are_cut_at_the_shape, 1);
+    PROPERTY(their_size_may_be_that_of_the_shape, 1);
+    PROPERTY(they_inherit_from_where_they_refer_to, 1);
+    PROPERTY(too_many_are_left_out_and_told, 1);
+    return check_failures();
+}
