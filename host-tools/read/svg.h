@@ -18,6 +18,7 @@
  *     svg_pattern.c shapes filled with patterns          -> tiles, cut at the shape
  *     svg_ink.c    colours, and which of them are drawn
  *     svg_text.c   text: letters, their places, runs     -> shaped glyphs -> pen
+ *     svg_rail.c   paths that carry text
  *     svg_font.c   properties of fonts
  *     svg_glyphs.c outlines of any installed font (pango, cairo)
  *     svg_lines.c  letters of single lines (Hershey's fonts)
@@ -463,6 +464,21 @@ bool svg_shape(svg_reader *r, const svg_space *space, bool *known);
 
 /* Draw the current element, a <text>. */
 bool svg_text(svg_reader *r, const svg_space *space);
+
+/* A path that carries text, in its user units. */
+typedef struct {
+    drawing d;                  /* user units times `scale` */
+    double scale;
+    double *until;              /* the length at each sample */
+    double length;
+} svg_rail;
+
+/* Lay what a shape draws; free with svg_free_rail. */
+bool svg_lay_rail(svg_reader *r, const xmlNode *node, const svg_space *space, svg_rail *out);
+void svg_free_rail(svg_rail *l);
+
+/* The place and the direction at a distance. Returns false beyond the ends. */
+bool svg_rail_at(const svg_rail *l, double distance, double at[2], double way[2]);
 
 /* The curve in the space that `m` maps to mm. */
 drawing_curve svg_within(const drawing_curve *c, const svg_matrix *m);

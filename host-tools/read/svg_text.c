@@ -17,7 +17,6 @@
 #define LETTERS_MAX 200000u     /* drawn ones, counting those of each <use>: a few seconds */
 #define RUN_COST    8           /* letters: what it takes to begin a run */
 #define DEGREE 0.017453292519943295769
-#define SAMPLES     32          /* of a curve that carries text */
 
 enum { HAS_X = 1, HAS_Y = 2, HAS_PLACE = HAS_X | HAS_Y, HAS_DX = 4, HAS_DY = 8 };
 
@@ -244,85 +243,6 @@ static bool collect(collection *c, const xmlNode *node, const svg_space *space, 
 }
 
 
-// Paths that carry text
-// ---------------------
-
-typedef struct {
-    drawing d;                  /* user units times `scale` */
-    double scale;
-    double *until;              /* the length at each sample */
-    double length;
-} rail;
-
-static bool lay_rail(svg_reader *r, const xmlNode *node, const svg_space *space, rail *out)
-{
-    drawing *const to    = r->d;
-    const xmlNode *was   = r->node;
-    svg_space alone      = *space;
-    bool known           = true;
-    const double factor  = svg_stretch(space->to_mm);
-
-    *out        = (rail){ .scale = factor > 0 ? factor : 1 };
-    alone.to_mm = (svg_matrix){ out->scale, 0, 0, out->scale, 0, 0 };
-    r->d        = &out->d;
-    r->node     = node;
-    char *turn  = svg_attribute(node, "transform");
-    bool good   = turn == NULL || svg_transform(r, turn, false, &alone.to_mm);
-    xmlFree(turn);
-    good    = good && svg_shape(r, &alone, &known);
-    r->d    = to;
-    r->node = was;
-    out->until = tool_grow(NULL, (out->d.count * SAMPLES + 1) * sizeof *out->until);
-    out->until[0] = 0;
-    for (size_t i = 0; i < out->d.count * SAMPLES; i++) {
-        const drawing_curve *c = &out->d.curve[i / SAMPLES];
-        double a[2], b[2];
-        drawing_eval(c, (double)(i % SAMPLES) / SAMPLES, a);
-        drawing_eval(c, (double)(i % SAMPLES + 1) / SAMPLES, b);
-        out->until[i + 1] = out->until[i] + hypot(b[0] - a[0], b[1] - a[1]) / out->scale;
-    }
-    out->length = out->until[out->d.count * SAMPLES];
-    return good;
-}
-
-static void free_rail(rail *l)
-{
-    drawing_free(&l->d);
-    free(l->until);
-}
-
-/* The place and the direction at a distance. Returns false beyond the ends. */
-static bool rail_at(const rail *l, double distance, double at[2], double way[2])
-{
-    size_t low = 0, high = l->d.count * SAMPLES;
-
-    if (!(distance >= 0 && distance <= l->length) || high == 0)
-        return false;
-    while (high - low > 1) {
-        const size_t middle = (low + high) / 2;
-        *(l->until[middle] <= distance ? &low : &high) = middle;
-    }
-    const drawing_curve *c = &l->d.curve[low / SAMPLES];
-    const double part      = l->until[low + 1] - l->until[low];
-    const double t =
-        ((double)(low % SAMPLES) + (part > 0 ? (distance - l->until[low]) / part : 0)) / SAMPLES;
-    double next[2], before[2];
-    drawing_eval(c, t, at);
-    drawing_eval(c, fmin(t + 0.5 / SAMPLES, 1), next);
-    drawing_eval(c, fmax(t - 0.5 / SAMPLES, 0), before);
-    drawing_deriv(c, t, way);
-    if (!(hypot(way[0], way[1]) > 1e-9))
-        for (int i = 0; i < 2; i++)
-            way[i] = next[i] - before[i];
-    const double length = hypot(way[0], way[1]);
-    for (int i = 0; i < 2; i++) {
-        way[i] = length > 0 ? way[i] / length : i == 0;
-        at[i] /= l->scale;
-    }
-    return true;
-}
-
-
 // Runs
 // ----
 
@@ -488,7 +408,7 @@ static bool draw_decoration(svg_reader *r, const svg_space *space, const run *u,
 }
 
 /* One run from l->at on, which moves to its end; along a rail, l->at[0] is the distance. */
-static bool draw_run(layout *l, const run *u, const rail *along)
+static bool draw_run(layout *l, const run *u, const svg_rail *along)
 {
     const letter *first   = &l->c->letter[u->first];
     const stretch *of     = &l->c->stretch[first->stretch];
@@ -511,7 +431,7 @@ static bool draw_run(layout *l, const run *u, const rail *along)
         double at[2] = { l->at[0], y }, way[2] = { 1, 0 };
         bool shown   = seen;
         if (along != NULL) {
-            shown = rail_at(along, l->at[0] + wide / 2, at, way) && shown;
+            shown = svg_rail_at(along, l->at[0] + wide / 2, at, way) && shown;
             for (int i = 0; i < 2; i++)
                 at[i] += -way[i] * wide / 2 + (i == 0 ? -way[1] : way[0]) * y;
         }
@@ -539,7 +459,7 @@ static bool draw_chunk(layout *l, size_t first, size_t last)
     const stretch *of    = &l->c->stretch[begins->stretch];
     const svg_font *f    = &of->space.font;
     double wide          = 0;
-    rail along           = { .scale = 1 };
+    svg_rail along           = { .scale = 1 };
     bool good            = true;
 
     for (size_t k = first; k < last; k++)
@@ -550,7 +470,7 @@ static bool draw_chunk(layout *l, size_t first, size_t last)
         l->at[1] = begins->y;
     if (of->path != NULL) {
         l->c->r->node = of->node;
-        good     = lay_rail(l->c->r, of->path, &of->space, &along);
+        good     = svg_lay_rail(l->c->r, of->path, &of->space, &along);
         l->at[0] = of->offset * (of->part ? along.length : 1);
         l->at[1] = 0;
     }
@@ -561,7 +481,7 @@ static bool draw_chunk(layout *l, size_t first, size_t last)
     for (size_t k = first; k < last && good; k++)
         good = draw_run(l, &l->all[k], of->path ? &along : NULL);
     if (of->path != NULL)
-        free_rail(&along);
+        svg_free_rail(&along);
     return good;
 }
 
