@@ -19,7 +19,19 @@ void loft_port_slot(void)
     slots = slots + 1;
 }
 
-void loft_port_tick(void) { loft_machine_tick(&machine); }
+void loft_port_tick(void)
+{
+    static uint16_t given[LOFT_MACHINE_OUTPUTS + 1];
+
+    loft_machine_tick(&machine);
+    for (int k = 1; k <= machine.drive.output_count; k++) {
+        const uint16_t level = loft_drive_output(&machine.drive, k);
+        if (level != given[k]) {
+            given[k] = level;
+            loft_port_output(k, level);
+        }
+    }
+}
 
 loft_step_tick *loft_port_take(uint8_t *count, uint8_t *dir)
 {

@@ -44,6 +44,11 @@ void     loft_port_pins(uint8_t step_bits, uint8_t dir_bits);
  * comes soon: when there is room, or with the next slot. */
 size_t   loft_port_write(const uint8_t *bytes, size_t count);
 
+/* Set output number `output`, 1 .. info.outputs, to `level`; 65535 is full. Called from
+ * loft_port_tick when the level changes, at the beginning of a tick; a board whose info.outputs is
+ * 0 does nothing. Outputs are off when loft_port_init returns. */
+void     loft_port_output(int output, uint16_t level);
+
 /* The inputs that are closed now, a sum of LOFT_INPUT_ (wire/message.h); 0 on a board without
  * inputs. switches.h may help. Called from the main loop and, while a guard waits, in each slot. */
 uint16_t loft_port_inputs(void);

@@ -53,6 +53,8 @@ static const row rows[] = {
     { "limit", "", AT(limit_opens), true, true, false, 0, 1, 0, { "closes", "opens" } },
     { "probe", "", AT(probe_opens), false, true, false, 0, 1, 0, { "closes", "opens" } },
     { "buttons", "", AT(buttons_open), false, true, false, 0, 1, 0, { "closes", "opens" } },
+    { "drive", "", AT(drive), true, true, false, 0, 1, 0, { "step", "servo" } },
+    { "servo_zero", "us", AT(servo_zero), false, true, false, 10, 2550, 0, { 0 } },
     { "idle", "s", AT(idle), false, true, false, 0, 254, 0, { 0 } },
     { "pulse", "us", AT(pulse), false, true, false, 1, 254, 0, { 0 } },
     { "pen_up", "mm", AT(pen_up), false, false, false, -16383, 16383, 0, { 0 } },
@@ -114,6 +116,8 @@ machine_file machine_usual(void)
                        .pen_up = 1,
                        .idle = -1,
                        .pulse = -1,
+                       .drive = { -1, -1, -1 },
+                       .servo_zero = -1,
                        .s_max = 1000,
                        .tick_hz = 1000,
                        .slots = 40,
@@ -320,6 +324,18 @@ static int check_table(const reading *r)
     return 0;
 }
 
+/* A machine has pins for one servo. */
+static int check_drive(const reading *r)
+{
+    for (int i = 0; i < 2; i++)
+        if (r->m->drive[i] > 0)
+            return tool_error(EX_DATAERR,
+                              "%s:%u: %c.drive = servo: only z can be one: write "
+                              "z.drive = servo",
+                              r->file, line_of(r, (size_t)(find_row("drive", 5) - rows)), "xy"[i]);
+    return 0;
+}
+
 static int check_delta(const reading *r)
 {
     const kinematics *k = &r->m->k;
@@ -363,6 +379,8 @@ static int check_machine(const reading *r)
 
     if (code == 0)
         code = check_table(r);
+    if (code == 0)
+        code = check_drive(r);
     if (code == 0 && r->m->k.kind == ENGINE_DELTA)
         code = check_delta(r);
     if (code == 0 && r->m->k.kind == ENGINE_COREXY)
@@ -428,6 +446,7 @@ static enum machine_keeper keeper_of(const row *k)
         { "reversed", MACHINE_OBEYS },     { "limit", MACHINE_OBEYS },
         { "probe", MACHINE_OBEYS },        { "buttons", MACHINE_OBEYS },
         { "idle", MACHINE_OBEYS },         { "pulse", MACHINE_OBEYS },
+        { "drive", MACHINE_OBEYS },        { "servo_zero", MACHINE_OBEYS },
         { "tick_hz", MACHINE_FIRMWARE },   { "slots", MACHINE_FIRMWARE },
         { "ramp", MACHINE_FIRMWARE },      { "queue", MACHINE_FIRMWARE },
         { "curves", MACHINE_FIRMWARE },    { "corner", MACHINE_PLAN },

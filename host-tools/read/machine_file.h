@@ -29,6 +29,8 @@ typedef struct {
     double park[ENGINE_AXES], pen_up, pen_down;     /* places of `loft park` and `loft pen` */
     double reversed[ENGINE_AXES];           /* 1: the motor turns the other way */
     double limit_opens[ENGINE_AXES], probe_opens, buttons_open;    /* 1: the contact opens */
+    double drive[ENGINE_AXES], servo_zero;  /* 1: a servo; us of its pulse at 0; below 0: not
+                                             * given */
     double idle, pulse;                     /* s to the motors' rest, 0: none; us; below 0: not
                                              * given */
     double s_max, spin_up, laser;           /* S of full power; s until the spindle turns; 1: it is

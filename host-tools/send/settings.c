@@ -123,6 +123,8 @@ static void read_wiring(settings *s, const uint8_t *wiring)
     }
     m->probe_opens  = (opens & LOFT_INPUT_PROBE) != 0;
     m->buttons_open = (opens & LOFT_INPUT_STOP) != 0;
+    m->drive[2]     = obeys(s, LOFT_WIRING_SERVO) ? wiring[LOFT_WIRING_SERVO] > 0 : -1;
+    m->servo_zero   = wiring[LOFT_WIRING_SERVO] > 0 ? 10 * wiring[LOFT_WIRING_SERVO] : -1;
     m->idle         = obeys(s, LOFT_WIRING_IDLE) ? wiring[LOFT_WIRING_IDLE] : -1;
     m->pulse        = obeys(s, LOFT_WIRING_PULSE) ? wiring[LOFT_WIRING_PULSE] : -1;
 }
@@ -189,6 +191,9 @@ static void write_axes(const machine_file *m, uint8_t *block)
     }
 }
 
+/* us; the middle of a servo without a word. */
+static double servo_zero(const machine_file *m) { return m->servo_zero > 0 ? m->servo_zero : 1500; }
+
 static void write_wiring(const machine_file *m, uint8_t *wiring)
 {
     unsigned reversed = 0, opens = 0;
@@ -200,6 +205,7 @@ static void write_wiring(const machine_file *m, uint8_t *wiring)
     opens |= m->probe_opens > 0 ? LOFT_INPUT_PROBE : 0;
     opens |= m->buttons_open > 0 ? LOFT_INPUT_STOP | LOFT_INPUT_HOLD | LOFT_INPUT_RESUME : 0;
     wiring[LOFT_WIRING_REVERSED]  = (uint8_t)reversed;
+    wiring[LOFT_WIRING_SERVO]     = (uint8_t)(m->drive[2] > 0 ? lround(servo_zero(m) / 10) : 0);
     wiring[LOFT_WIRING_PULSE]     = (uint8_t)fmax(m->pulse, 0);
     wiring[LOFT_WIRING_IDLE]      = (uint8_t)fmax(m->idle, 0);
     wiring[LOFT_WIRING_OPENS]     = (uint8_t)(opens & 0xFF);
@@ -218,9 +224,10 @@ static int check_obeyed(const settings *s, const talk *t)
     }
     const char *key = reversed && !obeys(s, LOFT_WIRING_REVERSED) ? "reversed"
                       : opens && !obeys(s, LOFT_WIRING_OPENS)     ? "contacts that open"
+                      : m->drive[2] > 0 && !obeys(s, LOFT_WIRING_SERVO) ? "drive"
                       : m->idle >= 0 && !obeys(s, LOFT_WIRING_IDLE) ? "idle"
                       : m->pulse >= 0 && !obeys(s, LOFT_WIRING_PULSE) ? "pulse"
-                                                                      : NULL;
+                                                                        : NULL;
 
     return key == NULL
                ? 0

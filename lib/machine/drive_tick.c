@@ -340,7 +340,10 @@ void loft_drive_next(loft_drive *d)
     }
     steer_pace(d, ended);
     if (walk_is_missing(d)) {
-        d->slowed += loft_step_done(&d->step) && loft_pace_distance(&d->pace);
+        if (loft_step_done(&d->step)) {
+            d->slowed += loft_pace_distance(&d->pace) > 0;
+            loft_outputs_rest(&d->outputs);
+        }
         return;
     }
 

@@ -119,13 +119,16 @@ void loft_outputs_prepare(loft_outputs *o, uint16_t slots, uint16_t lasts)
         known = true;
         /* 2^32 * 2^36 / 2^20, of which levels up to 16 times full count */
         const uint64_t at_one = (uint64_t)o->output[k].order * way >> 20;
-        const uint32_t level  = (at_one > 16 * FULL ? 16 * FULL : (uint32_t)at_one) * slots / lasts;
+        uint32_t level        = at_one > 16 * FULL ? 16 * FULL : (uint32_t)at_one;
+        if (lasts != slots)
+            level = level * slots / lasts;
         o->output[k].next     = (uint16_t)(level > FULL ? FULL : level);
     }
 }
 
 void loft_outputs_run(loft_outputs *o)
 {
+    o->runs = (uint8_t)(o->runs + 1);
     for (int k = 0; k < LOFT_MACHINE_OUTPUTS; k++)
         o->output[k].now = o->output[k].next;
 }

@@ -25,6 +25,7 @@ typedef struct {
         volatile uint16_t now;      /* of the running tick */
         uint8_t  mode;              /* see outputs.c */
     } output[LOFT_MACHINE_OUTPUTS];
+    uint8_t runs;                   /* ticks that began to run, modulo 256 */
     int32_t place[LOFT_AXES];       /* raw mm, at the end of the prepared tick */
     int32_t by[LOFT_AXES];          /* raw mm, in that tick */
 } loft_outputs;

@@ -19,7 +19,8 @@ LOFT_BEGIN_C
 /* Bytes of `wiring`: how pins and contacts are wired. */
 enum loft_wiring {
     LOFT_WIRING_REVERSED,       /* bit i: the motor of axis i turns the other way               */
-    LOFT_WIRING_LOW,            /* bit i: step pulses of axis i are low                         */
+    LOFT_WIRING_SERVO,          /* 10 us: the third axis is a servo, with this pulse at 0 and 1 us
+                                 * more for each step; 0: it is a motor                         */
     LOFT_WIRING_PULSE,          /* us: the length of a step pulse                               */
     LOFT_WIRING_IDLE,           /* s: motors at rest are switched off after it; 0: never        */
     LOFT_WIRING_OPENS,          /* and the next byte: LOFT_INPUT_ of contacts that open         */

@@ -33,7 +33,7 @@
 #  define LOFT_SLOTS 80             /* per tick of 1 ms: 80,000 steps per second and axis */
 #endif
 #define ANSWER_MOST (47 + 4 * LOFT_AXES)    /* bytes of STATUS, the longest answer: WIRE.md */
-#define CELLS (LOFT_MACHINE_OUTPUTS ? 11 : 12)  /* as many as fit in RAM */
+#define CELLS (12 - (LOFT_MACHINE_OUTPUTS > 0) - LOFT_SERVO)   /* as many as fit in RAM */
 
 /* The machine. steps/mm, mm/s, mm/s^2, mm/s^3 */
 #define AXIS { LOFT_RAW(250), LOFT_RAW(320), LOFT_RAW(500), 10000 }
@@ -65,7 +65,9 @@ static void eeprom_put(uint16_t at, uint8_t byte)
 }
 
 #define IN_FORCE(k) config.settings.wiring[k]
-#define OBEYED      (1 << LOFT_WIRING_REVERSED | 1 << LOFT_WIRING_IDLE | 1 << LOFT_WIRING_OPENS)
+#define OBEYED                                                                                     \
+    (1 << LOFT_WIRING_REVERSED | 1 << LOFT_WIRING_IDLE | 1 << LOFT_WIRING_OPENS |                  \
+     LOFT_SERVO << LOFT_WIRING_SERVO)
 
 static volatile loft_cell cells[CELLS];
 static loft_machine machine;
@@ -298,6 +300,8 @@ static void watch_switches(void)
         return;
     sampled = TCNT0;
     watch_motors(sampled);
+    watch_servo(&machine.drive, IN_FORCE(LOFT_WIRING_SERVO),
+                IN_FORCE(LOFT_WIRING_REVERSED) & 1 << 2);
     const uint16_t closed = closed_inputs();
 
     cli();

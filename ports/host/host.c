@@ -134,8 +134,9 @@ static int start_machine(struct host *h)
     c->settings.get = host_memory_get;
     c->settings.put = host_memory_put;
     c->settings.room = HOST_MEMORY_ROOM;
-    c->settings.wiring[LOFT_WIRING_OBEYED] = 1 << LOFT_WIRING_REVERSED | 1 << LOFT_WIRING_OPENS |
-                                             (h->board ? 0 : 1 << LOFT_WIRING_IDLE);
+    c->settings.wiring[LOFT_WIRING_OBEYED] =
+        1 << LOFT_WIRING_REVERSED | 1 << LOFT_WIRING_OPENS |
+        (h->board ? 0 : 1 << LOFT_WIRING_IDLE | 1 << LOFT_WIRING_SERVO);
     c->senses = !h->board;              /* a board gives its slots later than they are made */
     c->ramp = (uint16_t)(o->ramp <= UINT16_MAX ? o->ramp : 0);
     c->cells = (uint16_t)(o->queue <= LOFT_QUEUE_MAX ? o->queue : 0);

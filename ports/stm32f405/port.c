@@ -116,6 +116,13 @@ uint32_t cortex_given(void) { return (STREAM_WORDS - REG(WORDS + 0x04)) % STREAM
 
 void cortex_acknowledge(void) { REG(DMA2 + 0x0C) = 0x0F40; }   /* HIFCR: stream 5 */
 
+/* It has none. */
+void loft_port_output(int output, uint16_t level)
+{
+    (void)output;
+    (void)level;
+}
+
 /* An emulator without this port does not keep pull-ups, and has no switches. */
 uint16_t loft_port_inputs(void)
 {

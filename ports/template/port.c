@@ -46,6 +46,15 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
     return count;
 }
 
+/* Drive a laser, a spindle, a coolant: a duty cycle of level / 65535. Their number is
+ * `.outputs` of the info. A pin floats while the chip is in reset: give it a resistor to its off
+ * side. */
+void loft_port_output(int output, uint16_t level)
+{
+    (void)output;
+    (void)level;
+}
+
 /* Read the pins of limit switches and buttons: see switches.h. */
 uint16_t loft_port_inputs(void) { return 0; }
 

@@ -2186,6 +2186,17 @@ case_the_walk_through_the_page_of_the_boards() {
     says out '^touched at 100.000 50.000 0.000$'
     says out '^the tool is at 0.000 0.000 2.000$'
 }
+case_a_servo_in_the_settings() {
+    machine servo --speed fast
+    run 0 "$loft" set z.drive=servo servo_zero=1234 z.steps_per_mm=100 --port "$tmp/servo"
+    run 0 "$loft" settings --port "$tmp/servo"
+    says out '^z.drive = servo$'; says out '^servo_zero = 1230$'
+    one_line 65 'x.drive = servo: only z can be one' "$loft" set x.drive=servo --port "$tmp/servo"
+    run 0 "$loft" set z.drive=step --port "$tmp/servo"
+    run 0 "$loft" settings --port "$tmp/servo"
+    says out '^z.drive = step$'
+    ! grep -q servo_zero "$tmp/out" || job_fails "a motor with $(grep servo_zero "$tmp/out")"
+}
 case_home_says_what_is_wrong() {
     home_file
     local file=(--machine "$tmp/home.txt")

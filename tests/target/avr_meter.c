@@ -89,16 +89,15 @@ static void pin_changed(struct avr_irq_t *irq, uint32_t value, void *param)
     }
 }
 
-/* The outputs: D11, in 1/255 as the timer gives it, and A3. Duty n + 1 of 256 is recorded as n of
- * 255, and a pin that is no output as 0. */
+/* The outputs: D11 in 1/256, as the timer gives it, and A3. A pin that is no output is off. */
 static void watch_outputs(struct meter *m)
 {
     const uint8_t *data = m->avr->data;
-    const uint8_t power = data[DDRB] & data[TCCR2A] >> 4 & 1 << 3 ? data[OCR2A] : 0,
-                  coolant = data[DDRC] & data[PORTC] & 1 << 3;
+    const uint16_t power = data[DDRB] & data[TCCR2A] >> 4 & 1 << 3 ? data[OCR2A] + 1u : 0;
+    const uint8_t coolant = data[DDRC] & data[PORTC] & 1 << 3;
 
     if (power != m->power)
-        host_record_output(&m->record, m->avr->cycle, 1, (uint16_t)(power * 257));
+        host_record_output(&m->record, m->avr->cycle, 1, (uint16_t)(power ? power * 256u - 1 : 0));
     if (coolant != m->coolant)
         host_record_output(&m->record, m->avr->cycle, 2, coolant ? 65535 : 0);
     m->power   = power;
@@ -115,6 +114,7 @@ void meter_init(struct meter *m, avr_t *avr, uint32_t tick_pc)
     for (int pin = 2; pin < 8; pin++)
         avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_IOPORT_GETIRQ('D'), pin), pin_changed,
                                 m);
+    avr_servo_init(&m->servo, avr);
     avr->run_cycle_limit = 1;
 }
 
@@ -187,6 +187,7 @@ void meter_run(struct meter *m)
         m->deepest_pc = pc;
     }
     watch_outputs(m);
+    avr_servo_run(&m->servo, m->record.file);
 
     if (m->depth && (instruction == RETI || (instruction == RET && m->nest[m->depth].kind == TICK &&
                                              stack(avr) > m->nest[m->depth].sp)))

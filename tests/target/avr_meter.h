@@ -12,6 +12,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "avr_servo.h"
 #include "host/record.h"    /* struct host_record */
 
 enum { MAIN, SLOT, TICK, RECEIVE, CONTEXTS };
@@ -52,7 +53,9 @@ struct meter {
     uint64_t when, rose[3], turned[3], last[3];
     uint64_t pulse_least, pulse_most, setup_least, hold_least, between_least;
     uint64_t pulses[3];
-    uint8_t power, coolant;                         /* outputs at the pins: see watch_outputs */
+    uint16_t power;                                 /* outputs at the pins: see watch_outputs */
+    uint8_t coolant;
+    struct avr_servo servo;
     uint64_t path[3];                               /* a hash of the order of each axis' steps */
 };
 
