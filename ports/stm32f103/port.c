@@ -101,4 +101,11 @@ uint32_t cortex_given(void) { return (STREAM_WORDS - REG(WORDS + 0x04)) % STREAM
 
 void cortex_acknowledge(void) { REG(DMA1 + 0x04) = 0xFu << 16; }     /* IFCR: channel 5 */
 
+/* It has none. */
+void loft_port_output(int output, uint16_t level)
+{
+    (void)output;
+    (void)level;
+}
+
 uint16_t loft_port_inputs(void) { return loft_switches_of(~REG(GPIOB + 0x08) >> INPUTS & 0x3F); }
