@@ -67,7 +67,8 @@ bench-motion: $(MOTION)/moves $(foreach w,$(MOTION_WHAT),$(MOTION)/$(w)-q16 $(MO
 	@bash tests/bench/bench_motion.sh $(MOTION) $(CASES)
 
 # --- drawings of Debian's packages ----------------------------------------------------------------
-build/bench/order build/bench/rsvg: build/bench/%: tests/bench/bench_%.c $(filter-out %/loft.o,$(TOOL_OBJ)) $(TOOL_LIBS)
+build/bench/order build/bench/rsvg: build/bench/%: tests/bench/bench_%.c \
+        $(filter-out %/loft.o,$(TOOL_OBJ)) $(TOOL_LIBS)
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(INCLUDE) -Itests $(BUILT) $(filter-out $(DEPS),$(TOOL_STD)) \
