@@ -174,6 +174,7 @@
 #define loft_chain_init            LOFT_NAME(loft_chain_init)
 #define loft_chain_place           LOFT_NAME(loft_chain_place)
 #define loft_chain_push            LOFT_NAME(loft_chain_push)
+#define loft_chain_try             LOFT_NAME(loft_chain_try)
 #define loft_chain_turn            LOFT_NAME(loft_chain_turn)
 #define loft_chord_aim             LOFT_NAME(loft_chord_aim)
 #define loft_chord_foot            LOFT_NAME(loft_chord_foot)

@@ -44,15 +44,28 @@ bool loft_chain_advance(const loft_chain *chain, loft_chain_walk *w)
         w->to = to;
         if (arc.dust || loft_coord_of(arc.length) < DUST)
             continue;
+        loft_arc_pace(&arc, curve, from, to, arc.speck);
+        const loft_coord length = loft_coord_of(arc.length);
+        if (length < DUST)
+            continue;
         w->arc  = arc;
         w->from = from;
         w->s += w->length;
-        loft_arc_pace(&w->arc, curve, from, to, arc.speck);
-        w->length = loft_coord_of(w->arc.length);
-        if (w->length >= DUST)
-            return true;
-        w->length = 0;
+        w->length = length;
+        return true;
     }
+}
+
+bool loft_chain_try(const loft_chain *chain, loft_chain_walk *w)
+{
+    const uint32_t to = w->to;
+    const uint16_t number = w->number;
+
+    if (loft_chain_advance(chain, w))
+        return true;
+    w->to = to;
+    w->number = number;
+    return false;
 }
 
 void loft_chain_place(const loft_chain_walk *w, loft_coord off, loft_position *out)
@@ -67,13 +80,9 @@ void loft_chain_place(const loft_chain_walk *w, loft_coord off, loft_position *o
 loft_coord loft_chain_go(const loft_chain *chain, loft_chain_walk *w, int64_t s, loft_position *out)
 {
     loft_coord feed = loft_chain_feed(chain, w->number);
-    loft_chain_walk last = *w;
 
-    while (s > w->s + w->length && loft_chain_advance(chain, w)) {
+    while (s > w->s + w->length && loft_chain_try(chain, w))
         feed = least(feed, loft_chain_feed(chain, w->number));
-        last = *w;
-    }
-    *w = last;
     const int64_t off = s - w->s;
     loft_chain_place(w, off < w->length ? (loft_coord)off : w->length, out);
     return feed;

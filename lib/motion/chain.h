@@ -82,8 +82,11 @@ static inline bool loft_chain_walked(const loft_chain *chain, const loft_chain_w
 /* Stand before the first arc. */
 void loft_chain_begin(const loft_chain *chain, loft_chain_walk *w);
 
-/* Go to the next arc; false: it is not known yet. */
+/* Go to the next arc; false: it is not known yet, and all before it have been passed. */
 bool loft_chain_advance(const loft_chain *chain, loft_chain_walk *w);
+
+/* Go to the next arc, or stay on this one. */
+bool loft_chain_try(const loft_chain *chain, loft_chain_walk *w);
 
 /* Walk to the length s, or to the last arc; gives the least feed on the way. */
 loft_coord loft_chain_go(const loft_chain *chain, loft_chain_walk *w, int64_t s,

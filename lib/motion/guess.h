@@ -12,7 +12,7 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_GUESS_KNOTS (LOFT_PLAN_EFFORT > 1 ? 80 : 8)
+#define LOFT_GUESS_KNOTS (LOFT_PLAN_EFFORT > 1 ? 80 : 3)  /* little effort: not used */
 #define LOFT_GUESS_QUEUE 4
 #define LOFT_GUESS_ROUNDS (LOFT_PLAN_EFFORT > 1 ? 2 : 1)  /* the second begins better */
 

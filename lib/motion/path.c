@@ -374,10 +374,8 @@ static loft_coord skipped(loft_path *path, unsigned k)
                 const loft_coord off = off_at(path, &w, at, joint);
                 most = off > most ? off : most;
             }
-            loft_chain_walk next = w;
-            if (!loft_chain_advance(&path->chain, &next))
+            if (!loft_chain_try(&path->chain, &w))
                 break;
-            w = next;
             if (w.s <= at[1]->s)
                 path->ahead = w;
         }

@@ -19,11 +19,11 @@ LOFT_BEGIN_C
 
 /* A place of the path. */
 typedef struct {
+    int64_t    s;           /* from the start of the chain */
     loft_position at;
     loft_coord feed;        /* the speed that is asked for from the last place to this one */
     loft_coord skip;        /* how far the path is from the cubic through four places
                              * (loft_path_between), from this one to the next */
-    int64_t    s;           /* from the start of the chain */
     uint16_t   number;      /* of its curve */
     bool       sharp;       /* it is a corner */
     bool       loose;       /* up to the next one it is near corners */

@@ -14,12 +14,16 @@
 #define ALL       (LOFT_PLAN_EFFORT > 1)
 #define STEP      (ALL ? 20 : 32)    /* knots at a time, and what they need on both sides */
 #define SWEEPS    60                 /* of smoothing */
+#define MEASURED  (ALL ? 1024u : 32u) /* knots that are measured at once */
 #define AT_ONCE   (ALL ? SWEEPS : 6) /* of them in a part */
 #define RAISES    (ALL ? 4 : 1)      /* of a whole chain 4 times as many */
 #define REFINED   (ALL ? 2 : 0)
 #define SETTLED   64 /* knots before new ones that are raised again */
 #define MARGIN    4  /* of them, by which is seen if ones before hinder */
 #define CREEP     (LOFT_V2_ONE / 1024)
+
+
+enum stage { IDLE, FILLING, MEASURING, SMOOTHING_THEM, PLACING, AIMING, RAISING };
 
 
 // Knots
@@ -117,12 +121,22 @@ static unsigned first_loose(const loft_plan *plan) { return plan->placed < 3 ? 3
 
 static void begin_smoothing(loft_plan *plan)
 {
-    const unsigned from = first_loose(plan);
-
     loft_tube_load(plan->knot, plan->known > 1 ? plan->known - 1u : 1, plan->count - 1u);
     loft_tube_tie(plan->knot, plan->count, plan->placed == 0, plan->ended);
-    if (from + 3 < plan->count)
-        loft_tube_measure(&plan->period, plan->knot, from, plan->count - 3u);
+    plan->part = plan->sweep = 0;
+    plan->stage = MEASURING;
+}
+
+/* A part of measuring how far points may be moved; true: that was the last. */
+static bool measure(loft_plan *plan)
+{
+    const unsigned from = first_loose(plan) + plan->part * MEASURED, to = plan->count - 3u;
+
+    if (from >= to)
+        return true;
+    loft_tube_measure(&plan->period, plan->knot, from, from + MEASURED < to ? from + MEASURED : to);
+    plan->part++;
+    return from + MEASURED >= to;
 }
 
 /* Fix what is far enough from the end. */
@@ -216,8 +230,6 @@ static bool raise(loft_plan *plan)
     return false;
 }
 
-enum stage { IDLE, FILLING, SMOOTHING_THEM, PLACING, AIMING, RAISING };
-
 static void begin_raising(loft_plan *plan, unsigned sweeps)
 {
     plan->old = plan->timed;
@@ -288,11 +300,12 @@ static enum loft_path_state load(loft_plan *plan)
         state = fill(plan);
         if (state == LOFT_PATH_WAIT || plan->count == 0)
             return state;
-        if (state == LOFT_PATH_END) {
+        if (state == LOFT_PATH_END)
             begin_smoothing(plan);
-            plan->sweep = 0;
+        break;
+    case MEASURING:
+        if (measure(plan))
             plan->stage = SMOOTHING_THEM;
-        }
         break;
     case SMOOTHING_THEM:
         if (first_loose(plan) + 3 < plan->count)

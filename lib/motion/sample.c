@@ -7,6 +7,7 @@
 #include "motion/sample.h"
 
 #define ONE         ((int32_t)1 << 30)
+#define CLOSE       256                         /* of a time, 2^-22 of a period */
 
 /* b at the part z, 2^-24. */
 static int64_t pace_at(const loft_knot knot[], unsigned k, int32_t z)
@@ -68,6 +69,8 @@ int32_t loft_sample_part(const loft_sample *at, const loft_knot knot[])
     for (int n = 0; n < 4; n++) {
         z = z > ONE ? ONE : z < 0 ? 0 : z;
         const int64_t off = at->time - time_to(knot, k, (int32_t)z);
+        if (loft_long_abs(off) < CLOSE)
+            break;
         z += (off >> 8) * (root_at(knot, k, (int32_t)z) >> 8) >> 13;
     }
     return z > ONE ? ONE : z < 0 ? 0 : (int32_t)z;

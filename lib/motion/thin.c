@@ -42,6 +42,18 @@
                              * beyond the limits */
 
 
+/* x / n, towards 0, too large by less than 2^-32 of x; n > 0. */
+static int64_t over(int64_t x, int32_t n)
+{
+    const uint32_t inverse = UINT32_MAX / (uint32_t)n + 1;
+    const uint64_t size = (uint64_t)loft_long_abs(x);
+    const int64_t q = (int64_t)((size >> 32) * inverse +
+                                ((uint32_t)size * (uint64_t)inverse >> 32));
+
+    return n == 1 ? x : x < 0 ? -q : q;
+}
+
+
 // The spline
 // ----------
 
@@ -59,7 +71,7 @@ typedef struct {
 static int64_t velocity(const loft_thin *t, unsigned k, int i)
 {
     const int64_t leg = t->point[k].at[i] - t->point[k - 1].at[i];
-    return leg * ((int32_t)3 << FINE) / from_to(t, k - 2, k + 1);
+    return over(leg * ((int32_t)3 << FINE), from_to(t, k - 2, k + 1));
 }
 
 /* V[from .. to] and A[from .. to - 1]; it rests beyond the ends of the chain. */
@@ -70,7 +82,7 @@ static void load(const loft_thin *t, int i, unsigned from, unsigned to, rates *o
     for (unsigned k = from; k < to; k++)
         out->a[k] = k < FIRST || k + 2u >= t->count
                         ? 0
-                        : 2 * (out->v[k + 1] - out->v[k]) / from_to(t, k - 1, k + 1);
+                        : over(2 * (out->v[k + 1] - out->v[k]), from_to(t, k - 1, k + 1));
 }
 
 /* The span from knot k: its ends from the start, in sixths of units, and its velocities there. */
@@ -80,8 +92,8 @@ typedef struct {
 
 static int64_t velocity_at(const loft_thin *t, unsigned k, const rates *r)
 {
-    return (r->v[k] * from_to(t, k, k + 1) + r->v[k + 1] * from_to(t, k - 1, k)) /
-           from_to(t, k - 1, k + 1);
+    return over(r->v[k] * from_to(t, k, k + 1) + r->v[k + 1] * from_to(t, k - 1, k),
+                from_to(t, k - 1, k + 1));
 }
 
 static ends_of_axis ends_of(const loft_thin *t, unsigned k, int i, const rates *r)
@@ -96,6 +108,16 @@ static ends_of_axis ends_of(const loft_thin *t, unsigned k, int i, const rates *
 }
 
 
+/* Do points from .. to lie at one place of an axis? As a rule one of three axes stands still. */
+static bool is_still(const loft_thin *t, unsigned from, unsigned to, int i)
+{
+    for (unsigned k = from + 1; k <= to; k++)
+        if (t->point[k].at[i] != t->point[from].at[i])
+            return false;
+    return true;
+}
+
+
 // Fewer knots
 // -----------
 
@@ -105,7 +127,7 @@ typedef struct {
 } pair;
 
 /* x a / b, for |x| < 2^46 */
-static int64_t part(int64_t x, int32_t a, int32_t b) { return x * a / b; }
+static int64_t part(int64_t x, int32_t a, int32_t b) { return over(x * a, b); }
 
 static void set_pair(const loft_thin *t, unsigned j, pair *out)
 {
@@ -117,6 +139,11 @@ static void set_pair(const loft_thin *t, unsigned j, pair *out)
                   shares = one + (begins ? 0 : (b_all - b) * a_all * (one / b_all) / a) +
                            (ends ? 0 : b * c_all * (one / b_all) / c);
     for (int i = 0; i < LOFT_AXES; i++) {
+        if (is_still(t, j - 2, j + 2, i)) {
+            out->left[i] = out->right[i] = t->point[j].at[i];
+            out->off[i] = 0;
+            continue;
+        }
         const int64_t at[5] = { t->point[j - 2].at[i], t->point[j - 1].at[i], t->point[j].at[i],
                                 t->point[j + 1].at[i], t->point[j + 2].at[i] };
         int64_t left = at[1] + part(at[1] - at[0], a_all - a, a),
@@ -157,8 +184,8 @@ static bool axis_is_close(const loft_thin *t, unsigned k, int i, const rates *r,
 {
     const ends_of_axis e = ends_of(t, k, i, r);
     const int32_t n = from_to(t, k, k + 1);
-    const int64_t most = t->period->off, d3 = (r->a[k + 1] - r->a[k]) / n;
-    int64_t at = e.six_p0 * ((int32_t)1 << FINE) / 6, d1 = e.v0 + r->a[k] / 2 + d3 / 6,
+    const int64_t most = t->period->off, d3 = over(r->a[k + 1] - r->a[k], n);
+    int64_t at = over(e.six_p0 * ((int32_t)1 << FINE), 6), d1 = e.v0 + r->a[k] / 2 + over(d3, 6),
             d2 = r->a[k] + d3;
 
     for (int32_t m = 1; m <= n; m++) {
@@ -195,6 +222,8 @@ static bool is_good(const loft_thin *t, unsigned a)
     rates r;
 
     for (int i = 0; i < LOFT_AXES; i++) {
+        if (is_still(t, a > 3 ? a - 3 : 0, a + 5u < t->count ? a + 5 : t->count - 1u, i))
+            continue;
         load(t, i, a - 2, a + 4, &r);
         if (!axis_holds(t, a, i, &r))
             return false;
@@ -294,13 +323,14 @@ static int64_t cost_of(steps_of_axis x, const wanted *w)
 static steps_of_axis rounded(const wanted *w)
 {
     const int64_t f0 = floor_of(w->n0, SIX_GRAINS), f1 = floor_of(w->n1, SIX_GRAINS);
+    const int32_t left = (int32_t)floor_of(3 * w->v + w->way + 3 * SIX_GRAINS, SIX_GRAINS);
     steps_of_axis best = { 0, f0, f1 };
     int64_t least = INT64_MAX;
 
     for (int n = 0; n < 12; n++) {
         steps_of_axis x = { n / 4 - 1, f0 + (n & 1), f1 + (n >> 1 & 1) };
-        const int64_t left = w->way - (2 * x.n0 + x.n1) * SIX_GRAINS;       /* for 3 v */
-        x.v += floor_of(3 * w->v + left + 3 * SIX_GRAINS, 6 * SIX_GRAINS);
+        const int32_t six_v = left - (int32_t)(2 * x.n0 + x.n1);
+        x.v += six_v >= 0 ? six_v / 6 : -((5 - six_v) / 6);
         const int64_t cost = cost_of(x, w);
         if (cost < least) {
             least = cost;

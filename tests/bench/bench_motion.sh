@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 # usage: tests/bench/bench_motion.sh BUILD [CASES]
 # BUILD/<what>-<q16|f64> and BUILD/moves are built; CASES of the property run in each type (100000).
-# ROWS in the environment: some of the groups of rows alone.
+# ROWS in the environment: some of the groups of rows alone, see `all` below.
 set -u
 build=$1 cases=${2:-100000}
 chains=400 cubics=2000 smooth=40
@@ -24,7 +24,7 @@ note() { printf '%-66s %s\n' "" "$1"; }
 # pick FILE KEY FIELD
 pick() { awk -v key="$2" '$1 == key { print $'"$3"'; exit }' "$build/$1"; }
 
-. tests/bench/bench_motion_table.sh     # table_rows
+. tests/bench/bench_motion_table.sh     # A_rows .. chip_rows
 
 lists() {       # the drawings as lists of moves, feed 1
     for drawing in demo.svg curves.loft; do
@@ -175,8 +175,9 @@ property_rows() {
 }
 
 printf '%-66s %10s %12s  %-6s %s\n' what "at most" measured "" "where"
-lists
-for rows in ${ROWS:-table limits deviation time jerk same outline cortex property}; do
+all="A B C D lines ahead icons chip limits deviation time jerk same outline cortex property"
+for rows in ${ROWS:-$all}; do
+    case $rows in limits|time|same|outline) lists ;; esac
     ${rows}_rows
 done
 echo "$passed passed, $failed failed"

@@ -4,7 +4,7 @@
 #
 # It is sourced. A row without a number is a promise that nothing measures yet.
 
-table_machines="A:100:500:10000 B:200:3000:100000 C:100:2000:40000 D:100:500:0"
+table_b=B:200:3000:100000
 
 # measured NUM TOL KNOTS MACHINE LIST.. > rows of bench_motion_lists.c
 measured() {
@@ -26,21 +26,30 @@ summed() {
 }
 ratio() { awk -v a="$1" -v b="$2" 'BEGIN { if (a > 0 && b > 0) printf "%.4f\n", a / b }'; }
 
-table_lists() {
+table_bin=$(cd "$build" && pwd)
+shapes=
+shape_lists() {     # once
+    [ -z "$shapes" ] || return 0
     mkdir -p "$build/lists"
     /usr/bin/python3 tests/bench/motion_lists.py "$build/lists" || exit 1
+    shapes=$(cd "$build/lists" && ls | sed -n 's/\.moves$//; /^outline\|^star\|^line/p')
+}
+icon_lists() {
     # 60 drawings that Debian packages have installed here, evenly chosen by name
     find /usr/share -name '*.svg' -size -40k 2>/dev/null | LC_ALL=C sort > "$build/svg"
-    awk -v n="$(wc -l < "$build/svg")" 'int(NR * 60 / n) > int((NR - 1) * 60 / n)' "$build/svg" |
+    awk -v n="$(wc -l < "$build/svg")" -v m="${ICONS:-60}" \
+        'int(NR * m / n) > int((NR - 1) * m / n)' "$build/svg" |
         nl -w1 -s' ' > "$build/icons"
     while read -r k file; do
         "$build/moves" "$file" 1 2>/dev/null | head -16000 > "$build/lists/icon-$k.moves"
         [ -s "$build/lists/icon-$k.moves" ] || rm -f "$build/lists/icon-$k.moves"
     done < "$build/icons"
+    icons=$(cd "$build/lists" && ls | sed -n 's/\.moves$//; /^icon/p')
 }
 
 cut_rows() {        # MACHINE
     local m=${1%%:*} file
+    shape_lists
     measured q16 0.005 400 "$1" $shapes > "$build/table-$m.out" &
     measured f64 0.005 400 "$1" $shapes > "$build/table-$m-f64.out"; wait $!
     for shape in outline star; do
@@ -64,8 +73,15 @@ cut_rows() {        # MACHINE
         END { print most + 0, name }' "$build/table-$m-f64.out" "$build/table-$m.out")
 }
 
-more_rows() {       # machine B
-    local b=B:200:3000:100000 at before="" value name file
+A_rows() { cut_rows A:100:500:10000; }
+B_rows() { cut_rows $table_b; }
+C_rows() { cut_rows C:100:2000:40000; }
+D_rows() { cut_rows D:100:500:0; }
+
+icons_rows() {
+    local b=$table_b at before="" value name file
+    shape_lists
+    icon_lists
     for tol in 0.005 0.02 0.05; do
         measured q16 $tol 400 $b outline-cut-1 star-cut-1 $icons > "$build/table-$tol.out"
     done
@@ -95,29 +111,49 @@ more_rows() {       # machine B
     row "(B) icons: jerk of an axis, of the limit" 1.02 $(largest 5 ^icon $file)
     row "(B) icons: distance from the path (Frechet), of the tolerance" \
         1 $(largest 6 ^icon $file)
-    measured q16 0.005 176 $b outline-cut-1 star-cut-1 > "$build/table-ahead.out"
+}
+
+ahead_rows() {
+    shape_lists
+    for knots in 176 400; do
+        measured q16 0.005 $knots $table_b outline-cut-1 star-cut-1 > "$build/table-$knots.out"
+    done
     for shape in outline star; do
         row "(B) $shape: 128 periods ahead over 352" 1.03 \
-            "$(ratio "$(summed ^$shape "$build/table-ahead.out")" \
-                "$(summed ^$shape-cut-1$ "$build/table-0.005.out")")"
+            "$(ratio "$(summed ^$shape "$build/table-176.out")" \
+                "$(summed ^$shape "$build/table-400.out")")"
     done
+}
+
+lines_rows() {
+    local value name
+    shape_lists
+    measured q16 0.005 400 $table_b $(echo "$shapes" | grep ^line) outline-cut-4 \
+        > "$build/table-lines.out"
     read -r value name < <(awk '
         /^line-/ { split($1, w, "-"); l = w[2]; v = 200; a = 3000; j = 100000
                    top = (sqrt(a ^ 4 / j ^ 2 + 4 * a * l) - a * a / j) / 2
                    if (l < 2 * a ^ 3 / j ^ 2) t = 4 * (l / (2 * j)) ^ (1 / 3)
                    else { if (top > v) top = v; t = l / top + top / a + a / j }
                    r = ($2 - 0.003) / t; if (r > most) { most = r; name = $1 } }
-        END { print most, name }' "$build/table-B.out")
+        END { print most, name }' "$build/table-lines.out")
     row "(B) lines, less a period of 3 ms, over the exact S-curve, worst" 1.02 "$value" "$name mm"
     row "(B) host: ms for each curve of 2.5 mm" 0.3 \
-        "$(awk '$1 == "outline-cut-4" { print $8 * $2 / 48 }' "$build/table-B.out")"
+        "$(awk '$1 == "outline-cut-4" { print $8 * $2 / 48 }' "$build/table-lines.out")"
 }
 
-table_rows() {
-    table_bin=$(cd "$build" && pwd)
-    table_lists
-    shapes=$(cd "$build/lists" && ls | sed -n 's/\.moves$//; /^outline\|^star\|^line/p')
-    icons=$(cd "$build/lists" && ls | sed -n 's/\.moves$//; /^icon/p')
-    for machine in $table_machines; do cut_rows "$machine"; done
-    more_rows
+# on emulated chips, with effort 1
+chip_rows() {
+    local core list most
+    bash tests/bench/bench_motion_chip.sh "$build/chip" > "$build/chip.out" ||
+        { row "load of a Cortex-M4 and M0" 0 "" "make deps-target"; return; }
+    for core in m4 m0; do
+        [ $core = m4 ] && most="0.5 2500000" || most="0.9 3000000"
+        while read -r list load _ worst _; do
+            row "load, $list" ${most% *} "$load"
+            row "dearest call, instructions, $list" ${most#* } "$worst"
+        done < <(grep "^$core:" "$build/chip.out")
+    done
+    row "memory of a plan that looks 128 periods ahead, bytes" 8192 \
+        "$(awk '/^m4:/ { print $6; exit }' "$build/chip.out")"
 }

@@ -106,7 +106,7 @@ static void raising_holds_all_limits(arb *a)
         uses_of(k, use);
         most = fmax(most, fmax(use[0], fmax(use[1], use[2])));
     }
-    CHECK(most <= 1.25 && (open || most >= 0.9));
+    CHECK(most <= 1.15 && (open || most >= 0.99));
 }
 
 static void an_even_pace_holds(arb *a)
