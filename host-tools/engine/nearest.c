@@ -70,7 +70,8 @@ static void try_piece(search *s, size_t i)
     const double dx = q->b[0] - q->a[0], dy = q->b[1] - q->a[1], px = s->p[0] - q->a[0],
                  py = s->p[1] - q->a[1];
     const double length = dx * dx + dy * dy;
-    const double u = length > 0 ? fmin(fmax((px * dx + py * dy) / length, 0), 1) : 0;
+    const double along = px * dx + py * dy,
+                 u = along > 0 ? (along < length ? along / length : 1) : 0;
     const double ex = px - u * dx, ey = py - u * dy, square = ex * ex + ey * ey;
 
     if (square < s->square) {
@@ -80,10 +81,15 @@ static void try_piece(search *s, size_t i)
     }
 }
 
+/* How far x is outside of least..most. No call of fmax: this takes most of a search. */
+static double outside(double x, double least, double most)
+{
+    return x < least ? least - x : x > most ? x - most : 0;
+}
+
 static double box_distance(const double box[4], const double p[2])
 {
-    const double dx = fmax(fmax(box[0] - p[0], p[0] - box[2]), 0),
-                 dy = fmax(fmax(box[1] - p[1], p[1] - box[3]), 0);
+    const double dx = outside(p[0], box[0], box[2]), dy = outside(p[1], box[1], box[3]);
 
     return dx * dx + dy * dy;
 }
