@@ -13,6 +13,8 @@
 
 #define BAR 24
 
+static bool drawn;          /* some bar is on the terminal */
+
 static int columns(void)
 {
     struct winsize size;
@@ -66,6 +68,7 @@ void progress_show(progress *p, double done, const char *text)
     snprintf(line, sizeof line, "[%s] %3.0f %%  %s left  %s", bar, floor(100 * part), eta, text);
     fprintf(stderr, "\r%.*s\033[K", columns() - 1, line);
     fflush(stderr);
+    drawn = true;
 }
 
 void progress_clear(progress *p)
@@ -74,4 +77,12 @@ void progress_clear(progress *p)
         return;
     fputs("\r\033[K", stderr);
     fflush(stderr);
+    drawn = false;
+}
+
+void progress_clear_any(void)
+{
+    if (drawn)
+        fputs("\r\033[K", stderr);
+    drawn = false;
 }

@@ -25,7 +25,8 @@ void progress_show(progress *p, double done, const char *text);
  * remaining time stays. */
 void progress_rest(progress *p);
 
-/* Remove the bar, so that a line can be printed. */
+/* Remove the bar, so that a line can be printed. The second function removes any that is drawn. */
 void progress_clear(progress *p);
+void progress_clear_any(void);
 
 #endif

@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -123,9 +124,13 @@ int source_open(source *s, const char *file)
     const int handle = input ? dup(STDIN_FILENO) : open(file, O_RDONLY | O_CLOEXEC);
     gzFile stream    = handle < 0 ? NULL : gzdopen(handle, "rb");
 
+    struct stat is   = { .st_size = 0 };
+
     *s = (source){ .file = source_name(file), .stream = stream };
     if (stream == NULL)
         return unreadable(s->file);
+    (void)fstat(handle, &is);
+    progress_start(&s->bar, (double)is.st_size);
     s->buffer    = tool_grow(NULL, PART + 1);
     s->room      = PART;
     s->buffer[0] = '\0';
@@ -153,6 +158,7 @@ void source_close(source *s)
 {
     if (s->stream != NULL)
         gzclose_r(s->stream);
+    progress_clear(&s->bar);
     free(s->buffer);
     *s = (source){ .size = 0 };
 }
@@ -208,6 +214,8 @@ int source_part(source *s)
         s->size = 0;
         return 0;
     }
+    if (!first && s->stream != NULL && s->bar.total > 0)
+        progress_show(&s->bar, (double)gzoffset(s->stream), "reading");
     s->buffer[s->size] = s->held;
     s->used -= s->size;
     memmove(s->buffer, s->buffer + s->size, s->used);

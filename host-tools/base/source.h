@@ -7,12 +7,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/progress.h"  /* progress */
+
 /* Read all of `file` and append a 0. "-" is standard input, which may be read again. A file that is
  * packed with gzip is unpacked. On failure prints one line, sets *code to a code of <sysexits.h>
  * and returns NULL. */
 char *source_read(const char *file, size_t *size, int *code);
 
-/* A file in parts. */
+/* A file in parts. While it is read, a terminal shows how much of it is. */
 typedef struct source {
     const char *text;           /* this part: whole lines, followed by a 0; all of them if it is of
                                  * one part */
@@ -22,6 +24,7 @@ typedef struct source {
     void *stream;               /* NULL: all is read */
     char *buffer, held;         /* the character that the 0 stands for */
     size_t room, used;
+    progress bar;               /* of its bytes */
 } source;
 
 /* Begin with the first part, or with all of the file. On failure prints one line and returns a code

@@ -11,6 +11,7 @@
 #include <time.h>
 
 #include "base/describe.h"   /* describe_command */
+#include "base/progress.h"   /* progress_clear_any */
 #include "base/tool.h"
 #include "loft.h"            /* LOFT_VERSION */
 
@@ -21,6 +22,7 @@ int tool_error(int code, const char *format, ...)
     va_list values;
 
     fflush(stdout);
+    progress_clear_any();
     fputs("loft: ", stderr);
     va_start(values, format);
     vfprintf(stderr, format, values);

@@ -59,10 +59,11 @@ static bool is_of_lines(const char *file, const char *text, size_t size)
 
 int drawing_read(drawing *d, const char *file)
 {
+    const bool kept = strcmp(file, "-") == 0;       /* it cannot be read again */
     source s;
-    int code = d->taker != NULL ? source_open(&s, file) : source_whole(&s, file);
+    int code = kept ? source_whole(&s, file) : source_open(&s, file);
 
-    if (code == 0 && d->taker != NULL && !is_of_lines(source_name(file), s.text, s.size))
+    if (code == 0 && !kept && !is_of_lines(source_name(file), s.text, s.size))
         code = source_rest(&s);
     if (code == 0)
         code = read_parts(d, source_name(file), &s);

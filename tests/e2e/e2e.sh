@@ -547,6 +547,19 @@ case_planning_is_seen() {               # on a terminal there is a bar, elsewher
     timeout -s INT 1.5 "$loft" stream "$tmp/long.loft" --dry-run >"$tmp/out" 2>"$tmp/err"
     ! grep -q planning "$tmp/err" || job_fails "$(cat "$tmp/err")"
 }
+case_reading_is_seen() {                # likewise; an error has a line of its own
+    awk 'BEGIN { print "G21 G90 F900"; for (i = 1; i <= 60000; i++)
+        printf "G1 X%d Y%d\n", i % 97, i % 89
+        print "G1 Xq" }' >"$tmp/wrong.nc"
+    echo ' begun' >"$tmp/any.log"
+    "$pty" type "$tmp/any.log" "@reading@ " "$loft" stream "$tmp/wrong.nc" --dry-run \
+        >"$tmp/out" 2>&1
+    tr '\r' '\n' <"$tmp/out" >"$tmp/screen"
+    says screen '^\[.*%  [0-9-]*:[0-9-][0-9-] left  reading'
+    says screen 'wrong.nc:60002: '
+    ! grep -q 'left  reading.*wrong' "$tmp/screen" || job_fails "$(cat "$tmp/screen")"
+    one_line 65 'wrong.nc:60002: ' "$loft" stream "$tmp/wrong.nc" --dry-run
+}
 case_second_interrupt_leaves_at_once() {
     undisturbed
     machine left --speed real --once
