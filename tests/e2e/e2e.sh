@@ -853,6 +853,28 @@ case_a_laser_gives_each_mm_the_same() {
         job_fails "$(cat "$tmp/slow.log"), expected 2.000 s"
 }
 
+# along the outline of the benchmarks, held twice, at 130 and 50 %, with a short queue
+case_a_laser_in_holds_and_overrides() {
+    "$loft" export tests/drawings/outline12.csv -o "$tmp/cut.nc"
+    { printf 'G21 G90 G94 G17\nM4 S600\n'
+      grep '^[GXY]' "$tmp/cut.nc" | sed '1d; /^G0/d'
+      echo M5; } >"$tmp/burn.nc"
+    printf 'laser = yes\n' >"$tmp/laser.txt"
+    machine m --speed real --queue 12 --ramp 40 --steps 250 --once
+    "$pty" type "$tmp/m.log" \
+        '0.3:+ 0.4:+ 0.5:+ 0.6:h 1.2:r 1.5:0 1.6:- 1.7:- 1.8:- 1.9:- 2:- 2.3:h 3:r' \
+        "$loft" stream "$tmp/burn.nc" --port "$tmp/m" --machine "$tmp/laser.txt" \
+        >"$tmp/out" 2>"$tmp/err" || job_fails "$(tail -1 "$tmp/err")"
+    gone "$machine"
+    python3 tests/target/energy.py "$tmp/m.csv" 1 >"$tmp/energy"
+    # 20 ms of full power for each mm
+    awk '{ is[$1] = $2 }
+        END { exit !(is["windows"] > 100 && is["mean"] > 19.8 && is["mean"] < 20.2 &&
+            is["worst"] <= 2 && is["standing"] == 0 && is["after"] == 0) }' "$tmp/energy" ||
+        job_fails "$(tr '\n' ' ' <"$tmp/energy")"
+    [ "$(grep -c ' held: ' "$tmp/m.log")" -ge 1 ] || job_fails 'it was not held'
+}
+
 # --- bad input ------------------------------------------------------------------------------------
 
 case_bad_drawings() {
