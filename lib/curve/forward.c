@@ -73,17 +73,25 @@ enum loft_status loft_forward_init(loft_forward *w, const loft_bezier *b, uint32
     return LOFT_OK;
 }
 
+static inline void step_axes(loft_forward *w, loft_vec *out, unsigned degree)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        out->axis[i] = loft_walk_step(&w->axis[i], degree);
+        if (w->left == 0)
+            out->axis[i] = loft_walk_end(&w->axis[i], out->axis[i]);
+    }
+}
+
 bool loft_forward_next(loft_forward *w, loft_vec *out)
 {
     if (w->left == 0)
         return false;
     w->left--;
 
-    for (int i = 0; i < LOFT_AXES; i++) {
-        out->axis[i] = loft_walk_step(&w->axis[i], w->degree);
-        if (w->left == 0)
-            out->axis[i] = loft_walk_end(&w->axis[i], out->axis[i]);
-    }
+    if (loft_walk_cubic(w->degree))
+        step_axes(w, out, 3);           /* a constant: no loop over it */
+    else
+        step_axes(w, out, w->degree);
     return true;
 }
 

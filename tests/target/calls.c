@@ -18,6 +18,7 @@
 #define SLOTS  40
 #define MOVES  40
 #define BATCH  20           /* of loft_step_give */
+#define STATES 20000u       /* of loft_state_step3 */
 
 int main(void);
 
@@ -195,6 +196,24 @@ static void moves(void)
     }
 }
 
+/* Random states: is a step of three differences what walk.h says? The number of wrong sums. */
+static uint32_t wrong_steps(void)
+{
+    uint32_t wrong = 0;
+
+    for (unsigned n = 0; n < STATES; n++) {
+        loft_state d[4], sum[4];
+        for (int k = 0; k < 4; k++)
+            d[k] = sum[k] = (uint64_t)any() << 48 ^ (uint64_t)any() << 24 ^ any();
+        loft_state_step3(d);
+        for (int k = 0; k < 3; k++)
+            sum[k] += sum[k + 1];
+        for (int k = 0; k < 4; k++)
+            wrong += d[k] != sum[k];
+    }
+    return wrong;
+}
+
 int main(void)
 {
     static const int32_t origin[LOFT_AXES] = { 0 };
@@ -211,6 +230,7 @@ int main(void)
     put('\n');
     for (int k = 0; k < CALLS; k++)
         say_line(put, names[k], worst[k]);
+    say_line(put, "wrong_steps", wrong_steps());
     say_line(put, "bytes loft_step", sizeof step);
     say_line(put, "bytes loft_pace", sizeof pace);
     say_line(put, "bytes loft_forward", sizeof walk);

@@ -65,6 +65,11 @@ awk -v dir="$dir" 'BEGIN {
         printf "%s wrong slots of %d in assembly: %d\n",
                cost["wrong", 1] == "0" ? "ok  " : "FAIL", cost["slots", 1], cost["wrong", 1]
         if (cost["wrong", 1] == "0" && cost["slots", 1] > 100000) passed++; else failed++
-        printf "%d passed, %d failed\n", passed, failed + (passed + failed < 62)
-        exit failed > 0 || passed < 62
+        for (k = 1; k <= 3; k++) {
+            printf "%s %-34s %7s\n", cost["wrong_steps", k] == "0" ? "ok  " : "FAIL",
+                   "wrong sums of a walk, " core[k], cost["wrong_steps", k]
+            if (cost["wrong_steps", k] == "0") passed++; else failed++
+        }
+        printf "%d passed, %d failed\n", passed, failed + (passed + failed < 65)
+        exit failed > 0 || passed < 65
     }' lib/motion/span.h lib/motion/scurve.h lib/COSTS.md
