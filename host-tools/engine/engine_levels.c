@@ -2,9 +2,9 @@
  * type
  * SPDX-License-Identifier: MIT
  *
- * Lines are found by rows across the area: between a clear place and a blocked one is a line, unless
- * one that was walked has crossed the row there. Rows and places are half a radius apart, and none
- * is on the border of the area.
+ * Lines are found by rows across the area: between a clear place and a blocked one is a line,
+ * unless one that was walked has crossed the row there. Rows and places are half a radius apart,
+ * and none is on the border of the area.
  */
 #include <math.h>
 #include <stdlib.h>
