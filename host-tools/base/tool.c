@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "base/describe.h"   /* describe_command */
 #include "base/progress.h"   /* progress_clear_any */
@@ -38,14 +37,6 @@ void *tool_grow(void *old, size_t bytes)
     if (grown == NULL)
         exit(tool_error(EX_OSERR, "no memory for %zu bytes: give a smaller drawing", bytes));
     return grown;
-}
-
-double tool_clock(void)
-{
-    struct timespec t;
-
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 /* Read the number at the start of `text`, and find its end. Returns false if there is none, or if
