@@ -39,24 +39,14 @@ static loft_acc grid_at(const point_grid *g, uint32_t i, uint32_t j)
     return loft_to_acc(g->p[(size_t)i * g->columns + j].axis[g->axis]);
 }
 
-/* Twice the derivatives at (i, j). */
-static loft_acc twice_by_u(const point_grid *g, uint32_t i, uint32_t j)
+/* Twice the derivative at (i, j), by u or by v. */
+static loft_acc twice_by(const point_grid *g, uint32_t i, uint32_t j, bool v)
 {
-    const stencil s = stencil_of(i, g->rows);
+    const stencil s = v ? stencil_of(j, g->columns) : stencil_of(i, g->rows);
     loft_acc sum = 0;
 
     for (uint32_t k = 0; k < s.count; k++)
-        sum += s.weight[k] * grid_at(g, s.first + k, j);
-    return sum;
-}
-
-static loft_acc twice_by_v(const point_grid *g, uint32_t i, uint32_t j)
-{
-    const stencil s = stencil_of(j, g->columns);
-    loft_acc sum = 0;
-
-    for (uint32_t k = 0; k < s.count; k++)
-        sum += s.weight[k] * grid_at(g, i, s.first + k);
+        sum += s.weight[k] * (v ? grid_at(g, i, s.first + k) : grid_at(g, s.first + k, j));
     return sum;
 }
 
@@ -66,7 +56,7 @@ static loft_acc bessel_twist(const point_grid *g, uint32_t i, uint32_t j)
     loft_acc sum = 0;
 
     for (uint32_t k = 0; k < s.count; k++)
-        sum += s.weight[k] * twice_by_v(g, s.first + k, j);
+        sum += s.weight[k] * twice_by(g, s.first + k, j, true);
     return sum;
 }
 
@@ -75,8 +65,8 @@ static loft_acc adini_twist(const point_grid *g, uint32_t i, uint32_t j)
     const uint32_t a = i > 0 ? i - 1 : 0, b = i + 1 < g->rows ? i + 1 : i, c = j > 0 ? j - 1 : 0,
                    d = j + 1 < g->columns ? j + 1 : j;
     const int32_t wide = 2 / (int32_t)(b - a), high = 2 / (int32_t)(d - c);     /* 1 or 2 */
-    const loft_acc by_v = twice_by_v(g, b, j) - twice_by_v(g, a, j),
-                   by_u = twice_by_u(g, i, d) - twice_by_u(g, i, c),
+    const loft_acc by_v = twice_by(g, b, j, true) - twice_by(g, a, j, true),
+                   by_u = twice_by(g, i, d, false) - twice_by(g, i, c, false),
                    turn = grid_at(g, b, d) - grid_at(g, a, d) - grid_at(g, b, c) + grid_at(g, a, c);
 
     return wide * by_v + high * by_u - wide * high * turn;
@@ -90,8 +80,8 @@ static void data_at(const point_grid *g, uint32_t i, uint32_t j, enum loft_twist
                           : twist == LOFT_TWIST_ADINI ? adini_twist(g, i, j)
                                                       : bessel_twist(g, i, j);
     out[0] = grid_at(g, i, j);
-    out[1] = loft_acc_ratio(twice_by_u(g, i, j), 2);
-    out[2] = loft_acc_ratio(twice_by_v(g, i, j), 2);
+    out[1] = loft_acc_ratio(twice_by(g, i, j, false), 2);
+    out[2] = loft_acc_ratio(twice_by(g, i, j, true), 2);
     out[3] = loft_acc_ratio(four, 4);
 }
 
