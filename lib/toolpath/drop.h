@@ -40,6 +40,18 @@ static inline loft_real loft_drop_tol(void)
     return LOFT_REAL_LSB > 0 ? 16 * LOFT_REAL_LSB : LOFT_REAL(0.00000095367431640625);
 }
 
+/* Is the area (of x and y) within LOFT_SHEET_REACH and not empty? */
+static inline bool loft_drop_takes(const loft_box *area)
+{
+    const loft_real reach = LOFT_REAL(LOFT_SHEET_REACH);
+
+    for (int k = 0; k < 2; k++)
+        if (!(loft_vec_axis(&area->min, k) >= -reach && loft_vec_axis(&area->max, k) <= reach &&
+              loft_vec_axis(&area->min, k) < loft_vec_axis(&area->max, k)))
+            return false;
+    return true;
+}
+
 /* Prepare to search.
  *
  *   shape   the sheets must outlive *d

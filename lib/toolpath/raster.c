@@ -274,16 +274,11 @@ static loft_real tol_of(loft_real tol)
 enum loft_status loft_raster_init(loft_raster *r, const loft_drop *d, const loft_box *area,
                                   unsigned axis, loft_real cusp, loft_real step)
 {
-    const loft_real reach = LOFT_REAL(LOFT_SHEET_REACH);
     const bool ball = d->cutter.radius <= d->cutter.corner;
 
-    if (LOFT_AXES < 3 || axis > 1 || !(cusp >= 0 && step >= 0) || (cusp > 0) == (step > 0) ||
-        (cusp > 0 && (!ball || !(cusp < d->cutter.radius / 2))))
+    if (LOFT_AXES < 3 || !loft_drop_takes(area) || axis > 1 || !(cusp >= 0 && step >= 0) ||
+        (cusp > 0) == (step > 0) || (cusp > 0 && (!ball || !(cusp < d->cutter.radius / 2))))
         return LOFT_ERR_ARG;
-    for (int k = 0; k < 2; k++)
-        if (!(loft_vec_axis(&area->min, k) >= -reach && loft_vec_axis(&area->max, k) <= reach &&
-              loft_vec_axis(&area->min, k) < loft_vec_axis(&area->max, k)))
-            return LOFT_ERR_ARG;
     r->d = *d;
     r->d.tol = tol_of(d->tol / 4);
     r->fine = *d;

@@ -36,12 +36,9 @@ enum loft_status loft_waterline_init(loft_waterline *w, const loft_drop *d, cons
 {
     const loft_real reach = LOFT_REAL(LOFT_SHEET_REACH), half = d->tol / 2;
 
-    if (LOFT_AXES < 3 || !(loft_real_abs(z) <= reach) || !(d->tol >= 4 * loft_drop_tol()))
+    if (LOFT_AXES < 3 || !loft_drop_takes(area) || !(loft_real_abs(z) <= reach) ||
+        !(d->tol >= 4 * loft_drop_tol()))
         return LOFT_ERR_ARG;
-    for (int k = 0; k < 2; k++)
-        if (!(loft_vec_axis(&area->min, k) >= -reach && loft_vec_axis(&area->max, k) <= reach &&
-              loft_vec_axis(&area->min, k) < loft_vec_axis(&area->max, k)))
-            return LOFT_ERR_ARG;
     w->d = *d;
     w->area = *area;
     w->z = z;

@@ -121,16 +121,12 @@ static void cusps_are_as_asked_and_nothing_is_cut(arb *a)
 static void no_path_cuts(arb *a)
 {
     static hills h;
-    const uint32_t kind = arb_below(a, 3);
     loft_cutter c;
     loft_raster r;
     loft_drop d;
 
     arb_hills(a, arb_below(a, HILLS_KINDS), 8, &h);
-    CHECK(loft_cutter_init(&c, LOFT_REAL(2),
-                           kind == 0   ? LOFT_REAL(2)
-                           : kind == 1 ? 0
-                                       : LOFT_REAL(0.5)) == LOFT_OK);
+    arb_cutter(a, &c);
     CHECK(loft_drop_init(&d, &h.sheet, 1, &c, LOFT_REAL(0.02), -LOFT_REAL(10)) == LOFT_OK);
     CHECK(loft_raster_init(&r, &d, &table, arb_below(a, 2), 0, LOFT_REAL(4)) == LOFT_OK);
     walk_raster(&r);

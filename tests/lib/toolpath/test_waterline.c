@@ -134,16 +134,12 @@ static long double depth_at(const hills *h, const loft_cutter *c, const long dou
 static void no_line_cuts_and_each_comes_back(arb *a)
 {
     static hills h;
-    const uint32_t kind = arb_below(a, 3);
     loft_waterline w;
     loft_cutter c;
     loft_drop d;
 
     arb_hills(a, arb_below(a, HILLS_KINDS), 8, &h);
-    CHECK(loft_cutter_init(&c, LOFT_REAL(2),
-                           kind == 0   ? LOFT_REAL(2)
-                           : kind == 1 ? 0
-                                       : LOFT_REAL(0.5)) == LOFT_OK);
+    arb_cutter(a, &c);
     CHECK(loft_drop_init(&d, &h.sheet, 1, &c, LOFT_REAL(TOL), -LOFT_REAL(20)) == LOFT_OK);
     CHECK(loft_waterline_init(&w, &d, &table, arb_real(a, 5)) == LOFT_OK);
     if (!begin_at(&w, loft_real_from_int((int32_t)arb_below(a, 8))))
