@@ -131,6 +131,17 @@ static void arb_points(arb *a, int32_t reach)
     }
 }
 
+/* The operator holds, resumes and overrides. */
+static inline void rig_operate(arb *a)
+{
+    if (arb_below(a, 4000) == 0)
+        loft_drive_hold(r.drive, true);
+    if (arb_below(a, 1000) == 0)
+        loft_drive_hold(r.drive, false);
+    if (arb_below(a, 4000) == 0)
+        loft_drive_override(r.drive, arb_below(a, 220));
+}
+
 /* A job, and a configuration of the machine for it. */
 static loft_drive_config rig_init(arb *a, loft_drive *drive, uint16_t slots, uint16_t ramp,
                                   int32_t reach)

@@ -43,12 +43,7 @@ static void rig_life(arb *a, uint32_t slot)
         rig_push();
     if (r.pushed == r.items)
         loft_drive_end(&drive);
-    if (arb_below(a, 4000) == 0)
-        loft_drive_hold(&drive, true);
-    if (arb_below(a, 1000) == 0)
-        loft_drive_hold(&drive, false);
-    if (arb_below(a, 4000) == 0)
-        loft_drive_override(&drive, arb_below(a, 220));
+    rig_operate(a);
     if (arb_below(a, 100) == 0)
         loft_drive_prepare(&drive);
     if (arb_below(a, 3000) == 0) {                      /* as if prepared for the item just taken */

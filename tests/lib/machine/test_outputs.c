@@ -32,24 +32,13 @@ static const loft_action *action_of(uint32_t tick, int output)
     return NULL;
 }
 
-/* The operator holds, resumes and overrides. */
-static void operate(arb *a)
-{
-    if (arb_below(a, 4000) == 0)
-        loft_drive_hold(&drive, true);
-    if (arb_below(a, 1000) == 0)
-        loft_drive_hold(&drive, false);
-    if (arb_below(a, 4000) == 0)
-        loft_drive_override(&drive, arb_below(a, 220));
-}
-
 static void a_level_begins_with_the_tick_of_its_action_and_lasts(arb *a)
 {
     start(a, 40, (uint16_t)(1 + arb_below(a, 100)));
     for (uint32_t slot = 0; loft_state_busy(drive.state) && slot < 20000000; slot++) {
         push_all();
         loft_drive_prepare(&drive);
-        operate(a);
+        rig_operate(a);
         loft_drive_tick(&drive);
         const bool moves = !loft_step_done(&drive.step);
         for (int k = 1; k <= LOFT_MACHINE_OUTPUTS && drive.active && r.passed < r.ticks; k++) {
@@ -213,7 +202,7 @@ static void every_mm_gets_the_energy_of_its_feed(arb *a)
             pushed += pushed <= LINES && loft_drive_push(&drive, &job.item[pushed]) == LOFT_OK;
         if (pushed == LINES + 1)
             loft_drive_end(&drive);
-        operate(a);
+        rig_operate(a);
         loft_drive_tick(&drive);
         const bool moves = !loft_step_done(&drive.step);
         (void)loft_drive_slot(&drive);
