@@ -12,7 +12,7 @@ cortex_memory = -DFLASH=$(word 1,$(1)) -DFLASH_SIZE=$(word 2,$(1)) \
                 -DRAM=$(word 3,$(1)) -DRAM_SIZE=$(word 4,$(1))
 cortex_gcc = arm-none-eabi-gcc -mthumb $(1) $(call cortex_memory,$(2)) $(3)
 cortex = $(eval $(call firmware,$(1),$(call cortex_gcc,$(2),$(3),$(4)),arm-none-eabi,$(strip \
-    ports/cortex-m/start.c $(5)),ports/cortex-m/cortex.ld.in))
+    ports/cortex-m/start.c ports/bare/no_outputs.c $(5)),ports/cortex-m/cortex.ld.in))
 
 STM32F405 = -DCORTEX_IRQS=82 -DCORTEX_LINE_IRQ=37 -DCORTEX_STREAM_IRQ=68 -DSTREAM_AHEAD=1
 STM32F103 = -DCORTEX_IRQS=43 -DCORTEX_LINE_IRQ=37 -DCORTEX_STREAM_IRQ=15 -DLOFT_MACHINE_PLANS=0

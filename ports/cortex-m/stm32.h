@@ -1,8 +1,8 @@
 /* ports/cortex-m/stm32.h -- what STM32 chips share: USART 1 is the line, timer 1 gives the slots
  * SPDX-License-Identifier: MIT
  *
- * A port includes it after the addresses USART1 and TIM1. These are the registers of F1, F2 and F4
- * (RM0008, RM0090).
+ * A port includes it after the addresses USART1, TIM1, BSRR and WORDS. These are the registers of
+ * F1, F2 and F4 (RM0008, RM0090).
  */
 #ifndef LOFT_CORTEX_STM32_H
 #define LOFT_CORTEX_STM32_H
@@ -60,6 +60,24 @@ static inline void set_timer(uint32_t hz, uint32_t slot_hz)
     REG(TIM1 + 0x14) = 1;                                       /* EGR: ARR is in force */
 }
 static inline void set_requests(void)   { REG(TIM1 + 0x0C) = 1u << 9 | 1u << 8; }   /* DIER */
+
+/* Two transfers into BSRR: one word that ends each pulse, and the ring, whose words begin slots. */
+static inline void set_transfers(uint32_t ends, uint32_t words, uint32_t transfer,
+                                 uint32_t stepping)
+{
+    static uint32_t end = STREAM_STEPS << 16;
+    const uint32_t at[2] = { ends, words }, count[2] = { 1, STREAM_WORDS },
+                   from[2] = { (uint32_t)(uintptr_t)&end, (uint32_t)(uintptr_t)cortex_ring() };
+
+    for (int k = 0; k < 2; k++) {
+        REG(at[k] + 0x04) = count[k];
+        REG(at[k] + 0x08) = BSRR;
+        REG(at[k] + 0x0C) = from[k];
+        REG(at[k] + 0x00) = transfer | (k ? stepping : 0);
+    }
+}
+
+uint32_t cortex_given(void) { return (STREAM_WORDS - REG(WORDS + 0x04)) % STREAM_WORDS; }
 
 void cortex_run(bool run) { REG(TIM1 + 0x00) = run; }
 

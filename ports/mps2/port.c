@@ -81,11 +81,4 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
     return 1;
 }
 
-/* It has none. */
-void loft_port_output(int output, uint16_t level)
-{
-    (void)output;
-    (void)level;
-}
-
 uint16_t loft_port_inputs(void) { return loft_switches_of(REG(MPS2_GPIO1 + 0x00)); }

@@ -26,11 +26,11 @@
 #define USART1  0x40013800
 #define TIM1    0x40012C00
 #define DMA1    0x40020000
-#include "cortex-m/stm32.h"
 
 #define BSRR    (GPIOA + 0x10)
 #define WORDS   (DMA1 + 8 + 20 * 4)         /* channel 5: CCR, CNDTR, CPAR, CMAR */
 #define ENDS    (DMA1 + 8 + 20 * 1)         /* channel 2 */
+#include "cortex-m/stm32.h"
 #define INPUTS  10                          /* the first one, of GPIOB */
 #define CELLS   256
 
@@ -81,31 +81,13 @@ loft_machine_config *loft_port_init(void)
 
 uint32_t cortex_stream(uint32_t slot_hz)
 {
-    static uint32_t ends = STREAM_STEPS << 16;
-
     REG(RCC + 0x14) |= 1u << 0;                         /* DMA1 */
     set_timer(core, slot_hz);
-    REG(ENDS + 0x04) = 1;
-    REG(ENDS + 0x08) = BSRR;
-    REG(ENDS + 0x0C) = (uint32_t)(uintptr_t)&ends;
-    REG(ENDS + 0x00) = TRANSFER;
-    REG(WORDS + 0x04) = STREAM_WORDS;
-    REG(WORDS + 0x08) = BSRR;
-    REG(WORDS + 0x0C) = (uint32_t)(uintptr_t)cortex_ring();
-    REG(WORDS + 0x00) = TRANSFER | STEPPING;
+    set_transfers(ENDS, WORDS, TRANSFER, STEPPING);
     set_requests();
     return core;
 }
 
-uint32_t cortex_given(void) { return (STREAM_WORDS - REG(WORDS + 0x04)) % STREAM_WORDS; }
-
 void cortex_acknowledge(void) { REG(DMA1 + 0x04) = 0xFu << 16; }     /* IFCR: channel 5 */
-
-/* It has none. */
-void loft_port_output(int output, uint16_t level)
-{
-    (void)output;
-    (void)level;
-}
 
 uint16_t loft_port_inputs(void) { return loft_switches_of(~REG(GPIOB + 0x08) >> INPUTS & 0x3F); }

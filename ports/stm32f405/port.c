@@ -29,11 +29,11 @@
 #define RANDOM  0x50060800
 #define TIM1    0x40010000
 #define DMA2    0x40026400
-#include "cortex-m/stm32.h"
 
 #define BSRR    (GPIOA + 0x18)
 #define WORDS   (DMA2 + 0x10 + 0x18 * 5)    /* stream 5: CR, NDTR, PAR, M0AR */
 #define ENDS    (DMA2 + 0x10 + 0x18 * 1)    /* stream 1 */
+#include "cortex-m/stm32.h"
 #define PULLED_UP 0x555u     /* 0..5 of GPIOC */
 #define CELLS   1024
 #include "plans.h"
@@ -94,34 +94,15 @@ loft_machine_config *loft_port_init(void)
 /* The slot of a word begins at the update of the timer. */
 uint32_t cortex_stream(uint32_t slot_hz)
 {
-    static uint32_t ends = STREAM_STEPS << 16;
-
     REG(RCC + 0x30) |= 1u << 22;                        /* DMA2 */
     REG(RCC + 0x44) |= 1u << 0;                         /* TIM1, at 168 MHz */
     set_timer(CORE, slot_hz);
-
-    REG(ENDS + 0x04) = 1;
-    REG(ENDS + 0x08) = BSRR;
-    REG(ENDS + 0x0C) = (uint32_t)(uintptr_t)&ends;
-    REG(ENDS + 0x00) = TRANSFER;
-    REG(WORDS + 0x04) = STREAM_WORDS;
-    REG(WORDS + 0x08) = BSRR;
-    REG(WORDS + 0x0C) = (uint32_t)(uintptr_t)cortex_ring();
-    REG(WORDS + 0x00) = TRANSFER | STEPPING;
+    set_transfers(ENDS, WORDS, TRANSFER, STEPPING);
     set_requests();
     return CORE;
 }
 
-uint32_t cortex_given(void) { return (STREAM_WORDS - REG(WORDS + 0x04)) % STREAM_WORDS; }
-
 void cortex_acknowledge(void) { REG(DMA2 + 0x0C) = 0x0F40; }   /* HIFCR: stream 5 */
-
-/* It has none. */
-void loft_port_output(int output, uint16_t level)
-{
-    (void)output;
-    (void)level;
-}
 
 /* An emulator without this port does not keep pull-ups, and has no switches. */
 uint16_t loft_port_inputs(void)
