@@ -3,9 +3,9 @@
 AVR_BAUD  ?= 115200
 AVR_SLOTS ?= 80
 AVR_TICK_HZ ?= 1000
-# spindle or laser, coolant, pauses; 0: 2.2 kB less, and a span more in the queue
+# spindle or laser, coolant, pauses; 0: 2.3 kB less, and a span more in the queue
 AVR_OUTPUTS ?= 2
-# a servo in place of the third motor, if the settings say so; 0: 470 bytes less, and a span more
+# a servo in place of the third motor, if the settings say so; 0: 400 bytes less, and a span more
 AVR_SERVO ?= 1
 AVR_MAX    = 32256 1600             # bytes of flash, and of RAM without the stack
 AVR_FLAGS  = -mmcu=atmega328p -DF_CPU=16000000UL -std=c99 -ffreestanding -ffunction-sections \
@@ -29,7 +29,8 @@ $(AVR_DIR)/port.o: ports/atmega328p/port.c | lib/names.h
 	$(SAY) "  CC  $@"
 	$(Q)avr-gcc $(AVR_FLAGS) $(AVR_OPTIMIZE) -c $< -o $@
 
-#$(AVR_DIR)/lib/machine/step.o: AVR_OPTIMIZE = -O2
+# the slot interrupt and making slots are worth some flash
+$(AVR_DIR)/port.o $(AVR_DIR)/lib/machine/step.o: AVR_OPTIMIZE = -O2
 # shared prologues: small, and 30 cycles per call, which the main loop has
 $(AVR_DIR)/lib/wire/%.o $(AVR_DIR)/lib/machine/machine.o $(AVR_DIR)/lib/machine/settings.o: \
     AVR_OPTIMIZE = -Os -mcall-prologues
