@@ -16,7 +16,7 @@ static const tool_command *const commands[] = {
     &command_pen,     &command_park,   &command_ports,    &command_eval,    &command_sample,
     &command_flatten, &command_plot,   &command_measure,  &command_compare, &command_surface,
     &command_contour, &command_study,  &command_harmonic, &command_export,  &command_decide,
-    &command_make,    &command_mill,    &command_set,     &command_settings
+    &command_make,    &command_mill,   &command_set,      &command_settings, &command_figures
 };
 
 #define COMMANDS (sizeof commands / sizeof commands[0])

@@ -999,7 +999,7 @@ case_help_everywhere() {
     run 0 "$loft" --version; says out '^loft [0-9]'
     run 64 "$loft"
     for command in stream simulate plot ports eval sample flatten measure compare surface contour \
-                   export decide make mill
+                   export decide make mill figures
     do
         run 0 "$loft" help $command;   says out "^usage: loft $command"; cp "$tmp/out" "$tmp/help"
         run 0 "$loft" $command --help
@@ -1085,6 +1085,24 @@ case_decide() {
     one_line 64 'bend: --of has 0 numbers: give parameters'      "$loft" decide bend -
     one_line 64 'ray: --of has 3 numbers: give a point and'      "$loft" decide ray --of=1,2,3 -
     one_line 65 'holds no surface' "$loft" decide ray --of=1,2,3,4,5,6 "$tmp/touch.txt"
+}
+case_figures() {
+    local names
+    names=$("$loft" figures --list | cut -d ' ' -f 1)
+    for num in q16 f32 f64; do
+        run 0 "$loft" figures --num $num --brief -o "$tmp/$num"; is_empty err
+        says out "numbers in $num, 0 of them beyond their bounds"
+        for name in $names; do
+            grep -q "<h2 id=\"$name\">" "$tmp/$num/index.html" || job_fails "$name is missing"
+            [ -s "$tmp/$num/$name.svg" ] || [ -s "$tmp/$num/$name.png" ] ||
+                job_fails "$name has no picture"
+        done
+    done
+    run 0 "$loft" figures -o "$tmp/one" polygon
+    [ "$(ls "$tmp/one")" = "$(printf 'index.html\npolygon.loft\npolygon.svg')" ] ||
+        job_fails "other files than those of one figure: $(ls "$tmp/one")"
+    one_line 64 'no such figure' "$loft" figures -o "$tmp/one" nothing
+    one_line 73 'name another folder' "$loft" figures -o "$tmp/one/polygon.svg/x"
 }
 case_make() {
     for num in q16 f32 f64; do

@@ -1,0 +1,47 @@
+/* host-tools/study/figures.h -- figures of the five texts as rows of a table
+ * SPDX-License-Identifier: MIT
+ *
+ *     figures.c           the list
+ *     figures_curve.c     curves: polynomials, Bezier curves, conics, splines
+ *     figures_surface.c   triangles, tensor products, Coons patches
+ *     figures_sided.c     patches with n sides, coordinates
+ *     cmd_figures.c       runs the rows: files, pictures, proofs, the page
+ *
+ * A row holds data and lines of the command itself, so that a reader can repeat each of them.
+ */
+#ifndef LOFT_HOST_FIGURES_H
+#define LOFT_HOST_FIGURES_H
+
+#include <stddef.h>
+
+#define FIGURE_PROOFS 6
+
+/* A number or a text that a line of `loft` prints, and what it must be. */
+typedef struct {
+    const char *says;
+    const char *run;        /* {0} is the input, {1} .. are what `make` made                      */
+    const char *pick;       /* what is before the number; "eval:5": the largest of column 5 in rows
+                             * with `eval`; "#meet": the number of rows with `meet`; "@2:3": row 2,
+                             * column 3                                                           */
+    double want;
+    double lsb, off;        /* the bound: so many LSB of a number of this size, and so much more */
+    double floats;          /* instead of `off` in f32 and f64, if not 0 */
+    const char *text;       /* instead of a number: this is in the output, lines joined with `;` */
+} figure_proof;
+
+typedef struct {
+    const char *name, *text, *section, *title;
+    const char *input;      /* in .loft */
+    const char *make;       /* lines of `loft`, `;` between them: the files {1}, {2} ..; or NULL */
+    const char *plot;       /* options of `loft plot` and the file; {01} is both in one */
+    const char *type;       /* of the picture: "svg", "png" */
+    figure_proof proof[FIGURE_PROOFS];
+} figure;
+
+/* Figure i, in the order of the texts; NULL behind the last one. */
+const figure *figure_number(size_t i);
+
+extern const figure figures_curve[], figures_surface[], figures_sided[];
+extern const size_t figures_curves, figures_surfaces, figures_sideds;
+
+#endif
