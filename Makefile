@@ -75,11 +75,11 @@ lib:
 	+@$(PARALLEL) build/$(NUM)x$(AXES)/libloft.a
 
 # --- the command: build/loft, one program with all three number types -----------------------------
-# WITHOUT="cairo geos libserialport": pictures, contour fills and serial ports are refused then,
-# text has only single lines, the rest is there;
+# WITHOUT="cairo geos libserialport ncurses": pictures, contour fills, serial ports and --view are
+# refused then, text has only single lines, the rest is there;
 # with a TOOL_OUT of its own, or after make clean
 PKG_CONFIG ?= pkg-config
-TOOL_PKG  := libxml-2.0 zlib $(filter-out $(WITHOUT),cairo geos libserialport) \
+TOOL_PKG  := libxml-2.0 zlib $(filter-out $(WITHOUT),cairo geos libserialport ncurses) \
              $(if $(filter cairo,$(WITHOUT)),,pangocairo)
 TOOL_OUT  ?= build
 # asked once, when the first file is compiled: make deps may have just installed it
@@ -97,10 +97,12 @@ TOOL_WITH_cairo            := $(wildcard $(patsubst %,host-tools/draw/%.c,plot* 
                               host-tools/read/svg_glyphs.c
 TOOL_WITH_geos             := host-tools/plan/region.c
 TOOL_WITH_libserialport    := host-tools/send/transport_serial.c
+TOOL_WITH_ncurses          := host-tools/base/screen.c
 TOOL_WITHOUT_cairo         := host-tools/draw/without_cairo.c host-tools/read/without_glyphs.c
 TOOL_WITHOUT_geos          := host-tools/plan/without_region.c
 TOOL_WITHOUT_libserialport := host-tools/send/without_serial.c
-TOOL_LEFT := $(foreach l,cairo geos libserialport,\
+TOOL_WITHOUT_ncurses       := host-tools/base/without_ncurses.c
+TOOL_LEFT := $(foreach l,cairo geos libserialport ncurses,\
                  $(TOOL_WITH$(if $(filter $(l),$(WITHOUT)),,OUT)_$(l)))
 TOOL_SRC  := $(filter-out $(TOOL_ENGINE) $(TOOL_LEFT),$(sort $(wildcard host-tools/*.c \
                  host-tools/*/*.c)))
@@ -173,7 +175,8 @@ demo-mill: tools
 # --- on a fresh machine ---------------------------------------------------------------------------
 HOST_PACKAGES := gcc g++ libc6-dev make pkg-config clang clang-format libclang-rt-14-dev \
                  libxml2-dev zlib1g-dev libcairo2-dev libpango1.0-dev fonts-dejavu-core \
-                 hershey-fonts-data libgeos-dev libserialport-dev librsvg2-bin spin python3
+                 hershey-fonts-data libgeos-dev libserialport-dev libncurses-dev \
+                 librsvg2-bin spin python3
 
 ## Install the Debian packages that demo and check need
 .PHONY: deps

@@ -1,7 +1,7 @@
 /* host-tools/base/keys.c -- single keys and ^C while a job runs
  * SPDX-License-Identifier: MIT
  *
- * Signal handlers can only reach globals: the four below. One set suffices: the program has one
+ * Signal handlers can only reach globals: the five below. One set suffices: the program has one
  * terminal.
  */
 #include <poll.h>
@@ -16,10 +16,18 @@
 
 static struct termios before;
 static volatile sig_atomic_t raw, stops, at_once;
+static const char *volatile leave;      /* what leaves a full screen, or NULL */
+
+void keys_leave_by(const char *text) { leave = text; }
 
 /* Also called at exit: only async-signal-safe calls. */
 void keys_stop(void)
 {
+    const char *text = leave;
+
+    leave = NULL;
+    if (text != NULL && write(STDERR_FILENO, text, strlen(text)) < 0) {
+    }
     if (raw)
         (void)tcsetattr(STDIN_FILENO, TCSANOW, &before);
     raw = 0;
@@ -39,6 +47,14 @@ static void stop(int number)
     if (write(STDERR_FILENO, line, at_once ? sizeof early - 1 : sizeof left - 1) < 0)
         _exit(EX_IOERR);
     _exit(EX_TEMPFAIL);
+}
+
+/* The program dies of this signal: its terminal does not. */
+static void fall(int number)
+{
+    keys_stop();
+    (void)signal(number, SIG_DFL);
+    (void)raise(number);
 }
 
 /* A ^C that came just before this is not lost: whoever computes now does not look for it. */
@@ -71,6 +87,8 @@ void keys_start(bool single)
     mode.c_lflag &= ~(tcflag_t)(ICANON | ECHO);     /* ISIG stays: ^C is a signal */
     mode.c_cc[VMIN]  = 1;
     mode.c_cc[VTIME] = 0;
+    catch(SIGQUIT, fall);
+    catch(SIGABRT, fall);
     (void)atexit(keys_stop);
     raw = tcsetattr(STDIN_FILENO, TCSANOW, &mode) == 0;
 }

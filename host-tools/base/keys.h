@@ -12,6 +12,10 @@
 void keys_start(bool single);
 void keys_stop(void);
 
+/* Whatever ends the program, write this to the terminal before, on standard error; NULL: nothing.
+ * The text must stay where it is. */
+void keys_leave_by(const char *text);
+
 /* The next key, or 0. */
 int keys_next(void);
 

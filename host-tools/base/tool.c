@@ -11,6 +11,7 @@
 
 #include "base/describe.h"   /* describe_command */
 #include "base/progress.h"   /* progress_clear_any */
+#include "base/screen.h"     /* screen_close */
 #include "base/tool.h"
 #include "loft.h"            /* LOFT_VERSION */
 
@@ -22,6 +23,7 @@ int tool_error(int code, const char *format, ...)
 
     fflush(stdout);
     progress_clear_any();
+    screen_close();
     fputs("loft: ", stderr);
     va_start(values, format);
     vfprintf(stderr, format, values);

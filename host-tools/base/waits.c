@@ -8,13 +8,13 @@
 #include "base/tool.h"           /* tool_clock */
 #include "base/waits.h"
 
-void waits_for(waits *w, const char *what)
+bool waits_due(waits *w, const char *what)
 {
     const double now = tool_clock();
 
     if (what == NULL) {
         w->what[0] = '\0';
-        return;
+        return false;
     }
     if (strncmp(w->what, what, sizeof w->what - 1) != 0) {
         snprintf(w->what, sizeof w->what, "%s", what);
@@ -22,7 +22,13 @@ void waits_for(waits *w, const char *what)
         w->told  = false;
     }
     if (w->told || now - w->since < WAITS_AFTER)
-        return;
+        return false;
     w->told = true;
-    fprintf(stderr, "%swaiting: %s\n", isatty(STDERR_FILENO) ? "\r\033[K" : "", w->what);
+    return true;
+}
+
+void waits_for(waits *w, const char *what)
+{
+    if (waits_due(w, what))
+        fprintf(stderr, "%swaiting: %s\n", isatty(STDERR_FILENO) ? "\r\033[K" : "", w->what);
 }

@@ -15,8 +15,11 @@ typedef struct {
     bool told;
 } waits;
 
-/* Call this in each iteration of a loop that waits. When `what` has been awaited for WAITS_AFTER,
- * it prints one line on standard error, once. NULL: nothing is awaited. */
+/* Call this in each iteration of a loop that waits. Returns true once, when `what` has been awaited
+ * for WAITS_AFTER. NULL: nothing is awaited. */
+bool waits_due(waits *w, const char *what);
+
+/* The same, and then print it in one line on standard error. */
 void waits_for(waits *w, const char *what);
 
 #endif

@@ -9,13 +9,14 @@
 #include "wire/action_code.h"    /* LOFT_OUTPUTS_MOST */
 
 #include "base/keys.h"           /* keys_start, keys_hasty */
-#include "base/source.h"         /* source_name */
 #include "plan/tools.h"          /* tools_split */
 #include "send/change.h"         /* change_tool */
 #include "plan/check.h"          /* check_print */
+#include "plan/missing.h"        /* missing_tell */
 #include "send/grbl.h"           /* grbl_run */
 #include "plan/planning.h"       /* planning_limit */
 #include "send/settings.h"       /* settings_adopt */
+#include "send/report.h"         /* report_start */
 #include "send/stream.h"         /* stream_run */
 #include "plan/table.h"          /* table_check */
 #include "base/tool.h"
@@ -28,7 +29,7 @@ typedef struct {
     double wait;
     const char *where, *from_tool;
     bool asks;                  /* standard input can answer */
-    bool points, grbl, g5, dry, check, hold, resume, abort, chip, away;
+    bool points, grbl, g5, dry, check, hold, resume, abort, chip, away, view, json;
 } stream_options;
 
 static void machine_limits(const loft_sender *s, engine_limits *l)
@@ -170,50 +171,11 @@ static struct job_does does_of(const stream_options *o, const loft_sender *s)
     return does;
 }
 
-/* Tell what the machine will not do, each once. */
-static void tell_missing(const stream_options *o, const parts *all, const struct job_does *does)
+/* From the first part that is drawn. */
+static missing_job asked_by(const stream_options *o, const parts *all)
 {
-    static const char *const what[] = { [DRAWING_WAITS] = "G4: the machine does not wait there",
-                                        [DRAWING_PAUSES] = "M0, M1 or M6: the machine does not "
-                                                           "stop there",
-                                        [DRAWING_SPINS] = "M3, M4 or M5: the machine has no output "
-                                                          "for a spindle",
-                                        [DRAWING_COOLS] = "M7, M8 or M9: the machine has no output "
-                                                          "for a coolant" };
-    unsigned count[4] = { 0 };
-
-    for (size_t k = all->first; k < all->count; k++)
-        for (size_t i = 0; i < all->part[k].d.events; i++)
-            count[all->part[k].d.event[i].doing] += !job_can(does, &all->part[k].d.event[i]);
-    for (size_t k = all->first; k < all->count; k++)
-        for (size_t i = 0; i < all->part[k].d.events; i++) {
-            const drawing_event *e = &all->part[k].d.event[i];
-            if (count[e->doing] == 0 || job_can(does, e))
-                continue;
-            (void)tool_error(EX_OK, "%s:%u: %s (%u times)%s", source_name(all->file), e->line,
-                             what[e->doing], count[e->doing],
-                             o->chip     ? ": --plan host lets it"
-                             : o->points ? ": not with --points"
-                                         : "");
-            count[e->doing] = 0;
-        }
-}
-
-/* Without its laser a machine would only scan the work. */
-static int check_laser(const stream_options *o, const parts *all, const struct job_does *does)
-{
-    const drawing *d = &all->part[all->first].d;
-
-    for (size_t i = 0; o->p.machine.laser > 0 && i < d->events; i++)
-        if (d->event[i].doing == DRAWING_SPINS && !job_can(does, &d->event[i]))
-            return tool_error(EX_CONFIG,
-                              "%s:%u: the machine has no output for the laser%s: leave out `laser "
-                              "= yes` to draw without it",
-                              source_name(all->file), d->event[i].line,
-                              o->points ? " with --points"
-                              : o->chip ? " with --plan chip"
-                                        : "");
-    return 0;
+    return (missing_job){ all->file, &all->part[all->first], all->count - all->first, o->points,
+                          o->chip };
 }
 
 /* Choose the options of a job for a machine with these limits. */
@@ -255,6 +217,12 @@ static void print_part(const stream_options *o, const parts *all, size_t k, cons
     print_plan(&w->j, &w->path, o->p.tol);
     if (p->tool != NULL && *p->tool->pause != '\0')
         printf("tool %s: before it: %s\n", p->tool->name, p->tool->pause);
+    report_planned(&(report_job){ .file = all->file,
+                                  .tool = p->tool ? p->tool->name : NULL,
+                                  .path = &w->path,
+                                  .tol  = o->p.tol,
+                                  .id   = w->j.head.id },
+                   job_seconds(&w->j), job_items(&w->j));
     sum->path.curves += w->path.curves;
     sum->path.drawn += w->path.drawn;
     sum->path.travelled += w->path.travelled;
@@ -279,8 +247,9 @@ static int dry_run(const stream_options *o, const drawing *d, const parts *all)
     for (int i = 0; i < ENGINE_AXES; i++)
         as.steps_per_mm[i] = (int32_t)lround(o->p.machine.steps_per_mm[i] * 65536);
     int code = options_of(o, &as);
-    as.does  = does_of(o, NULL);
-    tell_missing(o, all, &as.does);
+    as.does                 = does_of(o, NULL);
+    const missing_job asked = asked_by(o, all);
+    missing_tell(&asked, &as.does);
     for (size_t k = all->first; k < all->count && code == 0; k++) {
         work w = { .path = { 0 } };
         code   = plan_work(o, all, k, start, &as, &w);
@@ -364,8 +333,11 @@ static int stream_part(const stream_options *o, const parts *all, size_t k, bool
         code = stream_limits(t, o->p.machine.hard_stop > 0, &w->j.head);
     }
     if (code == 0) {
-        const stream_subject about = { all->file,  w->path.curves,   w->path.drawn, o->p.tol,
-                                       &all->part[k].d, o->record, &o->p.machine.k };
+        const machine_tool *tool   = all->part[k].tool;
+        const stream_subject about = { all->file,       w->path.curves, w->path.drawn,
+                                       o->p.tol,        &all->part[k].d, o->record,
+                                       &o->p.machine.k, o->port,         tool ? tool->name : NULL,
+                                       &w->path };
         code = stream_run(t, &w->j, &about);
     }
     return code;
@@ -388,11 +360,12 @@ static int stream_drawing(const stream_options *o, const parts *all, talk *t)
     size_t old  = all->count;
     int code    = check_machine(o, &t->sender);
     const struct job_does does = does_of(o, &t->sender);
+    const missing_job asked    = asked_by(o, all);
 
+    if (code == 0 && o->p.machine.laser > 0)
+        code = missing_laser(&asked, &does);
     if (code == 0)
-        code = check_laser(o, all, &does);
-    if (code == 0)
-        tell_missing(o, all, &does);
+        missing_tell(&asked, &does);
     if (code == 0)
         code = find_old(o, all, &t->sender, &w, &old);
     for (size_t k = old < all->count ? old : all->first; k < all->count && code == 0; k++) {
@@ -511,6 +484,27 @@ static int draw_file(stream_options *o, const char *file)
     return code;
 }
 
+/* Who is told how it goes? */
+static int start_report(const stream_options *o)
+{
+    const char *name = o->view ? "view" : "json";
+
+    if (o->view && o->json)
+        return tool_error(EX_USAGE, "--view and --json: one is for people, one for programs: give "
+                                    "one of them");
+    if ((o->view || o->json) && o->grbl)
+        return tool_error(EX_USAGE,
+                          "--%s: a controller of grbl's kind does not tell enough for "
+                          "it: leave out --grbl or this",
+                          name);
+    if (o->view && !o->asks)
+        return tool_error(EX_USAGE, "--view: it shows a drawing from a file while a machine draws "
+                                    "it: give both, or leave it out");
+    if (o->json && o->port != NULL && strcmp(o->port, "-") == 0)
+        return tool_error(EX_USAGE, "--json: standard output is the port: name another port");
+    return report_start(o->view ? REPORT_VIEW : o->json ? REPORT_JSON : REPORT_BAR);
+}
+
 static int run_stream(const tool_command *self, int argc, char **argv)
 {
     stream_options o = { .baud = 115200, .wait = 5, .where = "host" };
@@ -535,6 +529,12 @@ static int run_stream(const tool_command *self, int argc, char **argv)
         TOOL_TEXT("record", "FILE", &o.record,
                   "the pulses that `loft simulate --record FILE` writes: measure the path error"),
         TOOL_TEXT("log", "FILE", &o.log, "write what passes on the line, in words"),
+        TOOL_SWITCH("view", &o.view,
+                    "show the drawing, the numbers and the keys on the whole "
+                    "terminal"),
+        TOOL_SWITCH("json", &o.json,
+                    "tell a program how it goes: JSON, one object a line, on "
+                    "standard output"),
         TOOL_SWITCH("away", &o.away,
                     "the drawing leads away from the limit switches that are closed now"),
         TOOL_TEXT("from-tool", "NAME", &o.from_tool,
@@ -578,7 +578,10 @@ static int run_stream(const tool_command *self, int argc, char **argv)
                           "both the drawing and the port are standard input: name one of them");
     o.asks = !controls && !o.dry && strcmp(argv[first], "-") != 0 && strcmp(o.port, "-") != 0;
     keys_start(o.asks);
-    return controls ? control_machine(&o) : draw_file(&o, argv[first]);
+    code = start_report(&o);
+    if (code == 0)
+        code = controls ? control_machine(&o) : draw_file(&o, argv[first]);
+    return report_exit(code);
 }
 
 const tool_command command_stream = {

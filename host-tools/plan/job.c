@@ -293,6 +293,7 @@ static void pass_moves(job *j)
 
     for (const size_t now = joints_passed(&j->plan); j->passed < now; j->passed++) {
         j->done += seconds_of(&of->move[j->passed]);
+        j->ends[j->passed] = (uint32_t)j->count;
         if (j->head.kind == LOFT_CURVES && j->passed + 1 < j->count)
             time_item(j, j->passed + 1, j->ticks);
     }
@@ -483,6 +484,7 @@ int job_open(job *j, joints *of, const job_options *o)
     if (of->count >= LOFT_ITEMS_OPEN)
         return LOFT_ERR_RANGE;
     memcpy(j->steps_per_mm, o->steps_per_mm, sizeof j->steps_per_mm);
+    j->ends = tool_grow(NULL, of->count * sizeof *j->ends);
     for (size_t n = 0; n < of->count; n++)
         j->all += seconds_of(&of->move[n]);
     if (o->kind == LOFT_CURVES) {
@@ -508,6 +510,7 @@ void job_free(job *j)
     joints_end(&j->plan);
     free(j->entry);
     free(j->pause);
+    free(j->ends);
     *j = (job){ 0 };
 }
 
@@ -537,6 +540,24 @@ const char *job_words(const job *j)
     return j->head.kind == LOFT_POINTS ? "points"
            : j->head.kind == LOFT_CURVES ? "curves"
                                          : "spans";
+}
+
+size_t job_moves(const job *j, size_t executed)
+{
+    size_t low = 0, high = j->head.kind == LOFT_CURVES ? 0 : j->passed;
+
+    if (j->whole && executed >= j->count)
+        return j->of->path->count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (j->ends[middle] <= executed)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    if (j->head.kind == LOFT_CURVES)
+        low = executed;
+    return low < j->of->count ? j->of->of[low] : j->of->path->count;
 }
 
 double job_seconds(const job *j) { return (double)j->ticks / (double)j->tick_hz; }

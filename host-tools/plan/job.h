@@ -54,7 +54,8 @@ typedef struct {
         const char *text;
     } * pause;
     size_t pauses;
-    size_t passed;              /* moves                                        */
+    size_t passed;              /* moves, and */
+    uint32_t *ends;             /* of each of them: the items up to its end */
     double done, all;           /* s of moves at their feeds: passed moves, all moves */
     int32_t steps_per_mm[ENGINE_AXES];
     loft_job_limits limits;     /* of curves; head.limits points to them        */
@@ -116,6 +117,9 @@ double job_feed(const job *j, size_t item);
 
 /* What to tell in the pause after so many items; NULL: there is none. It needs a plan up to it. */
 const char *job_pause(const job *j, size_t executed);
+
+/* The number of moves of the tool that are over after so many items; it may lag a little. */
+size_t job_moves(const job *j, size_t executed);
 
 /* The duration of everything planned. */
 double job_seconds(const job *j);

@@ -6,11 +6,11 @@
 #include <string.h>
 
 #include "base/keys.h"           /* keys_next, keys_interrupted */
-#include "base/progress.h"       /* progress_show */
+#include "send/report.h"         /* report_show */
 #include "send/stream.h"
 #include "send/stream_end.h"     /* stream_drawn, stream_place */
 #include "base/tool.h"
-#include "base/waits.h"          /* waits_for */
+#include "base/waits.h"          /* waits_due */
 
 #define SILENCE 10.0        /* s of silence until we give up */
 #define LIMIT_FILTER 1      /* ms that a limit switch must stay closed: sparks are shorter */
@@ -23,7 +23,6 @@ typedef struct {
     talk *t;
     job *j;
     const stream_subject *about;
-    progress bar, again;    /* again: planning up to the item where a job continues */
     waits waiting;
     int planned;            /* enum loft_status                         */
     size_t kept;            /* items before it will not be asked for again */
@@ -95,8 +94,8 @@ static const char *awaited_event(const run_state *r, char text[200])
         return "the machine does not answer: look at cable and power";
     if (s->phase == LOFT_PHASE_OPENING)
         return "the machine has not taken the job";
-    if (s->phase != LOFT_PHASE_STREAMING || r->bar.shown)
-        return NULL;                    /* the progress bar shows it */
+    if (s->phase != LOFT_PHASE_STREAMING || report_shown())
+        return NULL;
     switch (s->ack.state) {
     case LOFT_STATE_HOLDING:    return "the machine slows down to a hold";
     case LOFT_STATE_STOPPING:   return "the machine slows down, then the job is over";
@@ -126,44 +125,77 @@ static const char *awaited_event(const run_state *r, char text[200])
                                          : "the machine has all items, and does not move";
 }
 
+/* The state in one word, for a program. */
+static const char *state_word(const run_state *r)
+{
+    switch (r->t->sender.ack.state) {
+    case LOFT_STATE_HOLDING:  return "holds";
+    case LOFT_STATE_HELD:     return r->pause ? "pause" : "held";
+    case LOFT_STATE_STOPPING: return "aborts";
+    default:                  return time_rests(r) ? "waits" : "draws";
+    }
+}
+
+static report_facts facts_of(const run_state *r)
+{
+    const loft_sender *s = &r->t->sender;
+    const uint32_t items = job_items(r->j);
+    const bool stale     = s->status.ack.executed > s->ack.executed;     /* of the job before */
+    const uint32_t ticks = stale ? 0 : s->status.ticks;
+    const bool rests     = stale || time_rests(r);
+    const size_t item    = job_item_at(r->j, ticks);
+
+    return (report_facts){ .state = state_word(r),
+                           .done = (double)ticks,
+                           .total = job_ticks(r->j),
+                           .item = s->ack.executed,
+                           .items = items == LOFT_ITEMS_OPEN ? 0 : items,
+                           .queued = s->ack.next - s->ack.executed,
+                           .feed = rests ? 0 : r->pace * job_feed(r->j, item),
+                           .override = s->status.override,
+                           .moves = job_moves(r->j, s->ack.executed),
+                           .rests = rests };
+}
+
 static void show_progress(run_state *r)
 {
     const loft_sender *s = &r->t->sender;
     char state[32], text[160];
-    double at[LOFT_AXES];
 
     measure_pace(r);
     state_text(r, state);
-    r->bar.total = job_ticks(r->j);
+    report_facts f = facts_of(r);
+    stream_place(s, r->about->k, s->status.position, f.at);
     if (job_items(r->j) == LOFT_ITEMS_OPEN && r->j->count < s->ack.next) {
-        progress_show(&r->again, (double)r->j->count, "planning up to where the machine stopped");
+        f.state = "plans";
+        f.done  = (double)r->j->count;
+        f.total = (double)s->ack.next;
+        f.rests = false;
+        report_show(&f, "planning up to where the machine stopped");
         return;
     }
     size_t used = (size_t)snprintf(text, sizeof text, "%s %3u %%  queue %3u ", state,
                                    s->status.override, (unsigned)(s->ack.next - s->ack.executed));
-    stream_place(s, r->about->k, s->status.position, at);
     for (int i = 0; i < LOFT_AXES; i++)
-        used += (size_t)snprintf(text + used, sizeof text - used, " %c %.2f", "XYZABC"[i], at[i]);
-    if (time_rests(r))
-        progress_rest(&r->bar);
-    progress_show(&r->bar, (double)s->status.ticks, text);
+        used += (size_t)snprintf(text + used, sizeof text - used, " %c %.2f", "XYZABC"[i], f.at[i]);
+    report_show(&f, text);
 }
 
-/* Print one line about the current state; it stays on the screen. */
+/* Tell the current state in one line; it stays on the screen. */
 static void tell_state(run_state *r)
 {
     const loft_sender *s = &r->t->sender;
-    char state[32], of[32];
+    char state[32], of[32], place[96];
     double at[LOFT_AXES];
+    size_t used = 0;
 
     state_text(r, state);
     stream_place(s, r->about->k, s->status.position, at);
-    progress_clear(&r->bar);
-    fprintf(stderr, "item %u%s, %u queued, override %u %%, %s", (unsigned)s->ack.executed,
-            job_of(r->j, of), (unsigned)(s->ack.next - s->ack.executed), s->status.override, state);
     for (int i = 0; i < LOFT_AXES; i++)
-        fprintf(stderr, " %c %.2f", "XYZABC"[i], at[i]);
-    fputc('\n', stderr);
+        used += (size_t)snprintf(place + used, sizeof place - used, " %c %.2f", "XYZABC"[i], at[i]);
+    report_line("item %u%s, %u queued, override %u %%, %s%s", (unsigned)s->ack.executed,
+                job_of(r->j, of), (unsigned)(s->ack.next - s->ack.executed), s->status.override,
+                state, place);
 }
 
 /* A key counts from the override that was last asked for, which the machine may not have confirmed
@@ -210,8 +242,7 @@ static void wake_job(run_state *r)
         return;
     r->woken    = true;
     job_sent_from(r->j, s->ack.next);
-    fprintf(stderr, "resuming at item %u%s\n", (unsigned)s->ack.next, job_of(r->j, of));
-    progress_start(&r->again, (double)s->ack.next);
+    report_line("resuming at item %u%s", (unsigned)s->ack.next, job_of(r->j, of));
     r->resting = s->ack.state == LOFT_STATE_HELD || s->ack.state == LOFT_STATE_HOLDING;
 }
 
@@ -225,10 +256,8 @@ static void watch_pauses(run_state *r)
     if (s->phase != LOFT_PHASE_STREAMING || (!r->j->whole && r->j->count < s->ack.executed))
         return;
     r->pause = s->ack.state == LOFT_STATE_HELD ? job_pause(r->j, s->ack.executed) : NULL;
-    if (r->pause != NULL && r->pause != before) {
-        progress_clear(&r->bar);
-        fprintf(stderr, "pause%s%s: Enter goes on, a gives up\n", *r->pause ? ": " : "", r->pause);
-    }
+    if (r->pause != NULL && r->pause != before)
+        report_line("pause%s%s: Enter goes on, a gives up", *r->pause ? ": " : "", r->pause);
     if (r->resting && r->pause == NULL && r->stop_at <= 0)
         loft_sender_control(&r->t->sender, LOFT_RESUME);
     r->resting = false;
@@ -292,11 +321,11 @@ static int stream_loop(run_state *r)
             loft_sender_hangup(s);
             if (s->phase >= LOFT_PHASE_DONE)
                 break;
-            progress_clear(&r->bar);
+            report_end();
             return talk_vanished(r->t, where_text(r, place));
         }
         if (talk_silence(r->t) > SILENCE) {
-            progress_clear(&r->bar);
+            report_end();
             return tool_error(EX_IOERR,
                               "%s: the machine has been silent for %g s %s: it stops on the path; "
                               "look at cable and power, "
@@ -310,20 +339,23 @@ static int stream_loop(run_state *r)
             break;
         if (s->phase == LOFT_PHASE_STREAMING)
             show_progress(r);
-        waits_for(&r->waiting, awaited_event(r, text));
+        if (waits_due(&r->waiting, awaited_event(r, text)))
+            report_line("waiting: %s", r->waiting.what);
     }
-    progress_clear(&r->bar);
+    report_end();
     return 0;
 }
 
 int stream_run(talk *t, job *j, const stream_subject *about)
 {
-    run_state r = { .t = t, .j = j, .about = about };
+    run_state r          = { .t = t, .j = j, .about = about };
+    const report_job told = { about->file, about->port, about->tool,
+                              about->path, about->tol,  j->head.id };
 
     if (loft_sender_begin(&t->sender, &j->head, job_items(j), job_source, j) != LOFT_OK)
         return tool_error(EX_SOFTWARE, "the job could not begin: please report this");
     loft_sender_extend(&t->sender, (uint32_t)j->count, job_items(j));
-    progress_start(&r.bar, job_ticks(j));
+    report_begin(&told);
     const int code = stream_loop(&r);
     if (code != 0)
         return code;

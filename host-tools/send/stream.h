@@ -19,6 +19,8 @@ typedef struct {
     const drawing *d;
     const char *record;     /* the pulses that a simulated machine recorded, or NULL    */
     const kinematics *k;
+    const char *port, *tool;        /* tool NULL: the drawing has none */
+    const toolpath *path;
 } stream_subject;
 
 /* Begin `j` on the greeted machine, plan on while it draws, and wait for the end. Returns an exit

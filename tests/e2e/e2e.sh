@@ -10,7 +10,8 @@ set -u
 loft=$1 pty=$2/pty shim=$2/shim.so; shift 2
 top=$(mktemp -d)
 trap 'rm -rf "$top"' EXIT
-echo leak:libfontconfig.so >"$top/leaks"        # it keeps its tables until the program ends
+# they keep their tables until the program ends
+printf 'leak:%s.so\n' libfontconfig libncurses libtinfo >"$top/leaks"
 export LSAN_OPTIONS=suppressions=$top/leaks:print_suppressions=0
 
 
@@ -342,6 +343,80 @@ case_hold_and_resume_by_key() {
     says screen '%  [0-9]*:[0-9][0-9] left  feed  *[56][0-9]\.[0-9] mm/s  100 %  queue  *[0-9]*  X'
     says screen 'as commanded'
     counted keyed; same_path keyed calm
+}
+# seen WORD: the whole terminal showed it, then was given back; $tmp/after is what came then
+seen() {
+    grep -qF -- "$1" "$tmp/out" || job_fails "the view does not show \`$1\`"
+    sed -z 's/.*\x1b\[?1049l//' "$tmp/out" >"$tmp/after"
+    grep -q $'\x1b\[?1049h' "$tmp/out" && ! cmp -s "$tmp/out" "$tmp/after" \
+        || job_fails "the terminal was not taken, or not given back"
+}
+case_a_job_on_the_whole_terminal() {
+    undisturbed
+    machine viewed --speed real --once
+    "$pty" type "$tmp/viewed.log" "1.2:h 2.4:s 3:r" "$loft" stream "$tmp/small.csv" --view \
+        --port "$tmp/viewed" "${slowly[@]}" >"$tmp/out" 2>&1 || job_fails "exit code $?"
+    gone "$machine"
+    counted viewed; same_path viewed calm
+    seen 'h hold  r resume  a abort'; seen '   pen '; seen 'queue'; seen '#'; seen '....'
+    seen 'held, r resumes  X '; says after 'drawn: .*as commanded'
+    draws viewed; one_line 64 'must be a terminal' "${job[@]}" --view
+    one_line 64 'give both' "$loft" stream "$tmp/small.csv" --view --dry-run
+}
+case_the_whole_terminal_is_given_back() {   # by whatever ends the command
+    local keys
+    for keys in "1:^C" "1:^C 1.02:^C" "1:^\\" "1:a"; do
+        rm -f "$tmp/taken.log"
+        machine taken --speed real
+        "$pty" type "$tmp/taken.log" "$keys" sh -c "trap : INT QUIT
+            '$loft' stream '$tmp/small.csv' --view --port '$tmp/taken' --feed 60
+            echo code \$?; stty -a" >"$tmp/out" 2>&1
+        kill -9 "$machine"; gone "$machine"
+        seen 'h hold'
+        says after '^code '; says after ' icanon'; says after ' echo '; says after ' onlcr'
+        case $keys in *a) says after '^code 75' ;; *C) says after '^code 75' ;; esac
+    done
+    machine lost --speed real
+    (until_log lost ' begun'; sleep 1; kill -9 "$machine") &
+    "$pty" type "$tmp/lost.log" "9:q" "$loft" stream "$tmp/small.csv" --view \
+        --port "$tmp/lost" --feed 60 >"$tmp/out" 2>&1
+    [ $? = 74 ] || job_fails "a lost machine: $(tail -c 200 "$tmp/out")"
+    seen 'h hold'; says after 'loft: .*vanished'
+}
+# lines EXPRESSION: of the objects `o` in $tmp/out, by their events; each line is one object
+lines() {
+    python3 - "$tmp/out" "$1" <<'PY' || job_fails "not so: $1: $(tail -2 "$tmp/out")"
+import json, sys
+o = [json.loads(line) for line in open(sys.argv[1])]
+states = [x for x in o if x['event'] == 'state']
+told = [x['text'] for x in o if x['event'] == 'line']
+sys.exit(not eval(sys.argv[2]))
+PY
+}
+case_a_program_is_told_in_json() {
+    machine told --speed real
+    draws told
+    run 0 "${job[@]}" --json
+    says err '^drawn: '
+    lines "o[0]['event'] == 'job' and o[0]['curves'] == 7 and o[-1] == {'event': 'end', 'code': 0}"
+    lines "len(states) > 20 and states[0]['part'] < 0.1 and states[-1]['part'] > 0.9"
+    lines "[x['item'] for x in states] == sorted(x['item'] for x in states)"
+    lines "max(x['feed'] for x in states) > 50 and {x['pen'] for x in states} == {'up', 'down'}"
+    lines "all(x['override'] == 100 and len(x['at']) == 3 and 'queued' in x for x in states)"
+    lines "states[-1]['items'] > 200 and abs(states[-1]['at'][0] - 60) < 1"
+    "${job[@]}" --json >"$tmp/out" 2>"$tmp/err" & local sender=$!
+    sleep 2.5; "$loft" stream --hold --port "$tmp/told" >/dev/null 2>&1
+    kill -TERM $sender; wait $sender
+    lines "o[-1] == {'event': 'end', 'code': 75}"
+    run 0 "${job[@]}" --json
+    lines "any(t.startswith('resuming at item') for t in told)"
+    kill -9 "$machine"; gone "$machine"
+    run 69 "${job[@]}" --json
+    lines "o == [{'event': 'end', 'code': 69}]"
+    run 0 "$loft" stream "$tmp/small.csv" --json --dry-run
+    lines "len(o) == 2 and o[0]['seconds'] > 5 and o[0]['items'] > 200"
+    one_line 64 'give one of them' "${job[@]}" --json --view
+    one_line 64 'leave out --grbl' "${job[@]}" --json --grbl
 }
 case_what_is_left_stays_while_held() {
     machine patient --speed real --once

@@ -1,5 +1,5 @@
 #!/bin/bash
-# tests/packages/tool.sh -- the command without cairo, GEOS and libserialport
+# tests/packages/tool.sh -- the command without cairo, GEOS, libserialport and ncurses
 # SPDX-License-Identifier: MIT
 # usage: tests/packages/tool.sh
 row=tool
@@ -8,9 +8,10 @@ needs musl-gcc
 
 # what is left out is refused in one line, and the rest works
 without=$work/without/loft
-built() { make -s tools WITHOUT="cairo geos libserialport" TOOL_OUT="$work/without"; }
-verdict "make tools WITHOUT=\"cairo geos libserialport\"" built
-free() { ! ldd "$without" | grep -E 'cairo|geos|serialport'; }
+none="cairo geos libserialport ncurses"
+built() { make -s tools WITHOUT="$none" TOOL_OUT="$work/without"; }
+verdict "make tools WITHOUT=\"$none\"" built
+free() { ! ldd "$without" | grep -E 'cairo|geos|serialport|ncurses'; }
 verdict "it is linked with none of them" free
 refuses() {     # refuses WORD ARGUMENT..: with the code 69 and one line that has the word
     local word=$1 said
@@ -23,6 +24,11 @@ echo '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0h9v9z"/></svg>' >"$wo
 verdict "contour fills are refused, with the cause" refuses geos plan "$work/filled.svg" \
     --fill contour
 verdict "loft ports is refused, with the cause" refuses libserialport ports
+view() {        # on a terminal
+    ! script -qec "'$without' stream tests/drawings/demo.svg --port /dev/null --view" /dev/null |
+        grep -v "without ncurses"
+}
+verdict "loft stream --view is refused, with the cause" view
 streams() {     # a whole job on the simulated machine
     "$without" simulate --once --quiet --link "$work/machine" & local machine=$!
     for _ in 1 2 3 4 5 6 7 8 9; do [ -e "$work/machine" ] || sleep 0.2; done
@@ -40,7 +46,7 @@ verdict "loft stream draws on the simulated machine" streams
 on_musl() {
     local sources
     mkdir -p "$work/include" && cp -r /usr/include/{unicode,zlib.h,zconf.h} "$work/include" &&
-        sources=$(make -s WITHOUT="cairo geos libserialport" print-tool-sources) &&
+        sources=$(make -s WITHOUT="$none" print-tool-sources) &&
         [ -n "$sources" ] &&
         for source in $sources; do
             musl-gcc -std=c99 -Wall -Wextra -Werror -D_GNU_SOURCE -DLOFT_WITHOUT_CAIRO -Ilib \
