@@ -8,6 +8,7 @@
 
 #include "num/status.h"     /* enum loft_status */
 
+#include "cmd/compare.h"
 #include "engine/curve.h"
 #include "engine/engine.h"
 #include "engine/piece.h"
@@ -18,6 +19,9 @@
 /* The largest error of one way to compute a curve in one number type. */
 typedef struct {
     const reference *exact;         /* of the curve, rounded to the number type */
+    const reference *with;          /* of the other one, or NULL                     */
+    long double with_from, with_to; /* its part                                      */
+    const tool_list *quadric;
     const engine *against;          /* NULL: exact, in long double                   */
     engine_curve *other;            /* the curve in `against`                        */
     uint32_t n, j;                  /* parameters per piece, parameters visited */
@@ -30,25 +34,51 @@ typedef struct {
     long double from, to;
 } comparison;
 
+double compare_quadric(const tool_list *q, const double p[ENGINE_AXES])
+{
+    const double *a = q->value, x = p[0], y = p[1], z = p[2];
+    const double f = a[0] * x * x + a[1] * y * y + a[2] * z * z + a[3] * x * y + a[4] * y * z +
+                     a[5] * z * x + a[6] * x + a[7] * y + a[8] * z + a[9],
+                 fx = 2 * a[0] * x + a[3] * y + a[5] * z + a[6],
+                 fy = 2 * a[1] * y + a[3] * x + a[4] * z + a[7],
+                 fz = 2 * a[2] * z + a[4] * y + a[5] * x + a[8],
+                 slope = sqrt(fx * fx + fy * fy + fz * fz);
+
+    return slope > 0 ? fabs(f) / slope : f < 0 || f > 0 ? INFINITY : 0;
+}
+
+static void note(comparison *m, double off, long double t, int axis)
+{
+    m->sum += off;
+    m->count++;
+    if (off > m->worst) {
+        m->worst = off;
+        m->t     = (double)t;
+        m->axis  = axis;
+    }
+}
+
 static void measure_point(comparison *m, long double t, const double got[ENGINE_AXES])
 {
+    const curve *c = m->exact->c;
     long double want[ENGINE_AXES];
     double other[ENGINE_AXES];
 
-    if (m->against == NULL)
+    if (m->quadric != NULL) {
+        note(m, compare_quadric(m->quadric, got) / m->unit, t, 3);
+        return;
+    }
+    if (m->with != NULL) {
+        const long double from = (long double)curve_from(c), to = (long double)curve_to(c);
+        reference_eval(m->with,
+                       m->with_from + (m->with_to - m->with_from) * (t - from) / (to - from), want);
+    } else if (m->against == NULL)
         reference_eval(m->exact, t, want);
     else if (m->against->curve->eval(m->other, (double)t, other) != 0)
         return;
     for (int i = 0; i < ENGINE_AXES; i++) {
         const long double right = m->against ? (long double)other[i] : want[i];
-        const double off = (double)fabsl((long double)got[i] - right) / m->unit;
-        m->sum += off;
-        m->count++;
-        if (off > m->worst) {
-            m->worst = off;
-            m->t     = (double)t;
-            m->axis  = i;
-        }
+        note(m, (double)fabsl((long double)got[i] - right) / m->unit, t, i);
     }
 }
 
@@ -105,7 +135,7 @@ static int compare_walk(comparison *m, const engine *e, engine_curve *held)
 // Rounded to a number type
 // ------------------------
 
-static bool round_numbers(const engine *e, double x[], int count)
+bool compare_round(const engine *e, double x[], int count)
 {
     for (int i = 0; i < count; i++)
         if (e->hold(x[i], &x[i]) != 0)
@@ -126,16 +156,16 @@ static bool round_curve(const engine *e, const curve *c, curves *out)
     held->count = held->knot_count = 0;
     for (unsigned i = 0; i < c->count; i++) {
         curve_point p = c->point[i];
-        fits = fits && round_numbers(e, p.p, CURVE_AXES) && round_numbers(e, p.d[0], CURVE_AXES) &&
-               round_numbers(e, p.d[1], CURVE_AXES) && round_numbers(e, &p.w, 1);
+        fits = fits && compare_round(e, p.p, CURVE_AXES) && compare_round(e, p.d[0], CURVE_AXES) &&
+               compare_round(e, p.d[1], CURVE_AXES) && compare_round(e, &p.w, 1);
         curve_add_point(held, &p);
     }
     for (unsigned i = 0; i < c->knot_count; i++) {
         double knot = c->knot[i];
-        fits = fits && round_numbers(e, &knot, 1);
+        fits = fits && compare_round(e, &knot, 1);
         curve_add_knot(held, knot);
     }
-    return fits && round_numbers(e, &held->tension, 1);
+    return fits && compare_round(e, &held->tension, 1);
 }
 
 /* The LSB in mm: a constant, or that of the largest coordinate. */
@@ -155,10 +185,13 @@ static double unit_of(const engine *e, const curve *c)
 
 static void print_row(const engine *e, const comparison *m, const char *way, size_t curve_number)
 {
-    printf("%-4s %-5s %-5s %5zu %9.4f %9.4f %11.3e %.9g %c %s\n", e->name,
-           m->against ? m->against->name : "exact", way, curve_number, m->worst,
-           m->sum / (double)m->count, m->worst * m->unit, m->t, "xyz"[m->axis],
-           curve_name(m->exact->c->kind));
+    printf("%-4s %-7s %-5s %5zu %9.4f %9.4f %11.3e %.9g %c %s\n", e->name,
+           m->quadric   ? "quadric"
+           : m->with    ? "other"
+           : m->against ? m->against->name
+                        : "exact",
+           way, curve_number, m->worst, m->sum / (double)m->count, m->worst * m->unit, m->t,
+           "xyz-"[m->axis], curve_name(m->exact->c->kind));
 }
 
 static int compare_ways(const engine *e, comparison *m, engine_curve *held, size_t curve_number)
@@ -181,53 +214,89 @@ static int compare_ways(const engine *e, comparison *m, engine_curve *held, size
     return status;
 }
 
-static int compare_curve(const engine *e, const engine *against, const curve *c, uint32_t n,
-                         size_t curve_number)
+/* What curve k is compared with: the same one of the other file, or a part of its first one. */
+static int find_other(const engine *e, const compare_to *to, const curves *other, size_t k,
+                      comparison *m, reference *with, curves *rounded)
+{
+    const size_t at = to->part.count > 0 ? 0 : k;
+
+    if (at >= other->count || (to->part.count > 0 && k + 1 >= to->part.count))
+        return LOFT_ERR_ARG;
+    if (!round_curve(e, &other->curve[at], rounded))
+        return LOFT_ERR_RANGE;
+    if (!reference_init(with, &rounded->curve[0]))
+        return LOFT_SINGULAR;
+    m->with      = with;
+    m->with_from = (long double)(to->part.count > 0 ? to->part.value[k] : curve_from(with->c));
+    m->with_to   = (long double)(to->part.count > 0 ? to->part.value[k + 1] : curve_to(with->c));
+    return LOFT_OK;
+}
+
+static int compare_curve(const engine *e, const compare_to *to, const curve *c,
+                         const curves *others, size_t curve_number)
 {
     engine_curve *held = NULL, *other = NULL;
-    curves rounded = { 0 };
-    reference exact = { 0 };
+    curves rounded = { 0 }, besides = { 0 };
+    reference exact = { 0 }, with = { 0 };
     int status = round_curve(e, c, &rounded) ? LOFT_OK : LOFT_ERR_RANGE;
+    comparison m = { .exact = &exact,
+                     .against = to->than,
+                     .quadric = to->quadric.count > 0 ? &to->quadric : NULL,
+                     .n = to->n,
+                     .unit = unit_of(e, &rounded.curve[0]) };
 
-    if (status == LOFT_OK && curve_pieces(&rounded.curve[0]) > UINT32_MAX / n)
+    if (status == LOFT_OK && curve_pieces(&rounded.curve[0]) > UINT32_MAX / to->n)
         status = LOFT_ERR_RANGE;
     if (status == LOFT_OK && !reference_init(&exact, &rounded.curve[0]))
         status = LOFT_SINGULAR;
+    if (status == LOFT_OK && to->other)
+        status = find_other(e, to, others, curve_number, &m, &with, &besides);
     if (status == LOFT_OK)
         status = e->curve->open(&rounded.curve[0], &held);
-    if (status == LOFT_OK && against != NULL)
-        status = against->curve->open(&rounded.curve[0], &other);
-    if (status == LOFT_OK) {
-        comparison m = { .exact = &exact,
-                         .against = against,
-                         .other = other,
-                         .n = n,
-                         .unit = unit_of(e, &rounded.curve[0]) };
+    if (status == LOFT_OK && to->than != NULL)
+        status = to->than->curve->open(&rounded.curve[0], &other);
+    m.other = other;
+    if (status == LOFT_OK)
         status = compare_ways(e, &m, held, curve_number);
-    }
     if (held != NULL)
         e->curve->close(held);
     if (other != NULL)
-        against->curve->close(other);
+        to->than->curve->close(other);
     reference_free(&exact);
+    reference_free(&with);
     curves_free(&rounded);
+    curves_free(&besides);
     return status;
 }
 
-static int compare_curves(const engine *e, const engine *against, const curves *all, uint32_t n,
-                          const char *file)
+/* Curves or surfaces, as both files hold. */
+typedef struct {
+    curves curve;
+    surfaces surface;
+} content;
+
+static int compare_all(const engine *e, const compare_to *to, const content *all,
+                       const content *other, const char *file)
 {
-    for (size_t i = 0; i < all->count; i++) {
-        const int status = compare_curve(e, against, &all->curve[i], n, i);
+    if (all->surface.count > 0)
+        return compare_surfaces(e, to, &all->surface, &other->surface, file);
+    for (size_t i = 0; i < all->curve.count; i++) {
+        const curve *c   = &all->curve.curve[i];
+        const int status = compare_curve(e, to, c, &other->curve, i);
+        if (status == LOFT_ERR_ARG && to->other)
+            return tool_error(EX_DATAERR,
+                              "%s:%u: nothing in %s is its own: give as many curves, "
+                              "or a --part for each",
+                              file, c->line, to->other);
         if (status != 0)
-            return tool_error(EX_DATAERR, "%s:%u: %s in %s: %s", file, all->curve[i].line,
-                              curve_name(all->curve[i].kind), e->name, engine_status(status));
+            return tool_error(EX_DATAERR, "%s:%u: %s in %s: %s", file, c->line, curve_name(c->kind),
+                              e->name, engine_status(status));
     }
     return EX_OK;
 }
 
-static int compare_types(const char *types, const engine *against, const curves *all, uint32_t n,
-                         const char *file)
+static int compare_types(const char *types, const compare_to *to, const content *all,
+                         const content *other, const char *file)
 {
     char names[64];
     int code = EX_OK;
@@ -236,10 +305,10 @@ static int compare_types(const char *types, const engine *against, const curves 
         return tool_error(EX_USAGE, "--num %s: give q16, f32, f64, or several with commas between",
                           types);
     strcpy(names, types);
-    printf("# num than  way   curve worst_lsb  mean_lsb    worst_mm t axis kind\n");
+    printf("# num than    way   curve worst_lsb  mean_lsb    worst_mm t axis kind\n");
     for (char *name = strtok(names, ","); name && code == EX_OK; name = strtok(NULL, ",")) {
         const engine *e = engine_find(name);
-        code = e ? compare_curves(e, against, all, n, file)
+        code = e ? compare_all(e, to, all, other, file)
                  : tool_error(EX_USAGE,
                               "--num %s: give q16, f32, f64, or several with commas between",
                               types);
@@ -247,43 +316,86 @@ static int compare_types(const char *types, const engine *against, const curves 
     return code;
 }
 
+static int read_content(content *out, const char *file, const char *text)
+{
+    int code = text ? 0 : surfaces_read(&out->surface, file);
+
+    if (code == 0 && out->surface.count == 0)
+        code = curves_read(&out->curve, file, text);
+    return code;
+}
+
+static void free_content(content *c)
+{
+    curves_free(&c->curve);
+    surfaces_free(&c->surface);
+}
+
+static int check_options(const compare_to *to, const char *than)
+{
+    if (to->than == NULL && strcmp(than, "exact") != 0)
+        return tool_error(EX_USAGE, "--against %s: give exact, q16, f32 or f64", than);
+    if (to->quadric.count > 0 && to->quadric.count != COMPARE_QUADRIC)
+        return tool_error(EX_USAGE, "--quadric: %zu numbers: give 10, of xx yy zz xy yz zx x y z 1",
+                          (size_t)to->quadric.count);
+    if ((to->than != NULL) + (to->other != NULL) + (to->quadric.count > 0) > 1)
+        return tool_error(EX_USAGE, "give one of --against, --with and --quadric");
+    return 0;
+}
+
 static int run_compare(const tool_command *self, int argc, char **argv)
 {
     const char *types = "q16,f32,f64", *than = "exact", *text = NULL;
-    unsigned n        = 1024;
-    curves all        = { 0 };
+    content all = { 0 }, other = { 0 };
+    compare_to to = { .n = 0 };
     const char *file;
 
     const tool_option options[] = {
         TOOL_TEXT("num", "TYPE,..", &types, "number types to measure (q16,f32,f64)"),
         TOOL_TEXT("against", "exact|q16|f32|f64", &than,
                   "what they are measured against: exact, q16, f32 or f64 (exact)"),
-        TOOL_COUNT("n", "N", &n, 1, 1e8, "parameters per piece, j/N (1024)"),
+        TOOL_TEXT("with", "FILE", &to.other,
+                  "or the curves or surfaces of this file, each in turn"),
+        TOOL_LIST("part", "T,T,..", &to.part, -32768, 32767,
+                  "or these parts of its first one: see above"),
+        TOOL_LIST("quadric", "A,..", &to.quadric, -1e9, 1e9,
+                  "or the quadric xx yy zz xy yz zx x y z 1"),
+        TOOL_COUNT("n", "N", &to.n, 1, 1e8, "parameters per piece, j/N (1024; of a surface 30)"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
         TOOL_OPTIONS_END
     };
     int code = tool_file_options(self, options, argc, argv, &text, &file);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
-    const engine *against = engine_find(than);
-    if (against == NULL && strcmp(than, "exact") != 0)
-        return tool_error(EX_USAGE, "--against %s: give exact, q16, f32 or f64", than);
-
-    code = curves_read(&all, file, text);
+    to.than = engine_find(than);
+    code    = check_options(&to, than);
     if (code == 0)
-        code = compare_types(types, against, &all, n, text ? "--points" : source_name(file));
-    curves_free(&all);
+        code = read_content(&all, file, text);
+    if (code == 0 && to.other != NULL)
+        code = read_content(&other, to.other, NULL);
+    if (to.n == 0)
+        to.n = all.surface.count > 0 ? 30 : 1024;
+    if (code == 0)
+        code = compare_types(types, &to, &all, &other, text ? "--points" : source_name(file));
+    free_content(&all);
+    free_content(&other);
     return code;
 }
 
 const tool_command command_compare = {
-    "compare", "[--num TYPE,..] [FILE|-]",
+    "compare", "[--num TYPE,..] [--with FILE] [FILE|-]",
     "the error of a number type, in LSB, and where it is worst",
     "For each curve and each way to compute it (eval: point by point, walk: forward\n"
     "differences) prints one line: the largest and the mean error in LSB (q16: 2^-16 mm;\n"
     "floats: of the largest coordinate), the largest in mm, its t and its axis. The input is\n"
     "rounded to the number type first, so this measures the arithmetic. Walks follow the\n"
     "Bezier pieces, so the rounding of the pieces counts. Arcs, whose pieces have a\n"
-    "tolerance, are not walked.\n",
+    "tolerance, are not walked.\n\n"
+    "For each surface the same, on a grid; tensor products, triangles, bicubic and Coons patches\n"
+    "and spheres have a definition, others are compared with f64. With --with each curve or\n"
+    "surface is compared with that of another file at the same parameters. With --part curve k\n"
+    "is the part T[k]..T[k+1] of the first one there; a surface has u,v of its corners (0,0) and\n"
+    "(1,1), a triangle those of its three corners. With --quadric the distance from a conic,\n"
+    "cylinder, sphere or another quadric is measured, to first order.\n",
     run_compare
 };

@@ -30,6 +30,10 @@ const tool_command command_decide = {
     "  ray         where the ray --of x,y,z,dx,dy,dz meets them: t, u, v; `touch` is not decided\n"
     "  area        of each\n"
     "  volume      that they enclose\n"
+    "  join        how each continues the one before across u = 1: C0 C1 G1; of triangles the\n"
+    "              order of derivatives that agree across the edge T2 T3: --of the shares of T2, "
+    "T3\n"
+    "              of the new corner\n"
     "Answers about signs, kinds and numbers are exact for the numbers as read in the number "
     "type.\n",
     run_decide

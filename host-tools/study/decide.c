@@ -37,14 +37,17 @@ static int ask_of_file(const decide_question *q, const decide_input *numbers, co
     decide_input in = *numbers;
     curves all = { 0 };
     surfaces patches = { 0 };
-    int code = q->takes == DECIDE_CURVES ? curves_read(&all, file, NULL)
-                                         : surfaces_read(&patches, file);
+    int code = q->takes == DECIDE_CURVES ? 0 : surfaces_read(&patches, file);
+    const bool curved = q->takes == DECIDE_CURVES ||
+                        (q->takes == DECIDE_EITHER && patches.count == 0);
 
+    if (code == 0 && curved)
+        code = curves_read(&all, file, NULL);
     if (code == 0 && q->takes == DECIDE_SURFACES && patches.count == 0)
         code = tool_error(EX_DATAERR, "%s: holds no surface: give a file of surfaces",
                           source_name(file));
-    in.curves = q->takes == DECIDE_CURVES ? &all : NULL;
-    in.surfaces = q->takes == DECIDE_SURFACES ? &patches : NULL;
+    in.curves = curved ? &all : NULL;
+    in.surfaces = curved ? NULL : &patches;
     if (code == 0)
         code = ask(q, &in, source_name(file));
     curves_free(&all);

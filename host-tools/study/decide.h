@@ -16,7 +16,7 @@
 struct curves;
 struct surfaces;
 
-enum decide_takes { DECIDE_NUMBERS, DECIDE_CURVES, DECIDE_SURFACES };
+enum decide_takes { DECIDE_NUMBERS, DECIDE_CURVES, DECIDE_SURFACES, DECIDE_EITHER };
 
 /* What a question is asked of: numbers, or the curves or surfaces of a file. */
 typedef struct {
@@ -38,12 +38,12 @@ typedef struct {
 
 #define DECIDE_ANY       1024
 #define DECIDE_WHY       160
-#define DECIDE_QUESTIONS 14
+#define DECIDE_QUESTIONS 15
 
 extern const decide_question decide_q16[DECIDE_QUESTIONS], decide_f32[DECIDE_QUESTIONS],
     decide_f64[DECIDE_QUESTIONS];
 
-#define MAKE_VERBS 16
+#define MAKE_VERBS 18
 
 extern const decide_question make_q16[MAKE_VERBS], make_f32[MAKE_VERBS], make_f64[MAKE_VERBS];
 

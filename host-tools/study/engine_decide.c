@@ -23,6 +23,7 @@
 
 #include "engine/surface.h"
 #include "study/decide.h"
+#include "study/engine_patch.h"
 #include "study/engine_pieces.h"                /* numbers_of, visit_pieces, piece_list */
 
 static const char *yes_no(bool x) { return x ? "yes" : "no"; }
@@ -422,4 +423,5 @@ const decide_question ENGINE_OF(decide)[DECIDE_QUESTIONS] = {
     { "ray", DECIDE_SURFACES, 6, 6, "a point and a direction x,y,z,dx,dy,dz", answer_ray },
     { "area", DECIDE_SURFACES, 0, 0, "nothing", answer_area },
     { "volume", DECIDE_SURFACES, 0, 0, "nothing", answer_volume },
+    { "join", DECIDE_SURFACES, 0, 2, "nothing, or shares of T2 and T3", ENGINE_OF(answer_join) },
 };

@@ -11,6 +11,7 @@
 
 #include "base/tool.h"                          /* tool_grow */
 #include "study/decide.h"
+#include "study/engine_patch.h"
 #include "study/engine_pieces.h"                /* visit_pieces, piece_list */
 #include "study/engine_weave.h"
 
@@ -76,7 +77,11 @@ static int raise_piece(void *context, const arc_piece *a, size_t number)
     return status;
 }
 
-static int make_raise(const decide_input *in) { return visit_pieces(in, raise_piece, (void *)in); }
+static int make_raise(const decide_input *in)
+{
+    return in->surfaces ? ENGINE_OF(make_raise_patch)(in)
+                        : visit_pieces(in, raise_piece, (void *)in);
+}
 
 static int lower_piece(void *context, const arc_piece *a, size_t number)
 {
@@ -98,34 +103,53 @@ static int lower_piece(void *context, const arc_piece *a, size_t number)
 
 static int make_lower(const decide_input *in) { return visit_pieces(in, lower_piece, (void *)in); }
 
-static int split_piece(void *context, const arc_piece *a, size_t number)
+/* The part from..to. */
+static int part_piece(const decide_input *in, const arc_piece *a, loft_unit from, loft_unit to)
 {
-    const decide_input *in = context;
-    loft_vec p[2][MOST];
-    loft_weighted w[2][MOST];
+    loft_vec p[MOST];
+    loft_weighted w[MOST];
     loft_rational r;
+    int status;
 
-    (void)number;
-    if (in->of->count != 1 || !(in->of->value[0] > 0 && in->of->value[0] < 1))
-        return LOFT_ERR_ARG;
-    const loft_unit t = (loft_unit)(in->of->value[0] * (double)LOFT_UNIT(1));
-    int status = LOFT_OK;
-    if (a->rational) {
-        status = loft_rational_init(&r, a->w, a->b.degree);
+    if (!a->rational) {
+        status = loft_bezier_sub(&a->b, from, to, p);
         if (status == LOFT_OK)
-            status = loft_rational_split(&r, t, w[0], w[1]);
-    } else {
-        status = loft_bezier_split(&a->b, t, p[0], p[1]);
+            write_bezier(in, p, a->b.degree);
+        return status;
     }
-    for (unsigned k = 0; k < 2 && status == LOFT_OK; k++)
-        if (a->rational)
-            write_rational(in, w[k], a->b.degree);
-        else
-            write_bezier(in, p[k], a->b.degree);
+    status = loft_rational_init(&r, a->w, a->b.degree);
+    if (status == LOFT_OK)
+        status = loft_rational_sub(&r, from, to, w);
+    if (status == LOFT_OK)
+        write_rational(in, w, a->b.degree);
     return status;
 }
 
-static int make_split(const decide_input *in) { return visit_pieces(in, split_piece, (void *)in); }
+static int split_piece(void *context, const arc_piece *a, size_t number)
+{
+    const decide_input *in = context;
+    loft_unit from = 0;
+    double before  = 0;
+    int status     = LOFT_OK;
+
+    (void)number;
+    for (size_t k = 0; k <= in->of->count && status == LOFT_OK; k++) {
+        const double t     = k < in->of->count ? in->of->value[k] : 1;
+        const loft_unit to = (loft_unit)(t * (double)LOFT_UNIT(1));
+        if (!(t > before && (t < 1 || k == in->of->count)))
+            return LOFT_ERR_ARG;
+        status = part_piece(in, a, from, to);
+        from   = to;
+        before = t;
+    }
+    return status;
+}
+
+static int make_split(const decide_input *in)
+{
+    return in->surfaces ? ENGINE_OF(make_split_patch)(in)
+                        : visit_pieces(in, split_piece, (void *)in);
+}
 
 /* The last piece first, each with its points in reverse order. */
 static int make_reverse(const decide_input *in)
@@ -254,9 +278,9 @@ static int make_revolve(const decide_input *in)
 }
 
 const decide_question ENGINE_OF(make)[MAKE_VERBS] = {
-    { "raise", DECIDE_CURVES, 1, 1, "a number of degrees", make_raise },
+    { "raise", DECIDE_EITHER, 1, 1, "a number of degrees", make_raise },
     { "lower", DECIDE_CURVES, 1, 1, "a number of degrees", make_lower },
-    { "split", DECIDE_CURVES, 1, 1, "t between 0 and 1", make_split },
+    { "split", DECIDE_EITHER, 1, DECIDE_ANY, "t,.. between 0 and 1; of a surface u,v", make_split },
     { "reverse", DECIDE_CURVES, 0, 0, "nothing", make_reverse },
     { "ruled", DECIDE_CURVES, 0, 0, "nothing", make_ruled },
     { "skin", DECIDE_CURVES, 0, 0, "nothing", make_skin },
@@ -269,6 +293,8 @@ const decide_question ENGINE_OF(make)[MAKE_VERBS] = {
     { "ferguson", DECIDE_CURVES, 0, 0, "nothing", ENGINE_OF(make_ferguson) },
     { "adini", DECIDE_CURVES, 0, 0, "nothing", ENGINE_OF(make_adini) },
     { "bessel", DECIDE_CURVES, 0, 0, "nothing", ENGINE_OF(make_bessel) },
+    { "quarter", DECIDE_SURFACES, 0, 0, "nothing", ENGINE_OF(make_quarter) },
+    { "continue", DECIDE_SURFACES, 2, 2, "shares of T2 and T3", ENGINE_OF(make_continue) },
     { "gregory", DECIDE_SURFACES, 0, 0, "nothing", ENGINE_OF(make_gregory) },
     { "fill", DECIDE_SURFACES, 0, 1, "a degree, or nothing", ENGINE_OF(make_fill) },
 };

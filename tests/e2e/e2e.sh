@@ -1161,6 +1161,51 @@ case_decide() {
     one_line 64 'ray: --of has 3 numbers: give a point and'      "$loft" decide ray --of=1,2,3 -
     one_line 65 'holds no surface' "$loft" decide ray --of=1,2,3,4,5,6 "$tmp/touch.txt"
 }
+case_compare_with() {
+    printf 'bezier 3\n0 0\n10 30\n40 -20\n50 10\n' >"$tmp/curve.loft"
+    printf 'triangle 2\n0 0 9\n10 0 2\n0 10 5\n20 0 4\n10 10 8\n0 20 3\n' >"$tmp/tri.loft"
+    printf 'tensor 1 2\n0 0 0\n0 9 4\n0 20 0\n20 0 3\n20 9 9\n20 20 0\n' >"$tmp/ten.loft"
+    printf 'sphere 10\n' >"$tmp/ball.loft"
+    # at most BOUND LSB
+    within() {
+        awk -v b="$1" '!/^#/ { n++; if (!($5 <= b)) exit 1 } END { exit !n }' "$tmp/out" ||
+            job_fails "$num, bound $1: $(cat "$tmp/out")"
+    }
+    for num in q16 f32 f64; do
+        for name in curve tri ten; do
+            "$loft" make raise --num $num --of 2 "$tmp/$name.loft" >"$tmp/more.loft"
+            run 0 "$loft" compare --num $num --with "$tmp/$name.loft" "$tmp/more.loft"
+            within 16                   # f64: the walk of degree 5, 11
+            run 0 "$loft" compare --num $num "$tmp/$name.loft"; within 16
+        done
+        "$loft" make split --num $num --of 0.25,0.625 "$tmp/curve.loft" >"$tmp/parts.loft"
+        run 0 "$loft" compare --num $num --with "$tmp/curve.loft" --part 0,0.25,0.625,1 \
+            "$tmp/parts.loft"; within 16
+        "$loft" make split --num $num --of 0.25,0.5 "$tmp/ten.loft" >"$tmp/parts.loft"
+        run 0 "$loft" compare --num $num --with "$tmp/ten.loft" --part \
+            0,0,0.25,0.5,0,0.5,0.25,1,0.25,0,1,0.5,0.25,0.5,1,1 "$tmp/parts.loft"; within 4
+        "$loft" make quarter --num $num "$tmp/tri.loft" >"$tmp/parts.loft"
+        run 0 "$loft" compare --num $num --with "$tmp/tri.loft" --part \
+            0,0,.5,0,0,.5,.5,0,1,0,.5,.5,0,.5,.5,.5,0,1,.5,.5,0,.5,.5,0 "$tmp/parts.loft"; within 4
+        run 0 "$loft" compare --num $num --quadric=1,1,1,0,0,0,0,0,0,-100 "$tmp/ball.loft"
+        within 4
+        run 0 "$loft" compare --num $num --quadric=1,1,1,0,0,0,0,0,0,-100.01 "$tmp/ball.loft"
+        awk '!/^#/ && $7 > 0.000499 && $7 < 0.00053 { n++ } END { exit n != 1 }' "$tmp/out" ||
+            job_fails "a sphere that is larger by 0.0005: $(cat "$tmp/out")"
+        "$loft" make continue --num $num --of 1,1 "$tmp/tri.loft" >"$tmp/next.loft"
+        cat "$tmp/tri.loft" "$tmp/next.loft" >"$tmp/both.loft"
+        run 0 "$loft" decide join --num $num --of 1,1 "$tmp/both.loft"; says out 'to order 2$'
+        cat "$tmp/ten.loft" "$tmp/ten.loft" >"$tmp/both.loft"
+        run 0 "$loft" decide join --num $num "$tmp/both.loft"; says out '^0 1 C0 no C1 no G1 no$'
+    done
+    one_line 64 'give one of --against' "$loft" compare --with "$tmp/tri.loft" --against f64 \
+        "$tmp/tri.loft"
+    one_line 64 'give 10' "$loft" compare --quadric 1,2 "$tmp/ball.loft"
+    one_line 64 'give 6 for each' "$loft" compare --with "$tmp/tri.loft" --part 0,0 "$tmp/tri.loft"
+    one_line 65 'as many' "$loft" compare --num f64 --with "$tmp/tri.loft" "$tmp/parts.loft"
+    one_line 65 'no definition here' "$loft" compare tests/drawings/sided.loft
+    one_line 65 'without weights' "$loft" make quarter "$tmp/ball.loft"
+}
 case_figures() {
     local names
     names=$("$loft" figures --list | cut -d ' ' -f 1)
