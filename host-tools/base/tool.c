@@ -17,6 +17,8 @@
 
 const char tool_version[] = LOFT_VERSION;
 
+static bool strict;         /* --strict */
+
 int tool_error(int code, const char *format, ...)
 {
     va_list values;
@@ -28,7 +30,11 @@ int tool_error(int code, const char *format, ...)
     va_start(values, format);
     vfprintf(stderr, format, values);
     va_end(values);
+    if (code == EX_OK && strict)
+        fputs(" (an error by --strict)", stderr);
     fputc('\n', stderr);
+    if (code == EX_OK && strict)
+        exit(EX_DATAERR);
     return code;
 }
 
@@ -176,13 +182,9 @@ static bool is_abbreviated(char **argv, const char *name)
     return strncmp(word, "--", 2) == 0 && strcspn(word + 2, "=") != strlen(name);
 }
 
-int tool_options(const tool_command *self, const tool_option options[], int argc, char **argv,
-                 int *first)
+static int parse_options(const tool_command *self, const tool_option options[], size_t count,
+                         int argc, char **argv)
 {
-    size_t count = 0;
-    while (options[count].kind != TOOL_END)
-        count++;
-
     struct option *table = tool_grow(NULL, (count + 2) * sizeof *table);
     for (size_t i = 0; i < count; i++)
         table[i] = (struct option){ options[i].name,
@@ -223,6 +225,25 @@ int tool_options(const tool_command *self, const tool_option options[], int argc
         }
     }
     free(table);
+    return code;
+}
+
+int tool_options(const tool_command *self, const tool_option options[], int argc, char **argv,
+                 int *first)
+{
+    static const tool_option common[] = {
+        TOOL_SWITCH("strict", &strict, "a warning is an error: the command ends with it"),
+        TOOL_OPTIONS_END
+    };
+    size_t count = 0;
+    while (options[count].kind != TOOL_END)
+        count++;
+
+    tool_option *all = tool_grow(NULL, (count + 2) * sizeof *all);
+    memcpy(all, options, count * sizeof *all);
+    memcpy(all + count, common, sizeof common);
+    const int code = parse_options(self, all, count + 1, argc, argv);
+    free(all);
     *first = optind;
     return code;
 }

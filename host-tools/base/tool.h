@@ -29,7 +29,8 @@ extern const tool_command command_compare, command_contour, command_decide, comm
     command_stream, command_study, command_surface, command_park, command_pen, command_probe,
     command_unlock, command_zero;
 
-/* Print `loft: <message>` and return `code`. */
+/* Print `loft: <message>` and return `code`. With EX_OK it is a warning: --strict, which all
+ * commands take, ends the program with EX_DATAERR then. */
 int tool_error(int code, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Read a number from `least` to `most`. On failure prints the name of the option and returns

@@ -73,11 +73,11 @@ int tools_apply(const machine_tools *t, drawing *d, const char *file)
         none += d->curve[i].tool == 0;
     }
     if (none > 0)
-        fprintf(stderr,
-                "loft: %s: %zu curve%s belong%s to no tool, and %s drawn first: give a tool "
-                "without colours and layers\n",
-                source_name(file), none, tool_s(none), none == 1 ? "s" : "",
-                none == 1 ? "is" : "are");
+        (void)tool_error(EX_OK,
+                         "%s: %zu curve%s belong%s to no tool, and %s drawn first: give a tool "
+                         "without colours and layers",
+                         source_name(file), none, tool_s(none), none == 1 ? "s" : "",
+                         none == 1 ? "is" : "are");
     for (unsigned i = 0; i <= t->count; i++)
         take_part(t, i, d, &sorted);
     drawing_free(d);

@@ -973,6 +973,42 @@ case_bad_drawings() {
     printf '0,0 1,1\n0,zero\n'   >"$tmp/word.txt"
     one_line 65 'word.txt:1' "$loft" eval "$tmp/word.txt"
 }
+# warned PATTERN COMMAND..: a warning, which --strict makes an error; without it the job is done
+warned() {
+    local pattern=$1; shift
+    run 0 "$@"
+    says err "$pattern"; cp "$tmp/err" "$tmp/warnings"
+    one_line 65 "$pattern.*--strict" "$@" --strict
+    [ ! -s "$tmp/out" ] || job_fails "$* --strict prints: $(head -c 200 "$tmp/out")"
+    grep -qF "$(sed 's/ (an error by --strict)//' "$tmp/err")" "$tmp/warnings" \
+        || job_fails "another line than the first warning"
+}
+case_strict_makes_warnings_errors() {
+    cat >"$tmp/image.svg" <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm" viewBox="0 0 50 50">
+  <path d="M5 5h9" stroke="red"/><image width="5" height="5" href="a.png"/></svg>
+SVG
+    printf 'G21 G90 F600\nG1 X5\nM48\nG1 Y5\n' >"$tmp/left.nc"
+    printf 'G21 G90 F600\nG1 X5\nG4 P1\nG1 Y5\n' >"$tmp/wait.nc"
+    printf 'tool.red.colours = blue\n' >"$tmp/pens.txt"
+    for command in "stream --dry-run" "plan --total" "measure" "plot -o $tmp/plot.svg" \
+            "export -o $tmp/image.nc"; do
+        rm -f "$tmp"/plot.svg "$tmp"/image.nc
+        warned 'image.svg:2: ' "$loft" ${command%% *} "$tmp/image.svg" ${command#"${command%% *}"}
+        run 65 "$loft" ${command%% *} "$tmp/left.nc" ${command#"${command%% *}"} --strict
+        says err 'left.nc:3: M48.*--strict'
+    done
+    run 65 "$loft" plan "$tmp/wait.nc" --strict; says err 'wait.nc:3: .*times.*--strict'
+    sed -i 's/<image.*//; $a</svg>' "$tmp/image.svg"
+    warned '1 curve belongs to no tool' "$loft" plan "$tmp/image.svg" --total \
+        --machine "$tmp/pens.txt"
+    # these have no warnings: what is off is an error in any case
+    echo 1,2,3 >"$tmp/short.csv"; one_line 65 'short.csv:1' "$loft" plan "$tmp/short.csv" --strict
+    echo 'bend 0 0' >"$tmp/odd.loft"; one_line 65 'odd.loft:1' "$loft" plan "$tmp/odd.loft" --strict
+    echo 'x.tavel = 3' >"$tmp/odd.txt"
+    one_line 65 'odd.txt:1' "$loft" plan "$tmp/small.csv" --machine "$tmp/odd.txt" --strict
+    run 0 "$loft" plan "$tmp/small.csv" --total --strict; is_empty err
+}
 case_bad_options() {
     one_line 64 'unknown command draw'     "$loft" draw
     one_line 64 'not an option'  "$loft" stream x --fast
