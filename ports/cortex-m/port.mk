@@ -41,7 +41,7 @@ $(call cortex,mps2-an505,$(CORTEX_M33),0x10000000 4M 0x38000000 4M,$(MPS2_33),po
 # --- flashing: the usual tool, or a clear word when it is missing ---------------------------------
 flash_tool = @command -v $(1) >/dev/null || { echo "$(1) is missing: apt install $(2)"; exit 1; }
 
-## Write it to a board with an ST-Link (BOOT0 low)
+# to a board with an ST-Link, BOOT0 low
 .PHONY: $(patsubst %,flash-%,stm32f405 stm32f405-fast stm32f103 stm32f103-fast)
 $(patsubst %,flash-%,stm32f405 stm32f405-fast stm32f103 stm32f103-fast): flash-%: firmware-%
 	$(call flash_tool,st-flash,stlink-tools)
