@@ -22,7 +22,6 @@
 #define DUST         loft_acc_scale(SPECK, LOFT_UNIT(0.25))
 #define BLUR         16384                          /* grains: what is longer has a direction */
 #define LENGTH_MAX   loft_to_acc(LOFT_REAL(64))       /* a loft_unit holds it */
-#define BEND_MAX     (LOFT_REAL_MAX / 2)
 
 
 static loft_acc dot(const loft_vec *a, const loft_vec *b)
@@ -94,15 +93,23 @@ static void shorten(loft_arc *a, loft_unit part)
             loft_accs_scale(a->c[k], part);
 }
 
+/* Keep the first half. */
+static void halve(loft_arc *a)
+{
+    loft_accs_scale(a->c[1], LOFT_UNIT(0.5));
+    loft_accs_scale(a->c[2], LOFT_UNIT(0.25));
+    loft_accs_scale(a->c[3], LOFT_UNIT(0.125));
+}
+
 /* The derivative's control points, three times the legs, their mean and its length; per axis: how
- * far they are off it at most, and the sum of their sizes. Of coarse arcs the one in the middle
- * counts double, as no parabola through three rates follows it. */
+ * far they are off it at most, and the sum of their sizes. The one in the middle counts
+ * double, as no parabola through three rates follows it. */
 typedef struct {
     loft_acc length, off, size;
     loft_acc chord[LOFT_AXES], leg[3][LOFT_AXES];
 } legs;
 
-static void set_legs(const loft_arc *a, legs *l, bool coarse)
+static void set_legs(const loft_arc *a, legs *l)
 {
     loft_accs_copy(l->leg[0], a->c[1]);
     loft_accs_copy(l->leg[1], a->c[1]);
@@ -118,16 +125,16 @@ static void set_legs(const loft_arc *a, legs *l, bool coarse)
     for (int i = 0; i < LOFT_AXES; i++)
         for (int k = 0; k < 3; k++) {
             const loft_acc x = l->leg[k][i], off = loft_acc_abs(x - l->chord[i]);
-            l->off  = loft_acc_max(l->off, coarse && k == 1 ? 2 * off : off);
+            l->off  = loft_acc_max(l->off, k == 1 ? 2 * off : off);
             l->size += loft_acc_abs(x);
         }
 }
 
-/* When all legs are within |chord| / 16 of it (per axis), direction and rate change by at most 1/8
- * over the arc, 1/4 if it is coarse, so no feature hides between the places looked at. */
-static bool nearly_straight(const legs *l, bool coarse)
+/* When all legs are within |chord| / 8 of it (per axis), direction and rate change by at most 1/4
+ * over the arc, so no feature hides between the places looked at. */
+static bool nearly_straight(const legs *l)
 {
-    return l->length > 0 && l->length <= LENGTH_MAX && l->off * (coarse ? 8 : 16) <= l->length;
+    return l->length > 0 && l->length <= LENGTH_MAX && l->off * 8 <= l->length;
 }
 
 static void set_direction(const loft_acc v[LOFT_AXES], loft_acc length, loft_vec *u)
@@ -175,8 +182,10 @@ static loft_acc set_rate(const loft_arc *a, int k, loft_acc d[LOFT_AXES])
                     square = LOFT_UNIT(0.1875) * (loft_unit)(k * k);
 
     loft_accs_copy(d, a->c[1]);
-    loft_accs_grow(d, a->c[2], half);
-    loft_accs_grow(d, a->c[3], square);
+    if (k > 0) {
+        loft_accs_grow(d, a->c[2], half);
+        loft_accs_grow(d, a->c[3], square);
+    }
     return loft_acc_hypot(d, LOFT_AXES);
 }
 
@@ -234,7 +243,7 @@ static loft_unit parameter_at(const loft_arc *a, loft_unit w)
  *     1/4 + S - T, 1/2 - M, 3/4 - S - T       S = (r0 + r4 + 2 (r1 + r3) - 6 r2) / 48
  *     T = 3 (r4 - r0 + 2 (r3 - r1)) / 64      M = (r4 - r0 + 4 (r3 - r1)) / 24
  *
- * The speed errs by what is left out, by less than 1/2500, 1/10000 of arcs that are not coarse. */
+ * The speed errs by what is left out, by less than 1/2500. */
 static void set_pace(loft_arc *a)
 {
     loft_acc rate[5];
@@ -270,109 +279,48 @@ static bool leads(const loft_arc *a, loft_acc length)
 /* Is it one that may be walked? `size` is that of its interval of parameters. What is too small for
  * its bend to matter is a crumb if it has a direction: the path may turn around where it begins and
  * where it ends. */
-static bool fits(loft_arc *a, uint32_t size, bool coarse)
+static bool fits(loft_arc *a, uint32_t size)
 {
     legs l;
 
-    set_legs(a, &l, coarse);
-    a->speck = a->dust = a->crumb = false;
-    if (nearly_straight(&l, coarse))
+    set_legs(a, &l);
+    a->dust = false;
+    if (nearly_straight(&l))
         return true;
 
     const bool speck = l.size <= SPECK && straight_speck(&l),
                dust = !speck && (l.size <= DUST || size == 1);
     if (!speck && !dust)
         return false;
-    a->crumb = dust && leads(a, l.length);
-    a->speck = speck || a->crumb;
-    a->dust  = !a->speck;
+    a->dust = dust && !leads(a, l.length);
     straighten(a);
     return true;
 }
 
-static void begin_at(loft_arc *a, const loft_cubic *curve, uint32_t from, uint32_t to)
-{
-    begin(a, curve, from);
-    shorten(a, loft_unit_of(to - from, LOFT_ARC_WHOLE));
-}
-
-void loft_arc_cut(loft_arc *arc, const loft_cubic *curve, uint32_t from, uint32_t to, bool coarse)
-{
-    loft_acc rate[5];
-
-    begin_at(arc, curve, from, to);
-    (void)fits(arc, to - from, coarse);
-    set_length(arc, rate);
-}
-
-void loft_arc_pace(loft_arc *arc, const loft_cubic *curve, uint32_t from, uint32_t to, bool chord)
-{
-    begin_at(arc, curve, from, to);
-    if (chord)
-        straighten(arc);
-    arc->speck = arc->dust = arc->crumb = false;
-    set_pace(arc);
-}
-
 /* The largest binary interval that begins at `from`, halved until it is nearly straight. */
-uint32_t loft_arc_next(loft_arc *arc, const loft_cubic *curve, uint32_t from, bool coarse)
+uint32_t loft_arc_next(loft_arc *arc, const loft_cubic *curve, uint32_t from)
 {
     uint32_t size = LOFT_ARC_WHOLE;
-    loft_acc rate[5];
 
     while (from % size != 0)
         size /= 2;
-    begin_at(arc, curve, from, from + size);
-    while (!fits(arc, size, coarse)) {
+    begin(arc, curve, from);
+    if (size < LOFT_ARC_WHOLE)
+        shorten(arc, loft_unit_of(size, LOFT_ARC_WHOLE));
+    while (!fits(arc, size)) {
         size /= 2;
-        shorten(arc, LOFT_UNIT(0.5));
+        halve(arc);
     }
-    set_length(arc, rate);
+    set_pace(arc);
     return from + size;
 }
 
-/* With u = D / |D| the curvature vector is
- *
- *     K = (D' - u (u . D')) / |D|^2
- *
- * The quotient by |D| is below 1, as control points of the derivative differ by at most |chord| /
- * 8. Arcs below 2^-15 mm may bend more than a real of q16 can say: twice BEND_MAX stands for all of
- * that. */
-static loft_real curvature(loft_acc across, loft_acc rate)
-{
-    const loft_acc x = loft_to_acc(loft_acc_quot(across, rate));
-    if (loft_acc_abs(x) > loft_acc_mul(rate, BEND_MAX))
-        return x < 0 ? -2 * BEND_MAX : 2 * BEND_MAX;
-    return loft_acc_quot(x, rate);
-}
-
-static void set_station(const loft_arc *a, int k, loft_vec *u, loft_vec *bend)
+void loft_arc_direction(const loft_arc *arc, unsigned n, loft_vec *out)
 {
     loft_acc v[LOFT_AXES];
 
-    const loft_acc rate = set_rate(a, 2 * k, v);
-    set_direction(v, rate, u);
-    for (int i = 0; i < LOFT_AXES; i++)
-        v[i] = 2 * a->c[2][i] + 3 * k * a->c[3][i];
-    (void)take_along(v, u);
-    for (int i = 0; i < LOFT_AXES; i++)
-        bend->axis[i] = curvature(v[i], rate);
-}
-
-void loft_arc_measure(const loft_arc *arc, loft_arc_shape *shape, unsigned which)
-{
-    shape->tight = arc->dust;
-    for (int k = 0; k < 3; k++) {
-        if (arc->dust)
-            for (int i = 0; i < LOFT_AXES; i++) {
-                shape->along[k].axis[i] = LOFT_REAL(1);
-                shape->bend[k].axis[i]  = 0;
-            }
-        else if (which & 1u << k)
-            set_station(arc, k, &shape->along[k], &shape->bend[k]);
-        if (!loft_vec_within(shape->bend[k], BEND_MAX))
-            shape->tight = true;
-    }
+    const loft_acc rate = set_rate(arc, 2 * (int)n, v);
+    set_direction(v, rate, out);
 }
 
 void loft_arc_eval(const loft_arc *arc, loft_acc s, loft_acc out[LOFT_AXES])

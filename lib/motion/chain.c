@@ -7,8 +7,6 @@
 
 #define DUST        4                               /* arcs that are no longer are nothing */
 
-static loft_coord least(loft_coord a, loft_coord b) { return a < b ? a : b; }
-
 static loft_move *move_at(const loft_chain *chain, unsigned i)
 {
     const unsigned k = chain->first + i;
@@ -18,11 +16,6 @@ static loft_move *move_at(const loft_chain *chain, unsigned i)
 static loft_move *move_of(const loft_chain *chain, uint16_t number)
 {
     return move_at(chain, (uint16_t)(number - chain->dropped));
-}
-
-loft_coord loft_chain_feed(const loft_chain *chain, uint16_t number)
-{
-    return loft_period_speed(chain->period, move_of(chain, number)->feed);
 }
 
 
@@ -40,16 +33,12 @@ bool loft_chain_advance(const loft_chain *chain, loft_chain_walk *w)
             return false;
         const loft_cubic *curve = &move_of(chain, w->number)->curve;
         loft_arc arc;
-        const uint32_t from = w->to, to = loft_arc_next(&arc, curve, from, true);
-        w->to = to;
-        if (arc.dust || loft_coord_of(arc.length) < DUST)
-            continue;
-        loft_arc_pace(&arc, curve, from, to, arc.speck);
+        w->to = loft_arc_next(&arc, curve, w->to);
         const loft_coord length = loft_coord_of(arc.length);
-        if (length < DUST)
+        if (arc.dust || length < DUST)
             continue;
-        w->arc  = arc;
-        w->from = from;
+        w->arc = arc;
+        w->feed = loft_period_speed(chain->period, move_of(chain, w->number)->feed);
         w->s += w->length;
         w->length = length;
         return true;
@@ -68,23 +57,22 @@ bool loft_chain_try(const loft_chain *chain, loft_chain_walk *w)
     return false;
 }
 
-void loft_chain_place(const loft_chain_walk *w, loft_coord off, loft_position *out)
+void loft_chain_place(const loft_chain_walk *w, int64_t s, loft_position *out)
 {
+    const int64_t off = s - w->s;
     loft_acc at[LOFT_AXES];
 
-    loft_arc_eval(&w->arc, loft_coord_to_acc(least(off, w->length)), at);
+    loft_arc_eval(&w->arc, loft_coord_to_acc(off < w->length ? off : w->length), at);
     for (int i = 0; i < LOFT_AXES; i++)
         out->axis[i] = loft_coord_of(at[i]);
 }
 
-loft_coord loft_chain_go(const loft_chain *chain, loft_chain_walk *w, int64_t s, loft_position *out)
+loft_coord loft_chain_go(const loft_chain *chain, loft_chain_walk *w, int64_t s)
 {
-    loft_coord feed = loft_chain_feed(chain, w->number);
+    loft_coord feed = w->feed;
 
     while (s > w->s + w->length && loft_chain_try(chain, w))
-        feed = least(feed, loft_chain_feed(chain, w->number));
-    const int64_t off = s - w->s;
-    loft_chain_place(w, off < w->length ? (loft_coord)off : w->length, out);
+        feed = w->feed < feed ? w->feed : feed;
     return feed;
 }
 
@@ -96,10 +84,10 @@ static void round_direction(const loft_vec *u, int16_t out[])
 
 void loft_chain_direction(const loft_chain_walk *w, unsigned n, int16_t out[])
 {
-    loft_arc_shape shape = { .tight = false };      /* the others are not asked for */
+    loft_vec u;
 
-    loft_arc_measure(&w->arc, &shape, 1u << n);
-    round_direction(&shape.along[n], out);
+    loft_arc_direction(&w->arc, n, &u);
+    round_direction(&u, out);
 }
 
 int64_t loft_chain_turn(const int16_t a[], const int16_t b[])
@@ -113,9 +101,9 @@ int64_t loft_chain_turn(const int16_t a[], const int16_t b[])
 void loft_chain_begin(const loft_chain *chain, loft_chain_walk *w)
 {
     w->number = chain->dropped;
-    w->from = w->to = 0;
+    w->to = 0;
     w->s = 0;
-    w->length = 0;
+    w->length = w->feed = 0;
 }
 
 

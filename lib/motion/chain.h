@@ -38,9 +38,10 @@ typedef struct {
 /* A curve that is walked by its length. */
 typedef struct {
     loft_arc arc;
-    uint32_t from, to;          /* parameters */
+    uint32_t to;                /* the parameter where the arc ends */
     int64_t  s;                 /* where the arc begins */
     loft_coord length;           /* of the arc; 0: none yet */
+    loft_coord feed;            /* the speed that is asked for, in a period */
     uint16_t number;            /* of the curve, of all that were pushed */
 } loft_chain_walk;
 
@@ -70,9 +71,6 @@ static inline uint16_t loft_chain_room(const loft_chain *chain)
 /* Drop the curves before this one, modulo 2^16. */
 void loft_chain_drop(loft_chain *chain, uint16_t number);
 
-/* The speed that is asked for of a curve, in a period. */
-loft_coord loft_chain_feed(const loft_chain *chain, uint16_t number);
-
 /* Are all known curves behind this walk? */
 static inline bool loft_chain_walked(const loft_chain *chain, const loft_chain_walk *w)
 {
@@ -88,12 +86,11 @@ bool loft_chain_advance(const loft_chain *chain, loft_chain_walk *w);
 /* Go to the next arc, or stay on this one. */
 bool loft_chain_try(const loft_chain *chain, loft_chain_walk *w);
 
-/* Walk to the length s, or to the last arc; gives the least feed on the way. */
-loft_coord loft_chain_go(const loft_chain *chain, loft_chain_walk *w, int64_t s,
-                         loft_position *out);
+/* Walk to the arc at the length s, or to the last one; gives the least feed on the way. */
+loft_coord loft_chain_go(const loft_chain *chain, loft_chain_walk *w, int64_t s);
 
-/* The place `off` after the start of the arc, or its end. */
-void loft_chain_place(const loft_chain_walk *w, loft_coord off, loft_position *out);
+/* The place at the length s, or at the end of the arc. */
+void loft_chain_place(const loft_chain_walk *w, int64_t s, loft_position *out);
 
 /* The direction of the arc at its start, its middle or its end: n = 0..2. */
 void loft_chain_direction(const loft_chain_walk *w, unsigned n, int16_t out[]);

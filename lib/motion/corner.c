@@ -77,10 +77,9 @@ loft_coord loft_corner_jerk(const loft_period *p, const int16_t u[], loft_coord 
     return jerk;
 }
 
-loft_coord loft_corner_cap(const loft_chain *chain, const int16_t u[], uint16_t number)
+loft_coord loft_corner_cap(const loft_period *p, const int16_t u[], loft_coord feed)
 {
-    const loft_coord most = along(chain->period->speed, u), feed = loft_chain_feed(chain, number);
-    return least(least(most, feed), CAP_MAX) + 1;
+    return least(least(along(p->speed, u), feed), CAP_MAX) + 1;
 }
 
 
@@ -103,13 +102,13 @@ static void add_stretch(loft_corners *c)
     const loft_chain_walk *w = &c->walk;
     loft_corner_stretch *last = &c->stretch[c->stretches > 0 ? c->stretches - 1u : 0];
 
-    loft_chain_place(w, 0, &e.at);
+    loft_chain_place(w, w->s, &e.at);
     loft_chain_direction(w, 0, e.from);
     loft_chain_direction(w, 2, e.to);
     e.length = w->length;
     e.s = w->s;
-    e.cap = least(loft_corner_cap(c->chain, e.from, w->number),
-                  loft_corner_cap(c->chain, e.to, w->number));
+    e.cap = least(loft_corner_cap(c->chain->period, e.from, w->feed),
+                  loft_corner_cap(c->chain->period, e.to, w->feed));
     if (c->stretches == 0 || !is_scrap(c, last, &e)) {
         c->stretch[c->stretches++] = e;
         return;

@@ -92,8 +92,8 @@ const loft_corner *loft_corners_next_sharp(const loft_corners *c, int64_t s);
 /* Does the path between these have the tolerance of corners? */
 bool loft_corners_loose(const loft_corners *c, int64_t from, int64_t to);
 
-/* The most speed in a period along a direction, of curve `number`. */
-loft_coord loft_corner_cap(const loft_chain *chain, const int16_t u[], uint16_t number);
+/* The most speed in a period along a direction, with a feed. */
+loft_coord loft_corner_cap(const loft_period *p, const int16_t u[], loft_coord feed);
 
 /* And the jerk of a launch to it. */
 loft_coord loft_corner_jerk(const loft_period *p, const int16_t u[], loft_coord cap);

@@ -73,27 +73,19 @@ static int64_t next_s(loft_path *path, loft_coord cap, bool far)
     return to + (to - path->s) * 3 / 8 >= c->s ? c->s : to;
 }
 
-static loft_coord cap_here(const loft_path *path)
+/* Set the cap of this arc, and the launch to it. */
+static void look_along(loft_path *path)
 {
+    const loft_period *p = path->chain.period;
     int16_t u[LOFT_AXES];
 
+    if (path->along == path->walk.s)
+        return;
+    path->along = path->walk.s;
     loft_chain_direction(&path->walk, 1, u);
-    return loft_corner_cap(&path->chain, u, path->walk.number);
-}
-
-/* A launch from here to the cap. */
-static loft_corner launch_here(const loft_path *path, loft_coord cap)
-{
-    int16_t u[LOFT_AXES];
-
+    path->cap = loft_corner_cap(p, u, path->walk.feed);
     loft_chain_direction(&path->walk, 0, u);
-    return loft_corner_of(path->s, cap, loft_corner_jerk(path->chain.period, u, cap), false);
-}
-
-/* How far ahead places must be known from: a launch, and a little. */
-static int64_t reach(const loft_path *path, loft_coord cap)
-{
-    return launch_here(path, cap).way + 2 * (int64_t)cap;
+    path->launch = loft_corner_of(0, path->cap, loft_corner_jerk(p, u, path->cap), false);
 }
 
 /* The first place, when there is a way. Curves without one are dropped, or they would fill the
@@ -108,12 +100,12 @@ static enum loft_path_state start(loft_path *path, loft_path_place *out)
         return chain->ended ? LOFT_PATH_END : LOFT_PATH_WAIT;
     }
     (void)loft_chain_advance(chain, &path->check);
-    const loft_corner launch = launch_here(path, cap_here(path));
-    loft_corners_add(&path->corners, loft_corner_of(0, 0, launch.jerk, false));
+    look_along(path);
+    loft_corners_add(&path->corners, loft_corner_of(0, 0, path->launch.jerk, false));
     chain->walked = true;
     loft_chain_place(&path->walk, 0, &out->at);
     out->number = path->walk.number;
-    out->feed   = loft_chain_feed(chain, out->number);
+    out->feed   = path->walk.feed;
     out->sharp  = out->loose = false;
     out->s = 0;
     return LOFT_PATH_PLACE;
@@ -135,7 +127,7 @@ static bool look_ahead(loft_path *path)
     drop_zones(path);
     loft_corners_scan(c);
     if (path->s >= c->known) {
-        loft_corners_drop(c, path->s, cap_here(path));
+        loft_corners_drop(c, path->s, path->cap);
         drop_zones(path);
         loft_corners_scan(c);
     }
@@ -151,11 +143,13 @@ static void set_place(loft_path *path, int64_t s, bool ends, loft_path_place *ou
 
     out->sharp = c && c->s == s;
     out->loose = false;
-    out->feed  = loft_chain_go(&path->chain, &path->walk, s, &out->at);
+    out->feed  = loft_chain_go(&path->chain, &path->walk, s);
+    loft_chain_place(&path->walk, s, &out->at);
     for (int i = 0; i < LOFT_AXES && ends; i++)
         out->at.axis[i] = loft_coord_of(loft_to_acc(path->chain.to.axis[i]));
     out->number = path->walk.number;
     out->s = path->s = s;
+    look_along(path);
 }
 
 /* The next place of the guess. */
@@ -168,18 +162,18 @@ static enum loft_path_state march(loft_path *path, loft_path_place *out)
     const bool ends = look_ahead(path);
     if (path->s >= c->known)
         return ends ? LOFT_PATH_END : LOFT_PATH_WAIT;
-    const loft_coord cap = cap_here(path);
     const bool full = path->chain.count == path->chain.room || path->chain.ended ||
                       loft_corners_full(c);
-    const int64_t left = c->known - path->s, need = reach(path, cap);
+    /* how far ahead places must be known: a launch, and a little */
+    const int64_t left = c->known - path->s, need = path->launch.way + 2 * (int64_t)path->cap;
     const bool near = left < need;
     if (!ends && near && !full)
         return LOFT_PATH_WAIT;
-    loft_corners_drop(c, path->s, cap);
+    loft_corners_drop(c, path->s, path->cap);
     const uint8_t kept = c->count;
     if (ends || near)
         c->corner[c->count++] = loft_corners_last(c, ends);
-    const int64_t next = next_s(path, cap, ends || left > 2 * need),
+    const int64_t next = next_s(path, path->cap, ends || left > 2 * need),
                   to = next < c->known ? next : c->known;
     c->count = kept;
     set_place(path, to, ends && to == c->known, out);
@@ -344,7 +338,8 @@ static loft_coord off_at(const loft_path *path, loft_chain_walk *w,
 {
     loft_position p;
 
-    (void)loft_chain_go(&path->chain, w, s, &p);
+    (void)loft_chain_go(&path->chain, w, s);
+    loft_chain_place(w, s, &p);
     const int64_t z = ((s - at[1]->s) << 24) / (at[2]->s - at[1]->s);
     return loft_path_off(at, (int32_t)z, &p);
 }
@@ -395,8 +390,8 @@ static void halve(loft_path *path, unsigned k)
     path->queued++;
     q[1].s = (q[0].s + q[2].s) / 2;
     loft_chain_walk w = *walk_before(path, q[1].s);
-    q[1].feed = loft_chain_go(&path->chain, &w, q[1].s, &q[1].at);
-    q[1].feed = least(q[1].feed, q[2].feed);
+    q[1].feed = least(loft_chain_go(&path->chain, &w, q[1].s), q[2].feed);
+    loft_chain_place(&w, q[1].s, &q[1].at);
     q[1].number = w.number;
     q[1].sharp = q[1].loose = false;
 }
@@ -472,8 +467,6 @@ static void finish(loft_path *path)
 
 enum loft_path_state loft_path_next(loft_path *path, loft_path_place *out)
 {
-    loft_position p;
-
     if (path->over)
         return LOFT_PATH_END;
     if (fill(path) == LOFT_PATH_WAIT)
@@ -486,7 +479,7 @@ enum loft_path_state loft_path_next(loft_path *path, loft_path_place *out)
     *out = path->queue[1];
     if (path->queued == 2)
         out->skip = 0;
-    (void)loft_chain_go(&path->chain, &path->check, out->s, &p);
+    (void)loft_chain_go(&path->chain, &path->check, out->s);
     path->queued--;
     path->settled = (uint8_t)(path->settled > 0 ? path->settled - 1 : 0);
     for (unsigned k = 0; k < path->queued; k++)
@@ -502,6 +495,7 @@ void loft_path_begin(loft_path *path)
     path->ahead = path->check = path->walk = path->corners.walk;
     path->queued = path->settled = 0;
     path->s = 0;
+    path->along = -1;
     path->step = ONE;
 }
 

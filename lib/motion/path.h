@@ -47,6 +47,9 @@ typedef struct {
     loft_vec           end;                 /* of the chain that is over */
     int64_t            s;                   /* of the last place */
     int32_t            step;                /* to it, 2^-10 periods */
+    int64_t            along;               /* where the arc begins to which these belong: */
+    loft_coord         cap;                 /* the most speed in a period, */
+    loft_corner        launch;              /* and a launch to it */
     loft_path_place    queue[LOFT_PATH_QUEUE];
     uint8_t            queued, settled;     /* how many of them are known to be close enough? */
 } loft_path;

@@ -420,15 +420,6 @@ static void add_end(loft_plan *plan)
     loft_emit_end(&plan->emit, plan->to);
 }
 
-/* Does a sample fit before `sure`? */
-static bool step_fits(const loft_plan *plan, loft_time step)
-{
-    loft_time left = -plan->at.time;
-    for (unsigned k = plan->at.knot; k < plan->sure && left <= step; k++)
-        left += loft_sample_time(plan->knot, k);
-    return left > step;
-}
-
 /* One more sample; false: more knots are needed. */
 static bool sample(loft_plan *plan)
 {
@@ -443,16 +434,17 @@ static bool sample(loft_plan *plan)
         return true;
     }
     plan->step++;
-    const loft_time step = step_of(plan);
     if (all && plan->step >= plan->steps) {
         add_end(plan);
         return true;
     }
-    if (!all && !step_fits(plan, step)) {
+    loft_sample next = plan->at;
+    (void)loft_sample_pass(&next, plan->knot, plan->sure, step_of(plan));
+    if (!all && next.knot >= plan->sure) {
         plan->step--;
         return false;
     }
-    (void)loft_sample_pass(&plan->at, plan->knot, plan->sure, step);
+    plan->at = next;
     add_sample(plan);
     return true;
 }
@@ -464,7 +456,7 @@ static void begin(loft_plan *plan)
     plan->ended = false;
     plan->stage = IDLE;
     plan->refined = 0;
-    plan->at = (loft_sample){ 0, 0 };
+    plan->at = (loft_sample){ 0, 0, 0 };
     plan->steps = plan->step = 0;
     loft_emit_begin(&plan->emit, &plan->period, plan->guess.path.chain.from);
 }

@@ -46,10 +46,12 @@ loft_time loft_sample_pass(loft_sample *at, const loft_knot knot[], unsigned las
 {
     at->time += time;
     while (at->knot < last) {
-        const loft_time whole = loft_sample_time(knot, at->knot);
-        if (at->time < whole)
+        if (at->whole == 0)
+            at->whole = loft_sample_time(knot, at->knot);
+        if (at->time < at->whole)
             return 0;
-        at->time -= whole;
+        at->time -= at->whole;
+        at->whole = 0;
         at->knot++;
     }
     const loft_time left = at->time;
@@ -63,7 +65,7 @@ int32_t loft_sample_part(const loft_sample *at, const loft_knot knot[])
     const unsigned k = at->knot;
     if (at->time == 0)
         return 0;
-    const loft_time whole = loft_sample_time(knot, k);
+    const loft_time whole = at->whole > 0 ? at->whole : loft_sample_time(knot, k);
     int64_t z = (at->time << 20) / ((whole >> 10) + 1);
 
     for (int n = 0; n < 4; n++) {

@@ -15,7 +15,7 @@ typedef int64_t loft_time;
 /* A place between knot k and the next, `time` after knot k. */
 typedef struct {
     unsigned  knot;
-    loft_time time;
+    loft_time time, whole;      /* whole: the time from knot k to the next; 0: not known yet */
 } loft_sample;
 
 /* The time from knot k to the next.

@@ -327,6 +327,8 @@ static steps_of_axis rounded(const wanted *w)
     steps_of_axis best = { 0, f0, f1 };
     int64_t least = INT64_MAX;
 
+    if ((w->v | w->n0 | w->n1 | w->way) == 0 && !w->ends)
+        return best;                        /* it stands still */
     for (int n = 0; n < 12; n++) {
         steps_of_axis x = { n / 4 - 1, f0 + (n & 1), f1 + (n >> 1 & 1) };
         const int32_t six_v = left - (int32_t)(2 * x.n0 + x.n1);

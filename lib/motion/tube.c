@@ -179,7 +179,7 @@ static void relax(loft_knot knot[], unsigned k)
         c[i] = centre(knot, k, i);
         e[i] = loft_coord_sub(knot[k].point.axis[i], c[i]) +
                loft_part(sixth_difference(&knot[k], i), RELAX);
-        far = far || loft_coord_abs(e[i]) > r / LOFT_AXES;
+        far = far || LOFT_AXES * loft_coord_abs(e[i]) > r;
     }
     if (far)
         pull(e, r);

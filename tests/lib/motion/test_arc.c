@@ -50,31 +50,19 @@ static double length_of(const loft_cubic *c, double from, double to)
     return sum;
 }
 
-/* Cut the next one, and pace it. */
-static uint32_t next(loft_arc *arc, const loft_cubic *c, uint32_t from, bool coarse)
-{
-    const uint32_t to = loft_arc_next(arc, c, from, coarse);
-    const loft_acc length = arc->length;
-
-    loft_arc_pace(arc, c, from, to, arc->speck || arc->dust);
-    CHECK_NEAR(wide_value(arc->length), wide_value(length), 0x1p-28 + 0x1p-28 * wide_value(length));
-    return to;
-}
-
 /* They follow each other without a gap from the first control point to the last, and each begins
  * and ends on the curve at its parameters (a straight curve is walked evenly, so there only the
  * ends are compared). */
 static void arcs_make_up_the_curve(arb *a)
 {
     const loft_cubic c = arb_curve(a);
-    const bool coarse = arb_below(a, 2) == 0;
     double at[LOFT_AXES], p[LOFT_AXES];
     loft_arc arc;
     unsigned n = 0;
 
     cubic_at(c.p, 0, at);
     for (uint32_t from = 0, to; from < LOFT_ARC_WHOLE; from = to, n++) {
-        to = next(&arc, &c, from, coarse);
+        to = loft_arc_next(&arc, &c, from);
         CHECK(to > from && to <= LOFT_ARC_WHOLE);
         if (!(arc.length > 0))
             continue;
@@ -94,12 +82,11 @@ static void arcs_make_up_the_curve(arb *a)
 static void arcs_are_walked_by_their_length(arb *a)
 {
     const loft_cubic c = arb_curve(a);
-    const bool coarse = arb_below(a, 2) == 0;
     loft_arc arc;
     double p[LOFT_AXES], q[LOFT_AXES];
 
     for (uint32_t from = 0, to; from < LOFT_ARC_WHOLE; from = to) {
-        to = next(&arc, &c, from, coarse);
+        to = loft_arc_next(&arc, &c, from);
         if (wide_value(arc.length) < 0.001)
             continue;
         const double length = wide_value(arc.length),
@@ -112,7 +99,7 @@ static void arcs_are_walked_by_their_length(arb *a)
             point_at(&arc, s0, p);
             point_at(&arc, s1, q);
             CHECK_NEAR(distance(p, q) / wide_value(s1 - s0), 1,
-                       (coarse ? 0.0004 : 0.0001) + 8 * BY_NUM(0x1p-24, 0x1p-23, 0));
+                       0.0004 + 8 * BY_NUM(0x1p-24, 0x1p-23, 0));
         }
     }
 }

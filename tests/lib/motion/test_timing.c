@@ -137,7 +137,7 @@ static void times_are_those_of_the_pace(arb *a)
     }
     CHECK_NEAR((double)loft_sample_time(knot, 0) / 0x1p30, sum, sum * 1e-5);
     CHECK_NEAR(loft_timing_time(knot, 0) / 65536.0, sum, sum * 0.03 + 0x1p-15);
-    const loft_sample at = { 0, (loft_time)(part * 0x1p30) };
+    const loft_sample at = { 0, (loft_time)(part * 0x1p30), 0 };
     CHECK_NEAR(loft_sample_part(&at, knot) * 0x1p-30, z * 0x1p-30, 2e-5);
 }
 
@@ -146,7 +146,7 @@ static void passing_in_steps_is_passing_at_once(arb *a)
     arb_path(a);
     for (unsigned k = 0; k < knots; k++)
         knot[k].v2 = (int32_t)(LOFT_V2_ONE * arb_decades(a, 0.1, 2));
-    loft_sample one = { 1, 0 }, many = { 1, 0 };
+    loft_sample one = { 1, 0, 0 }, many = { 1, 0, 0 };
     const loft_time step = (loft_time)(0x1p30 * arb_between(a, 0.01, 1.5));
     CHECK(loft_sample_pass(&one, knot, knots - 2, 7 * step) == 0 || one.knot == knots - 2);
     for (int n = 0; n < 7; n++)
