@@ -160,7 +160,7 @@ void loft_drive_override(loft_drive *d, unsigned percent);
  * way. */
 void loft_drive_close(loft_drive *d);
 
-/* Prepare the walk of the next span, if it is not prepared: 20,000 cycles on an AVR with two moving
+/* Prepare the walk of the next span, if it is not prepared: 7,800 cycles on an AVR with two moving
  * axes. Otherwise loft_drive_tick spends them at the beginning of the span, or waits: see
  * LOFT_MACHINE_TICK_PREPARES. Spans of one or two ticks need no walk; the function looks past up to
  * 7 of them. Call it repeatedly. */

@@ -40,7 +40,7 @@
  *   loft_forward_next        850      120     100     loft_forward 152
  *   loft_steps_of            340       60      10
  *   loft_step_position       620      270     110
- *   loft_span_walk        46,600   11,000   2,900     loft_span 52
+ *   loft_span_walk        24,300   11,000   2,900     loft_span 52
  */
 #ifndef LOFT_MOTION_SPAN_H
 #define LOFT_MOTION_SPAN_H

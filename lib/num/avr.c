@@ -325,6 +325,95 @@ __asm__ (
     "9: mov r25, r24\n mov r24, r23\n mov r23, r22\n mov r22, r21\n mov r21, r20\n mov r20, r19\n"
     "mov r19, r18\n ret\n"
     END_FUNCTION(loft_root_nearest)
+
+    /* Niels Moller, Torbjorn Granlund: Improved division by invariant integers (2011), algorithm 5,
+     * with bytes. n is doubled until its highest bit is set (r21:r20, 2^s in r19), and x with it,
+     * as its bytes are read: r14 is what a byte leaves for the one above. r15 is the reciprocal,
+     * r17:r16 the rest. The first digit is 0, or the first two (r18); below x are zeros (r23). */
+    BEGIN_FUNCTION(loft_avr_divide)
+    "push r12\n push r13\n push r14\n push r15\n push r16\n push r17\n"
+    "movw r26, r24\n add r26, r22\n adc r27, __zero_reg__\n movw r30, r26\n mov r23, r22\n"
+    "ldi r18, 1\n ldi r19, 1\n tst r21\n brne 1f\n mov r21, r20\n clr r20\n inc r18\n"
+    "1: tst r21\n brmi 2f\n lsl r20\n rol r21\n lsl r19\n rjmp 1b\n"
+    "2: movw r16, r20\n com r16\n com r17\n ldi r24, 8\n"
+    "3: lsl r15\n sec\n rol r16\n rol r17\n brcs 4f\n cp r16, r20\n cpc r17, r21\n brlo 5f\n"
+    "4: sub r16, r20\n sbc r17, r21\n inc r15\n"
+    "5: dec r24\n brne 3b\n clr r14\n clr r16\n clr r17\n"
+    "6: clr r0\n dec r23\n brmi 7f\n ld r0, -X\n"
+    "7: mul r0, r19\n or r14, r1\n mov r24, r14\n mov r14, r0\n mov r25, r16\n"
+    "dec r18\n brpl 10f\n"
+    "mul r15, r17\n add r0, r16\n adc r1, r17\n movw r12, r0\n"
+    "mul r13, r21\n sub r25, r0\n mul r13, r20\n sub r24, r0\n sbc r25, r1\n"
+    "sub r24, r20\n sbc r25, r21\n inc r13\n"
+    "cp r25, r12\n brlo 8f\n dec r13\n add r24, r20\n adc r25, r21\n"
+    "8: cp r24, r20\n cpc r25, r21\n brsh 11f\n"
+    "9: st -Z, r13\n movw r16, r24\n dec r22\n brne 6b\n clr __zero_reg__\n"
+    "pop r17\n pop r16\n pop r15\n pop r14\n pop r13\n pop r12\n ret\n"
+    "10: movw r16, r24\n rjmp 6b\n"
+    "11: sub r24, r20\n sbc r25, r21\n inc r13\n rjmp 9b\n"
+    END_FUNCTION(loft_avr_divide)
+
+    /* The product of |a| (r22..r18) and each byte of the inverse is added to r15..r10, whose lowest
+     * byte then leaves; r23 is 0xff for a negative a. T: three times a. */
+    BEGIN_FUNCTION(loft_avr_scale_wide)
+    "push r8\n push r9\n" PUSH8 "movw r26, r24\n movw r30, r22\n clt\n rcall 1f\n" POP8
+    "pop r9\n pop r8\n clr __zero_reg__\n ret\n"
+    "loft_avr_scale_in:\n"
+    "1: ld r18, X+\n ld r19, X+\n ld r20, X+\n ld r21, X+\n ld r22, X+\n sbiw r26, 9\n"
+    "mov r23, r22\n lsl r23\n sbc r23, r23\n brtc 3f\n"
+    "movw r10, r18\n movw r12, r20\n mov r14, r22\n"
+    "2: add r18, r10\n adc r19, r11\n adc r20, r12\n adc r21, r13\n adc r22, r14\n"
+    "brtc 3f\n clt\n rjmp 2b\n"
+    "3: eor r18, r23\n eor r19, r23\n eor r20, r23\n eor r21, r23\n eor r22, r23\n"
+    "sub r18, r23\n sbc r19, r23\n sbc r20, r23\n sbc r21, r23\n sbc r22, r23\n"
+    "clr r10\n clr r11\n movw r12, r10\n movw r14, r10\n ldi r25, 12\n"
+    "4: ld r24, Z+\n mul r18, r24\n movw r16, r0\n mul r20, r24\n movw r8, r0\n"
+    "mul r22, r24\n add r10, r16\n adc r11, r17\n adc r12, r8\n adc r13, r9\n adc r14, r0\n"
+    "adc r15, r1\n mul r19, r24\n movw r16, r0\n mul r21, r24\n clr r24\n add r11, r16\n"
+    "adc r12, r17\n adc r13, r0\n adc r14, r1\n adc r15, r24\n eor r10, r23\n st X+, r10\n"
+    "mov r10, r11\n mov r11, r12\n mov r12, r13\n mov r13, r14\n mov r14, r15\n clr r15\n"
+    "dec r25\n brne 4b\n"
+    "eor r10, r23\n st X+, r10\n eor r11, r23\n st X+, r11\n eor r12, r23\n st X+, r12\n"
+    "eor r13, r23\n st X+, r13\n sbrs r23, 0\n ret\n"
+    "sbiw r26, 12\n ldi r25, 12\n"
+    "5: ld r24, X\n inc r24\n st X+, r24\n brne 6f\n dec r25\n brne 5b\n 6: ret\n"
+    END_FUNCTION(loft_avr_scale_wide)
+
+    /* With u = p1 - p0 (r22..r18) and v = p2 - p1, the second difference is v - u, and the third
+     * one p3 - p2 - (v - u) - v. They wait where their products will be. Then, byte by byte,
+     *     e1 = G1 + G2 + G3    e2 = 2 G2 + 6 G3    e3 = 6 G3
+     * with their carries in r18, r19, r20. The lowest four bytes only round. */
+    BEGIN_FUNCTION(loft_avr_start3)
+    "push r8\n push r9\n" PUSH8 "push r28\n push r29\n push r24\n push r25\n"
+    "movw r8, r20\n movw r28, r18\n movw r30, r22\n"
+    "rcall 7f\n movw r18, r10\n movw r20, r12\n mov r22, r14\n adiw r26, 4\n rcall 8f\n"
+    "rcall 7f\n sub r10, r18\n sbc r11, r19\n sbc r12, r20\n sbc r13, r21\n sbc r14, r22\n"
+    "adiw r26, 16\n rcall 8f\n set\n"
+    "1: add r18, r10\n adc r19, r11\n adc r20, r12\n adc r21, r13\n adc r22, r14\n"
+    "brtc 2f\n clt\n rjmp 1b\n"
+    "2: rcall 7f\n sub r10, r18\n sbc r11, r19\n sbc r12, r20\n sbc r13, r21\n"
+    "sbc r14, r22\n adiw r26, 28\n rcall 8f\n"
+    "movw r30, r8\n adiw r30, 24\n movw r26, r28\n adiw r26, 28\n call loft_avr_scale_in\n"
+    "set\n sbiw r30, 24\n movw r26, r28\n adiw r26, 16\n call loft_avr_scale_in\n"
+    "set\n sbiw r30, 24\n movw r26, r28\n adiw r26, 4\n call loft_avr_scale_in\n"
+    "pop r31\n pop r30\n adiw r30, 4\n adiw r28, 4\n"
+    "clr r18\n clr r19\n clr r20\n clr r21\n ldi r22, 6\n ldi r25, 4\n rcall 5f\n"
+    "lsl r26\n adc r18, r21\n lsl r16\n adc r19, r21\n lsl r0\n adc r20, r21\n ldi r25, 8\n"
+    "rcall 5f\n"
+    "pop r29\n pop r28\n" POP8 "pop r9\n pop r8\n clr __zero_reg__\n ret\n"
+    "5: ldd r24, Y+24\n ldd r23, Y+12\n ld r26, Y+\n"
+    "add r26, r18\n clr r18\n adc r18, r18\n add r26, r23\n adc r18, r21\n add r26, r24\n"
+    "adc r18, r21\n"
+    "mul r24, r22\n movw r16, r0\n add r0, r20\n adc r1, r21\n std Z+16, r0\n mov r20, r1\n"
+    "clr r27\n lsl r23\n rol r27\n add r16, r23\n adc r17, r27\n add r16, r19\n adc r17, r21\n"
+    "std Z+8, r16\n mov r19, r17\n st Z+, r26\n dec r25\n brne 5b\n ret\n"
+    /* r14..r10 is the next number less this one */
+    "7: ldd r10, Z+4\n ldd r11, Z+5\n ldd r12, Z+6\n ldd r13, Z+7\n"
+    "ld r26, Z+\n sub r10, r26\n ld r26, Z+\n sbc r11, r26\n ld r26, Z+\n sbc r12, r26\n"
+    "ld r26, Z+\n sbc r13, r26\n ldi r26, 0xff\n brlt 9f\n ldi r26, 0\n 9: mov r14, r26\n"
+    "movw r26, r28\n ret\n"
+    "8: st X+, r10\n st X+, r11\n st X+, r12\n st X+, r13\n st X+, r14\n ret\n"
+    END_FUNCTION(loft_avr_start3)
 );
 
 #endif

@@ -60,6 +60,24 @@ int32_t loft_unit_of(uint32_t j, uint32_t n);
  *   cost    about 150 cycles for each byte of n, without leading zeros */
 int64_t loft_avr_quotient(int64_t n, uint32_t d);
 
+/* The number x / n in place, truncated: bytes, lowest first.
+ *
+ *   range   n >= 1, bytes 1..120
+ *   cost    42 cycles for each byte and 250 */
+void loft_avr_divide(uint32_t x[], uint8_t bytes, uint16_t n);
+
+/* a inverse / 2^32, truncated towards 0: a signed number of 5 bytes becomes one of 12, which wraps.
+ * The 4 bytes before a are changed.
+ *
+ *   cost    620 cycles */
+void loft_avr_scale_wide(uint8_t a[12], const uint32_t inverse[3]);
+
+/* The differences d[1..3] of a walk along a cubic: walk_start.c. d[0] is changed.
+ *
+ *   cost    2,400 cycles */
+void loft_avr_start3(uint64_t d[4], const int32_t p[4], const uint32_t inverse[3][3],
+                     uint8_t room[40]);
+
 /* A table that stays in flash (RAM would hold a copy of it), and access to an entry.
  *
  *   cost    4 cycles more than from RAM */

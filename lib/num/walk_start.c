@@ -71,37 +71,24 @@ static uint64_t join_words(uint32_t high, uint32_t low)
 static uint64_t join_words(uint32_t high, uint32_t low)       { return (uint64_t)high << 32 | low; }
 #endif
 
-/* x / 2^m in place, truncated, m < 32. */
-static void shift_limbs_down(uint32_t x[], int limbs, uint8_t m)
-{
-    for (int i = 0; m && i < limbs; i++)
-        x[i] = x[i] >> m | (i + 1 < limbs ? x[i + 1] << (32 - m) : 0);
-}
-
 #if defined(__AVR__)
 
-/* x / n in place, truncated, bit by bit from the highest. It takes a third of the time of 32-bit
- * divisions. */
 static void divide_limbs_short(uint32_t x[], int limbs, uint16_t n)
 {
-    uint8_t *byte = (uint8_t *)(x + limbs), bytes = (uint8_t)(4 * limbs), bits, part;
-    uint16_t rest = 0;
+    loft_avr_divide(x, (uint8_t)(4 * limbs), n);
+}
 
-    __asm__ volatile("1: ld %[part], -%a[byte]\n ldi %[bits], 8\n"
-                     "2: lsl %[part]\n rol %A[rest]\n rol %B[rest]\n brcs 3f\n"
-                     "   cp %A[rest], %A[n]\n cpc %B[rest], %B[n]\n brcs 4f\n"
-                     "3: sub %A[rest], %A[n]\n sbc %B[rest], %B[n]\n inc %[part]\n"
-                     "4: dec %[bits]\n brne 2b\n"
-                     "   st %a[byte], %[part]\n dec %[bytes]\n brne 1b\n"
-                     : [byte] "+x"(byte), [bytes] "+&r"(bytes), [bits] "=&d"(bits),
-                       [part] "=&r"(part), [rest] "+&r"(rest)
-                     : [n] "r"(n)
-                     : "memory");
+static bool shift_limbs_down(uint32_t x[], int limbs, uint32_t n)
+{
+    (void)x;
+    (void)limbs;
+    (void)n;
+    return false;       /* the division takes less time */
 }
 
 #else
 
-/* The same by 32-bit divisions, each of which handles 16 bits of x: the fastest on other cores. */
+/* 32-bit divisions, each of which handles 16 bits of x. */
 static void divide_limbs_short(uint32_t x[], int limbs, uint16_t n)
 {
     uint32_t rest = 0;
@@ -114,13 +101,28 @@ static void divide_limbs_short(uint32_t x[], int limbs, uint16_t n)
     }
 }
 
+/* x / n in place, truncated, if n is a power of two. */
+static bool shift_limbs_down(uint32_t x[], int limbs, uint32_t n)
+{
+    uint8_t m = 0;
+
+    while (n > (uint32_t)1 << m && m < 31)
+        m++;
+    if (n != (uint32_t)1 << m)
+        return false;
+    for (int i = 0; m && i < limbs; i++)
+        x[i] = x[i] >> m | (i + 1 < limbs ? x[i + 1] << (32 - m) : 0);
+    return true;
+}
+
 #endif
 
-/* x / n in place, truncated. */
-static void divide_limbs(uint32_t x[], int limbs, uint32_t n)
+void loft_limbs_divide(uint32_t x[], int limbs, uint32_t n)
 {
     uint32_t rest = 0;
 
+    if (shift_limbs_down(x, limbs, n))
+        return;
     if (n >> 16 == 0) {
         divide_limbs_short(x, limbs, (uint16_t)n);
         return;
@@ -130,18 +132,6 @@ static void divide_limbs(uint32_t x[], int limbs, uint32_t n)
         x[i] = (uint32_t)(part / n);
         rest = (uint32_t)(part % n);
     }
-}
-
-void loft_limbs_divide(uint32_t x[], int limbs, uint32_t n)
-{
-    uint8_t m = 0;
-
-    while (n > (uint32_t)1 << m && m < 31)
-        m++;
-    if (n == (uint32_t)1 << m)
-        shift_limbs_down(x, limbs, m);
-    else
-        divide_limbs(x, limbs, n);
 }
 
 /* 1 is represented as 2^96 - 1, which is low by 2^-96. */
@@ -160,7 +150,7 @@ void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
 {
     invert_steps(powers->inverse, degree, n);
 }
-void loft_powers3_init(loft_powers3 *powers, uint32_t n) { invert_steps(powers->inverse, 3, n); }
+void loft_powers3_init(loft_powers3 *powers, uint16_t n) { invert_steps(powers->inverse, 3, n); }
 
 #if !defined(__AVR__)
 
@@ -259,58 +249,24 @@ static void wide_times(wide *a, uint8_t factor)
         : "memory");
 }
 
-/* sum += inverse * factor. sum[12], which is 0 on entry, receives the carry. */
-static void add_row(uint8_t sum[13], const uint32_t inverse[3], uint8_t factor)
-{
-    const uint8_t zero = 0;
-    uint8_t byte, left = 12, carry = 0;
-
-    __asm__ volatile("1: ld %[byte], %a[inverse]+\n mul %[byte], %[factor]\n ld %[byte], %a[sum]\n"
-                     "   add r0, %[byte]\n adc r1, %[zero]\n add r0, %[carry]\n adc r1, %[zero]\n"
-                     "   st %a[sum]+, r0\n mov %[carry], r1\n dec %[left]\n brne 1b\n st %a[sum], "
-                     "%[carry]\n clr r1\n"
-                     : [sum] "+x"(sum), [inverse] "+z"(inverse), [byte] "=&r"(byte),
-                       [left] "+&r"(left), [carry] "+&r"(carry)
-                     : [factor] "r"(factor), [zero] "r"(zero)
-                     : "memory");
-}
-
-static void wide_negate(wide *a)
-{
-    wide zero = { { 0 } };
-    wide_sub(&zero, a);
-    *a = zero;
-}
-
-/* a times inverse, |a| < 2^38, as `scaled_term` above. The lowest 4 of the 17 product bytes are
- * dropped. */
-static void wide_scale(wide *a, const uint32_t inverse[3])
-{
-    const bool negative = a->byte[11] & 0x80u;
-    uint8_t product[17] = { 0 };
-
-    if (negative)
-        wide_negate(a);
-    for (uint8_t i = 0; i < 5; i++)
-        if (a->byte[i])
-            add_row(product + i, inverse, a->byte[i]);
-    __builtin_memcpy(a->byte, product + 4, sizeof a->byte);
-    if (negative)
-        wide_negate(a);
-}
-
 static void wide_set(wide *a, int32_t x)
 {
     __builtin_memcpy(a->byte, &x, 4);
     __builtin_memset(a->byte + 4, x < 0 ? 0xFF : 0, 8);
 }
 
-/* loft_walk_powers and loft_walk_differences with 96-bit numbers. */
+/* loft_walk_powers and loft_walk_differences with 96-bit numbers; for a cubic in a third of the
+ * time, in registers. */
 static void start_walk(loft_state d[], const loft_real p[], unsigned degree,
                        const uint32_t inverse[][3], wide a[])
 {
     uint8_t choose = 1, factorial = 1;
 
+    if (degree == 3) {
+        loft_avr_start3(d, p, inverse, a->byte);
+        d[0] = join_words((uint32_t)p[0], (uint32_t)1 << 31);
+        return;
+    }
     for (uint8_t k = 0; k <= degree; k++)
         wide_set(&a[k], p[k]);
     for (uint8_t k = 1; k <= degree; k++)
@@ -319,8 +275,9 @@ static void start_walk(loft_state d[], const loft_real p[], unsigned degree,
     for (uint8_t k = 1; k <= degree; k++) {
         choose = (uint8_t)(choose * (degree - k + 1) / k);
         wide_times(&a[k], choose);
-        wide_scale(&a[k], inverse[k - 1]);
     }
+    for (uint8_t k = (uint8_t)degree; k >= 1; k--)
+        loft_avr_scale_wide(a[k].byte, inverse[k - 1]);
     for (uint8_t j = 1; j < degree; j++)
         for (uint8_t k = (uint8_t)(degree - 1); k >= j; k--)
             for (uint8_t times = 0; times < j; times++)
@@ -352,7 +309,7 @@ static void start_cubic(loft_state d[], const loft_real p[4], const loft_powers3
 
 #else
 
-void loft_powers3_init(loft_powers3 *powers, uint32_t n)                    { powers->n = n; }
+void loft_powers3_init(loft_powers3 *powers, uint16_t n)                    { powers->n = n; }
 void loft_powers_init(loft_powers *powers, unsigned degree, uint32_t n)
 {
     (void)degree;

@@ -215,9 +215,59 @@ static void print_sums(int rounds)
 
 #elif PART == 2
 
+/* x / n for random x and n, of which half are below 2^10 */
+static void divide_limbs(int rounds)
+{
+    uint32_t x[4];
+
+    for (int n = 0; n < rounds; n++) {
+        for (int i = 0; i < 4; i++)
+            x[i] = (uint32_t)random_number(32);
+        const uint32_t by = 1 + ((uint32_t)random_number(n % 4 == 0   ? 31
+                                                         : n % 4 == 1 ? 16
+                                                                      : 10) &
+                                 0x7fffffff);
+        loft_limbs_divide(x, 4, n % 8 ? by : by >> 16 | 1);
+        for (int i = 0; i < 4; i++)
+            add_number(x[i]);
+    }
+    say_sum("limbs_divide");
+}
+
+/* The differences of random polynomials, for random numbers of steps. */
+static void start_walks(int rounds)
+{
+    static const uint32_t most[] = { 0xffff8000u, 92000, 2900, 560, 210 };
+    loft_real p[LOFT_WALK_DEGREE_MAX + 1];
+
+    for (int k = 0; k < 4 * rounds; k++) {
+        const unsigned degree = 1 + (unsigned)k % LOFT_WALK_DEGREE_MAX;
+        const uint32_t n = 1 + ((uint32_t)random_number(31) & 0x7fffffff) % most[degree - 1];
+        loft_powers powers;
+        loft_powers3 powers3;
+        loft_walk w;
+        loft_walk3 w3;
+
+        for (int i = 0; i <= LOFT_WALK_DEGREE_MAX; i++)
+            p[i] = (loft_real)random_number(k % 3 ? 31 : 16);
+        loft_powers_init(&powers, degree, n);
+        loft_walk_init(&w, p, degree, &powers);
+        for (unsigned i = 0; i <= degree; i++)
+            add_number((int64_t)w.d[i]);
+        loft_powers3_init(&powers3, (uint16_t)(1 + n % 2900));
+        loft_walk3_init(&w3, p, &powers3);
+        for (int i = 0; i < 4; i++)
+            add_number((int64_t)w3.d[i]);
+    }
+    say_sum("walk_init");
+}
+
 static void print_sums(int rounds)
 {
     loft_vec p;
+
+    divide_limbs(4 * rounds);
+    start_walks(rounds);
 
     for (int n = 0; n < rounds; n++) {
         const loft_cubic c = random_cubic(31);
