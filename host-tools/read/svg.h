@@ -382,8 +382,14 @@ typedef struct {
     double start[2], at[2];     /* user units                                    */
     double end[2];              /* mm; the end of the drawn path */
     bool fresh;                 /* nothing was drawn since the last move */
+    bool still;                 /* but a curve without length was to be */
+    bool dots;                  /* that is a dot: a stroke with round or square ends */
     unsigned line;              /* of the file                                   */
 } svg_pen;
+
+/* mm: what has no length, and ends that are drawn, has this one: less than what else is lost of a
+ * stroke, and enough for a pen to go down there */
+#define SVG_DOT 0.002
 
 svg_pen svg_pen_at(const svg_reader *r, svg_matrix to_mm);
 void svg_move(svg_pen *pen, double x, double y);
@@ -393,6 +399,9 @@ bool svg_cubic(svg_pen *pen, double x1, double y1, double x2, double y2, double 
 bool svg_arc(svg_pen *pen, double rx, double ry, double degrees, bool large, bool sweep, double x,
              double y);
 bool svg_close(svg_pen *pen);
+
+/* Behind the last curve of a shape. */
+void svg_end(svg_pen *pen);
 
 
 // Colours

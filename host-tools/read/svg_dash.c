@@ -18,7 +18,6 @@
 #define PARTS      32
 #define HALVINGS   45
 #define LEAST      1e-12        /* of the parameter: less is rounding */
-#define DOT        0.02         /* mm: how long a round dash without length is drawn */
 
 typedef struct {
     svg_reader *r;
@@ -193,7 +192,7 @@ bool svg_dash(svg_reader *r, const svg_space *space, size_t first)
     const size_t last   = d->count;
     dashing g           = { .r = r,
                             .to_user = { m->d / area, -m->b / area, -m->c / area, m->a / area },
-                            .dot = space->cap > 0 ? DOT / svg_stretch(*m) : 0 };
+                            .dot = space->cap > 0 ? SVG_DOT / svg_stretch(*m) : 0 };
     double length       = 0;
 
     if (!(r->fill & DRAWING_STROKED) || first == last || !read_dashes(&g, space))

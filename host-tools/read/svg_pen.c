@@ -31,8 +31,28 @@ svg_pen svg_pen_at(const svg_reader *r, svg_matrix matrix)
     return pen;
 }
 
+/* A part without length, as SVG 2, 13.5.4 draws it: its ends alone, along the x axis. */
+static void draw_dot(svg_pen *pen)
+{
+    const double x = pen->start[0], y = pen->start[1], stretch = svg_stretch(pen->to_mm),
+                 half = stretch > 0 ? SVG_DOT / 2 / stretch : 0;
+
+    pen->still = false;
+    to_mm(&pen->to_mm, x - half, y, pen->end);
+    (void)svg_cubic(pen, x - half / 3, y, x + half / 3, y, x + half, y);
+    pen->still = false;
+}
+
+void svg_end(svg_pen *pen)
+{
+    if (pen->fresh && pen->still && pen->dots)
+        draw_dot(pen);
+}
+
 void svg_move(svg_pen *pen, double x, double y)
 {
+    svg_end(pen);
+    pen->still    = false;
     pen->start[0] = pen->at[0] = x;
     pen->start[1] = pen->at[1] = y;
     to_mm(&pen->to_mm, x, y, pen->end);
@@ -59,8 +79,10 @@ bool svg_cubic(svg_pen *pen, double x1, double y1, double x2, double y2, double 
                 return svg_fail(pen->r,
                                 "a point at %g mm is beyond +-%g mm: check units and transforms",
                                 p[i][k], DRAWING_LIMIT);
-    if (apart(p[1], p[0]) <= SAME && apart(p[2], p[0]) <= SAME && apart(p[3], p[0]) <= SAME)
+    if (apart(p[1], p[0]) <= SAME && apart(p[2], p[0]) <= SAME && apart(p[3], p[0]) <= SAME) {
+        pen->still = true;
         return true;
+    }
     if (d->count >= DRAWING_CURVES_MAX)
         return svg_fail(pen->r, "more than %u curves: split the drawing", DRAWING_CURVES_MAX);
 

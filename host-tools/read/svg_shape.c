@@ -198,19 +198,29 @@ static bool read_size(const svg_reader *r, const svg_space *s, const char *name,
            svg_fail(r, "%s=%g: a size cannot be negative", name, *out);
 }
 
+/* The pen of a shape whose parts may have no length. */
+static svg_pen dotting_pen(const svg_reader *r, const svg_space *s)
+{
+    svg_pen pen = svg_pen_at(r, s->to_mm);
+
+    pen.dots = r->fill & DRAWING_STROKED && r->cap > 0;
+    return pen;
+}
+
 static bool draw_path(svg_reader *r, const svg_space *s)
 {
     char *data = svg_attribute(r->node, "d");
-    svg_pen pen = svg_pen_at(r, s->to_mm);
+    svg_pen pen = dotting_pen(r, s);
     const bool good = data == NULL || svg_path(r, data, &pen);
 
+    svg_end(&pen);
     xmlFree(data);
     return good;
 }
 
 static bool draw_line(svg_reader *r, const svg_space *s)
 {
-    svg_pen pen = svg_pen_at(r, s->to_mm);
+    svg_pen pen = dotting_pen(r, s);
     double x1, y1, x2, y2;
 
     if (!read_length(r, s, "x1", SVG_ACROSS, &x1) || !read_length(r, s, "y1", SVG_ALONG_Y, &y1) ||
@@ -221,6 +231,7 @@ static bool draw_line(svg_reader *r, const svg_space *s)
     const size_t before = r->d->count;
     const bool good     = svg_line(&pen, x2, y2);
     svg_vertex(&pen, before, false);
+    svg_end(&pen);
     return good;
 }
 
@@ -228,7 +239,7 @@ static bool draw_points(svg_reader *r, const svg_space *s, bool closed)
 {
     char *text = svg_attribute(r->node, "points");
     const char *at = text;
-    svg_pen pen = svg_pen_at(r, s->to_mm);
+    svg_pen pen = dotting_pen(r, s);
     bool good = true;
     double v[2];
     int count = 0;
@@ -257,6 +268,7 @@ static bool draw_points(svg_reader *r, const svg_space *s, bool closed)
         svg_warn(r, SVG_WARN_DATA, "points: %d numbers: give x and y of each point", count);
     if (good && closed && count > 0)
         good = close_part(&pen);
+    svg_end(&pen);
     xmlFree(text);
     return good;
 }

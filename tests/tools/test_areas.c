@@ -103,6 +103,33 @@ static void strokes_become_areas(arb *a)
     drawing_free(&area);
 }
 
+/* A disk or a square, along the axes of the user, within a few micrometres. */
+static void dots_have_the_width_of_their_stroke(arb *a)
+{
+    const double width = 0.3 + arb_below(a, 50) / 10.0, turn = arb_below(a, 90) * acos(-1) / 180;
+    const bool square = arb_below(a, 2);
+    char inner[400];
+    double area = 0;
+    drawing d;
+
+    snprintf(inner, sizeof inner,
+             "<path transform='rotate(%.9g 40 60)' fill='none' stroke='red' stroke-width='%g' "
+             "stroke-linecap='%s' d='M40 60h0'/>",
+             turn * 180 / acos(-1), width, square ? "square" : "round");
+    CHECK(areas_of(inner, true, true, &d) && d.count >= 4);
+    for (size_t i = 0; i < d.count; i++) {
+        const double *p = d.curve[i].p[0], *q = d.curve[i].p[3];
+        const double x = p[0] - 40, y = 40 - p[1], u = x * cos(turn) + y * sin(turn),
+                     v = y * cos(turn) - x * sin(turn);
+        const double far = square ? fmax(fabs(u), fabs(v)) : hypot(u, v);
+        CHECK(fabs(far - width / 2) < 0.0035 && d.curve[i].path == d.curve[0].path);
+        area += (p[0] * q[1] - q[0] * p[1]) / 2;
+    }
+    const double whole = square ? width * width : acos(-1) * width * width / 4;
+    CHECK(fabs(fabs(area) - whole) < 4 * width * 0.0035);
+    drawing_free(&d);
+}
+
 static cairo_t *clip, *painted;
 static cairo_bool_t in_both(cairo_t *cairo, double x, double y)
 {
@@ -174,6 +201,7 @@ static void clip_paths_add_up(arb *a)
 int main(void)
 {
     PROPERTY(strokes_become_areas, 60);
+    PROPERTY(dots_have_the_width_of_their_stroke, 100);
     PROPERTY(painted_areas_are_clipped, 60);
     PROPERTY(clip_paths_add_up, 1);
     return check_failures();

@@ -1009,13 +1009,37 @@ static void dashes_cut_lines(arb *a)
     DASHED("stroke-dasharray:none", "M0 0H2", "M 0 0 L 2 0");
     DASHED("stroke-dasharray:0", "M0 0H2", "M 0 0 L 2 0");
     DASHED("stroke-dasharray:2 -1", "M0 0H2", "M 0 0 L 2 0");
-    DASHED("stroke-dasharray:0 2;stroke-linecap:round", "M0 0H3", "M 0 0 L 0.02 0 M 2 0 L 2.02 0");
+    DASHED("stroke-dasharray:0 2;stroke-linecap:round", "M0 0H3",
+           "M 0 0 L 0.002 0 M 2 0 L 2.002 0");
     DRAWS("<g transform='scale(2 1)' stroke-dasharray='2 1' stroke='red' fill='none'>"
           "<path d='M0 0H4M0 0V4'/></g>",
           "M 0 0 L 4 0 M 6 0 L 8 0 M 0 0 L 0 2 M 0 3 L 0 4");
     DRAWS("<path pathLength='10' stroke-dasharray='5 5' stroke='red' d='M0 0H40'/>",
           "M 0 0 L 20 0");
     DRAWS("<path stroke-dasharray='1 1' d='M0 0H4'/>", "M 0 0 L 4 0");      /* no stroke */
+}
+
+/* SVG 2, 13.5.4: a part without length is its ends, if they are not butt; a move alone is none. */
+static void parts_without_length_are_dots(arb *a)
+{
+    (void)a;
+#define DOTTED(cap, shape, wanted)                                                                 \
+    DRAWS("<g fill='none' stroke='red' stroke-linecap='" cap "'>" shape "</g>", wanted)
+    DOTTED("round", "<path d='M5 5h0'/>", "M 4.999 5 L 5.001 5");
+    DOTTED("square", "<path d='M5 5z'/>", "M 4.999 5 L 5.001 5");
+    DOTTED("round", "<path d='M5 5C5 5 5 5 5 5'/>", "M 4.999 5 L 5.001 5");
+    DOTTED("round", "<path d='M5 5h0l0 0z'/>", "M 4.999 5 L 5.001 5");
+    DOTTED("round", "<path d='M5 5h0M7 5h2M9 9zm1 1h0'/>",
+           "M 4.999 5 L 5.001 5 M 7 5 L 9 5 M 8.999 9 L 9.001 9 M 9.999 10 L 10.001 10");
+    DOTTED("round", "<path d='M5 5h0h3'/>", "M 5 5 L 8 5");
+    DOTTED("round", "<line x1='5' y1='5' x2='5' y2='5'/>", "M 4.999 5 L 5.001 5");
+    DOTTED("square", "<polyline points='5,5 5,5'/>", "M 4.999 5 L 5.001 5");
+    DOTTED("square", "<polygon points='5,5'/>", "M 4.999 5 L 5.001 5");
+    DOTTED("round", "<path transform='matrix(0 3 -3 0 20 0)' d='M5 5h0'/>",
+           "M 5 14.999 L 5 15.001");
+    DOTTED("round", "<path d='M5 5M1 1h1'/>", "M 1 1 L 2 1");
+    DOTTED("butt", "<path d='M5 5h0M1 1h1'/>", "M 1 1 L 2 1");
+    DRAWS("<path stroke-linecap='round' d='M5 5h0M1 1h1'/>", "M 1 1 L 2 1");    /* no stroke */
 }
 
 /* The dashes of a curve and their gaps are as long as they are said to be, and leave out
@@ -1051,6 +1075,7 @@ static void dashes_cut_curves(arb *a)
 int main(void)
 {
     PROPERTY(dashes_cut_lines, 1);
+    PROPERTY(parts_without_length_are_dots, 1);
     PROPERTY(dashes_cut_curves, 200);
     PROPERTY(colours_are_chosen, 1);
     PROPERTY(layers_of_notes_are_left_out, 1);
