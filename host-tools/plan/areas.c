@@ -52,7 +52,9 @@ static int widen(const drawing *d, size_t first, size_t last, unsigned *shape, d
     const region_stroke s                 = { .width = (double)like.width,
                                               .cap   = caps[like.cap],
                                               .join  = joins[like.join],
-                                              .mitre = (double)like.mitre };
+                                              .mitre = (double)like.mitre,
+                                              .pen   = { (double)like.pen[0], (double)like.pen[1],
+                                                         (double)like.pen[2] } };
     region *area = region_of_stroke(d, first, last, &s, file);
 
     *shape += DRAWING_SHAPE;

@@ -20,6 +20,7 @@
 struct region {
     GEOSContextHandle_t h;
     GEOSGeometry *g;
+    double pen[3];              /* of a stroke: what makes an ellipse of a circle; 1 0 1: nothing */
 };
 
 /* Closed chains of points, one after the other. */
@@ -128,7 +129,7 @@ static region *new_region(void)
 {
     region *r = tool_grow(NULL, sizeof *r);
 
-    *r = (region){ .h = GEOS_init_r() };
+    *r = (region){ .h = GEOS_init_r(), .pen = { 1, 0, 1 } };
     return r;
 }
 
@@ -252,6 +253,23 @@ bool region_cut(region *r, const drawing *outline, const char *file)
     return true;
 }
 
+/* The symmetric matrix `pen` times a point. */
+static void shape_point(const double pen[3], double at[2])
+{
+    const double x = at[0], y = at[1];
+
+    at[0] = pen[0] * x + pen[1] * y;
+    at[1] = pen[1] * x + pen[2] * y;
+}
+
+/* How much `pen` lengthens: its larger value, as the other one is the inverse. */
+static double stretch_of(const double pen[3])
+{
+    const double half = (pen[0] + pen[2]) / 2;
+
+    return half + sqrt(fmax(half * half - 1, 0));
+}
+
 /* Chords of a quarter turn with this radius. */
 static int quarter_chords(double radius)
 {
@@ -268,10 +286,16 @@ region *region_of_stroke(const drawing *d, size_t first, size_t last, const regi
     region *r = new_region();
     polylines p;
 
+    if (s->pen[0] > 0)
+        memcpy(r->pen, s->pen, sizeof r->pen);
     if (find_chords(&p, d, first, last, false)) {
+        const double back[3] = { r->pen[2], -r->pen[1], r->pen[0] };
+        for (size_t i = 0; i < p.count && s->pen[0] > 0; i++)
+            shape_point(back, p.point[i]);
         GEOSGeometry *lines = lines_of(r->h, &p);
         if (lines != NULL)
-            r->g = GEOSBufferWithStyle_r(r->h, lines, s->width / 2, quarter_chords(s->width / 2),
+            r->g = GEOSBufferWithStyle_r(r->h, lines, s->width / 2,
+                                         quarter_chords(s->width / 2 * stretch_of(r->pen)),
                                          caps[s->cap], joins[s->join], s->mitre);
         GEOSGeom_destroy_r(r->h, lines);
     }
@@ -296,8 +320,9 @@ bool region_shrink(region *r, double by, const char *file)
     return true;
 }
 
-static void add_ring(GEOSContextHandle_t h, const GEOSGeometry *line, bool hole, region_rings *out)
+static void add_ring(const region *r, const GEOSGeometry *line, bool hole, region_rings *out)
 {
+    GEOSContextHandle_t h      = r->h;
     const GEOSCoordSequence *s = line ? GEOSGeom_getCoordSeq_r(h, line) : NULL;
     unsigned n                 = 0;
 
@@ -308,13 +333,16 @@ static void add_ring(GEOSContextHandle_t h, const GEOSGeometry *line, bool hole,
         free(point);
         return;
     }
+    for (unsigned k = 0; k < n; k++)
+        shape_point(r->pen, point[k]);
     out->ring = tool_grow(out->ring, (out->count + 1) * sizeof *out->ring);
     out->ring[out->count++] = (region_ring){ .point = point, .count = n - 1, .hole = hole };
 }
 
 void region_outlines(const region *r, region_rings *out)
 {
-    GEOSGeometry *plain     = GEOSTopologyPreserveSimplify_r(r->h, r->g, REGION_TOL / 4);
+    const double most       = REGION_TOL / 4 / stretch_of(r->pen);
+    GEOSGeometry *plain     = GEOSTopologyPreserveSimplify_r(r->h, r->g, most);
     const GEOSGeometry *all = plain ? plain : r->g;
     const int parts         = GEOSGetNumGeometries_r(r->h, all);
 
@@ -323,9 +351,9 @@ void region_outlines(const region *r, region_rings *out)
         const GEOSGeometry *one = GEOSGetGeometryN_r(r->h, all, i);
         if (GEOSGeomTypeId_r(r->h, one) != GEOS_POLYGON || GEOSisEmpty_r(r->h, one) == 1)
             continue;
-        add_ring(r->h, GEOSGetExteriorRing_r(r->h, one), false, out);
+        add_ring(r, GEOSGetExteriorRing_r(r->h, one), false, out);
         for (int k = 0; k < GEOSGetNumInteriorRings_r(r->h, one); k++)
-            add_ring(r->h, GEOSGetInteriorRingN_r(r->h, one, k), true, out);
+            add_ring(r, GEOSGetInteriorRingN_r(r->h, one, k), true, out);
     }
     GEOSGeom_destroy_r(r->h, plain);
 }

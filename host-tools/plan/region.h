@@ -33,6 +33,7 @@ typedef struct {
     enum region_cap cap;
     enum region_join join;
     double mitre;               /* the limit of SVG: length over width */
+    double pen[3];              /* as in drawing_curve */
 } region_stroke;
 
 /* The exit code of what follows, after it has failed. */
@@ -42,7 +43,7 @@ int region_error(void);
  * closed by a line. NULL, after one line, if it fails. */
 region *region_inside(const drawing *d, size_t first, size_t last, bool evenodd, const char *file);
 
-/* What a stroke covers. As above. */
+/* What a stroke covers, of which only the outlines may be taken. As above. */
 region *region_of_stroke(const drawing *d, size_t first, size_t last, const region_stroke *s,
                          const char *file);
 

@@ -26,6 +26,8 @@ typedef struct {
     unsigned line;          /* its line in the file */
     unsigned tool;          /* of the machine: its number in the table of tools, from 1; 0: none */
     float width, mitre;     /* of SVG: of its stroke, mm, 0: none is known; length over width */
+    float pen[3];           /* of SVG: its stroke is as wide as an ellipse: xx, xy, yy of the matrix
+                             * of determinant 1 that makes it of a circle; all 0: a circle */
     unsigned char cap, join;/* of it: butt, round, square; mitre, round, bevel */
     unsigned clip;          /* of SVG: which area it is cut at, from 1; 0: at none */
     unsigned fill;          /* of SVG: which shape it outlines times DRAWING_SHAPE, and how that is

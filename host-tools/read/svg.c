@@ -14,6 +14,8 @@
 #include "read/svg.h"
 
 #define MM_PER_PX (25.4 / 96)
+#define PEN_MOST  1000.0        /* longer than a disk; strokes of thinner pens are lines */
+#define PEN_LEAST 1e-9          /* an ellipse that is 1.6e-5 longer than a disk is one */
 
 static const xmlChar xlink_namespace[] = "http://www.w3.org/1999/xlink";
 
@@ -223,6 +225,23 @@ static bool draw_use(svg_reader *r, const xmlNode *node, svg_space space, const 
 // Elements
 // --------
 
+/* A stroke is made in user units, around a disk, which a transform M makes an ellipse. Turns of
+ * the disk change nothing: of S = M M' / |det M|, of determinant 1, all that matters is the root,
+ * (S + 1) / sqrt(tr S + 2). */
+static void set_pen(svg_reader *r, const svg_matrix *m)
+{
+    const double area = fabs(m->a * m->d - m->b * m->c), xx = (m->a * m->a + m->c * m->c) / area,
+                 yy = (m->b * m->b + m->d * m->d) / area, xy = (m->a * m->b + m->c * m->d) / area;
+    const double root = sqrt(xx + yy + 2);
+
+    memset(r->pen, 0, sizeof r->pen);
+    if (!(area > 0 && root < PEN_MOST) || xx + yy - 2 < PEN_LEAST)
+        return;
+    r->pen[0] = (float)((xx + 1) / root);
+    r->pen[1] = (float)(xy / root);
+    r->pen[2] = (float)((yy + 1) / root);
+}
+
 bool svg_begin(svg_reader *r, const svg_space *space)
 {
     const bool painted = space->fill && space->fill_opaque,
@@ -240,6 +259,7 @@ bool svg_begin(svg_reader *r, const svg_space *space)
     const svg_matrix *m = &space->to_mm;
     r->width = (float)(space->stroke_width * sqrt(fabs(m->a * m->d - m->b * m->c)));
     r->mitre = (float)space->mitre;
+    set_pen(r, m);
     r->cap   = (unsigned char)space->cap;
     r->join  = (unsigned char)space->join;
     r->tool = r->layer_tool ? r->layer_tool : svg_ink_tool(r, space, stroked);

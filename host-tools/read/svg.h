@@ -80,7 +80,7 @@ typedef struct {
     svg_fonts *fonts;
     svg_lines *lines;
     unsigned fill, tool;        /* of the current shape, see drawing.h */
-    float width, mitre;
+    float width, mitre, pen[3];
     unsigned char cap, join;
     unsigned layer_tool;        /* of the layers around the current element; 0: none */
     bool clipping;              /* what is drawn now is a clip path */

@@ -94,6 +94,7 @@ bool svg_cubic(svg_pen *pen, double x1, double y1, double x2, double y2, double 
     c->mitre = pen->r->mitre;
     c->cap   = pen->r->cap;
     c->join  = pen->r->join;
+    memcpy(c->pen, pen->r->pen, sizeof c->pen);
     memcpy(pen->end, p[3], sizeof p[3]);
     pen->fresh = false;
     return true;

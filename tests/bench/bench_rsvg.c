@@ -214,6 +214,32 @@ static void set_rule(cairo_t *cr, unsigned fill)
                                                    : CAIRO_FILL_RULE_WINDING);
 }
 
+/* Stroke the path with its pen, which may be an ellipse, `by` wider. An ellipse is shifted all
+ * around for that. */
+static void paint_stroke(cairo_t *cr, const drawing_curve *v, double by)
+{
+    const double wide = v->fill & DRAWING_STROKED ? v->width * DPI / 25.4 : 0;
+    const bool round  = !(v->pen[0] > 0);
+    cairo_matrix_t pen;
+
+    cairo_path_t *path = cairo_copy_path(cr);
+    cairo_matrix_init(&pen, v->pen[0], -v->pen[1], -v->pen[1], v->pen[2], 0, 0);
+    for (int k = 0; k < (round || !(by > 0) ? 1 : 16); k++) {
+        cairo_save(cr);
+        if (!round)
+            cairo_translate(cr, by * cos(k * 0.39269908169872414),
+                            by * sin(k * 0.39269908169872414));
+        cairo_new_path(cr);
+        cairo_append_path(cr, path);
+        if (!round)
+            cairo_transform(cr, &pen);
+        cairo_set_line_width(cr, round ? 2 * by + wide : wide);
+        cairo_stroke(cr);
+        cairo_restore(cr);
+    }
+    cairo_path_destroy(path);
+}
+
 /* Paint one shape, everything wider by this on each side, in pixels. */
 static size_t paint_shape(const copy *c, cairo_t *cr, size_t first, double by)
 {
@@ -230,11 +256,10 @@ static size_t paint_shape(const copy *c, cairo_t *cr, size_t first, double by)
         cairo_stroke(cr);
     }
     end = add_shape(c, cr, &c->d, first, false);
-    cairo_set_line_width(cr, 2 * by + (v->fill & DRAWING_STROKED ? v->width * DPI / 25.4 : 0));
     cairo_set_line_cap(cr, v->cap == 1 ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_SQUARE);
     cairo_set_line_join(cr, (cairo_line_join_t)v->join);
     cairo_set_miter_limit(cr, v->mitre);
-    cairo_stroke(cr);
+    paint_stroke(cr, v, by);
     return end;
 }
 
