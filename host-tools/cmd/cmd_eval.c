@@ -3,6 +3,8 @@
  */
 #include <stdio.h>
 
+#include "num/status.h"     /* LOFT_SINGULAR */
+
 #include "engine/piece.h"
 #include "engine/print.h"
 #include "engine/sided.h"   /* sided_has */
@@ -15,6 +17,7 @@ typedef struct {
     const tool_list *t;
     const char *file;
     size_t number;          /* the number of the curve */
+    bool normal;            /* of surfaces, with curvatures */
 } evaluation;
 
 
@@ -112,6 +115,20 @@ static int every_curve(evaluation *v, const curves *all, bool shape)
 // --------
 
 /* Print a point for each pair of parameters, and an empty line between surfaces. */
+/* The unit normal, Gaussian and mean curvature, behind a point. */
+static int print_look(const evaluation *v, const engine_surface *held, double a, double b)
+{
+    engine_look look;
+    const int status = v->p.e->surface->local(held, a, b, &look);
+
+    if (status == LOFT_SINGULAR)
+        puts(" none");
+    else if (status == LOFT_OK)
+        printf(" %.9g %.9g %.9g %.9g %.9g\n", look.normal[0], look.normal[1], look.normal[2],
+               look.gauss, look.mean);
+    return status == LOFT_SINGULAR ? LOFT_OK : status;
+}
+
 static int surface_points_of(const evaluation *v, const surface *s)
 {
     const engine_surfaces *make = v->p.e->surface;
@@ -128,10 +145,17 @@ static int surface_points_of(const evaluation *v, const surface *s)
                      b = v->t->count ? v->t->value[j + 1] : middle[1];
         double point[ENGINE_AXES];
         status = make->eval(held, a, b, point);
+        if (status == 0) {
+            print_words(&v->p, point);
+            if (!v->normal)
+                putchar('\n');
+            else
+                status = print_look(v, held, a, b);
+        }
         if (status == 0)
-            print_point((void *)&v->p, point);
-        else if (!surface_is_sided(s) &&
-                 !(a >= 0 && a <= 1 && b >= 0 && b <= (surface_is_triangle(s) ? 1 - a : 1)))
+            continue;
+        if (!surface_is_sided(s) &&
+            !(a >= 0 && a <= 1 && b >= 0 && b <= (surface_is_triangle(s) ? 1 - a : 1)))
             code = tool_error(EX_DATAERR, "%s:%u: u, v = %g, %g: give 0 to 1 for this %s%s",
                               v->file, s->line, a, b, surface_name(s->kind),
                               surface_is_triangle(s) ? ", u + v at most 1" : "");
@@ -161,9 +185,9 @@ static int every_surface(const evaluation *v, const surfaces *all)
 }
 
 static int eval_surfaces(const surfaces *all, const char *file, const engine *e,
-                         const tool_list *uv, bool of_curves)
+                         const tool_list *uv, bool of_curves, bool normal)
 {
-    const evaluation v = { { e, true }, uv, source_name(file), 0 };
+    const evaluation v = { { e, true }, uv, source_name(file), 0, normal };
 
     if (of_curves)
         return tool_error(EX_USAGE,
@@ -181,13 +205,15 @@ static int run_eval(const tool_command *self, int argc, char **argv)
     tool_list t = { .count = 0 }, uv = { .count = 0 };
     curves all       = { 0 };
     surfaces patches = { 0 };
-    bool shape       = false;
+    bool shape = false, normal = false;
     const char *file;
 
     const tool_option options[] = {
         TOOL_LIST("t", "T,..", &t, -1e6, 1e6, "parameters, 0..1 on a Bezier curve (the middle)"),
         TOOL_LIST("uv", "U,V,..", &uv, -32768, 32767,
                   "pairs of parameters on a surface (the middle)"),
+        TOOL_SWITCH("normal", &normal,
+                    "behind each point of a surface its normal, Gaussian and mean curvature"),
         TOOL_SWITCH("shape", &shape,
                     "not points, but the shape of each piece: its type, inflections, box"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
@@ -203,17 +229,19 @@ static int run_eval(const tool_command *self, int argc, char **argv)
     if (text == NULL)
         code = surfaces_read(&patches, file);
     if (code == 0 && patches.count > 0) {
-        code = eval_surfaces(&patches, file, e, &uv, shape || t.count > 0);
+        code = eval_surfaces(&patches, file, e, &uv, shape || t.count > 0, normal);
         surfaces_free(&patches);
         return code;
     }
     surfaces_free(&patches);
     if (code == 0 && uv.count > 0)
         code = tool_error(EX_USAGE, "--uv: is for surfaces: curves have one parameter, --t");
+    if (code == 0 && normal)
+        code = tool_error(EX_USAGE, "--normal: is for surfaces: see `loft decide bend` for curves");
     if (code == 0)
         code = curves_read(&all, file, text);
     if (code == 0) {
-        evaluation v = { { e, all.solid }, &t, text ? "--points" : source_name(file), 0 };
+        evaluation v = { { e, all.solid }, &t, text ? "--points" : source_name(file), 0, false };
         code = every_curve(&v, &all, shape);
     }
     curves_free(&all);

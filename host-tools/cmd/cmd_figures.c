@@ -110,15 +110,17 @@ static FILE *open_file(const char *name, const char *mode)
     return f;
 }
 
-static int write_input(const exhibition *x, const figure *f)
+static int write_input(const exhibition *x, const figure *f, const char *digit, const char *input)
 {
     char name[LINE];
 
-    file_name(name, x->folder, f, "0");
+    if (input == NULL)
+        return 0;
+    file_name(name, x->folder, f, digit);
     FILE *out = open_file(name, "w");
     if (out == NULL)
         return EX_CANTCREAT;
-    fprintf(out, "# %s: %s\n%s", f->name, f->title, f->input);
+    fprintf(out, "# %s: %s\n%s", f->name, f->title, input);
     return fclose(out) == 0 ? 0 : tool_error(EX_IOERR, "%s: %s", name, strerror(errno));
 }
 
@@ -172,6 +174,12 @@ static int join_files(const exhibition *x, const figure *f, const char *line)
     return fclose(out) == 0 ? 0 : EX_IOERR;
 }
 
+/* In pixels; drawings of lines have none. */
+static const char *size_of(const figure *f)
+{
+    return strcmp(f->type, "png") == 0 ? "--size 900 " : "";
+}
+
 static int draw_picture(const exhibition *x, const figure *f)
 {
     char line[LINE], all[2 * LINE];
@@ -183,7 +191,8 @@ static int draw_picture(const exhibition *x, const figure *f)
         return tool_error(EX_CANTCREAT, "a temporary file: %s", strerror(errno));
     int code = join_files(x, f, f->plot);
     expand_line(line, f->plot, x->folder, f);
-    snprintf(all, sizeof all, "plot %s -o %s%s.%s", line, x->folder, f->name, f->type);
+    snprintf(all, sizeof all, "plot %s%s -o %s%s.%s", size_of(f), line, x->folder, f->name,
+             f->type);
     if (code == 0)
         code = run_line(x, all, nothing);
     fclose(nothing);
@@ -343,13 +352,16 @@ static void begin_figure(const exhibition *x, const figure *f)
         fprintf(x->page, "loft %s --num %s &gt;%s-%d.loft\n", line, x->e->name, f->name, k++);
     }
     expand_line(line, f->plot, "", f);
-    fprintf(x->page, "loft plot %s -o %s.%s\n</pre>\n<table>\n", line, f->name, f->type);
+    fprintf(x->page, "loft plot %s%s -o %s.%s\n</pre>\n<table>\n", size_of(f), line, f->name,
+            f->type);
 }
 
 static int show_figure(exhibition *x, const figure *f)
 {
-    int code = write_input(x, f);
+    int code = write_input(x, f, "0", f->input);
 
+    if (code == 0)
+        code = write_input(x, f, "9", f->also);
     if (code == 0)
         code = make_files(x, f);
     if (code == 0)

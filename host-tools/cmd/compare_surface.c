@@ -54,9 +54,11 @@ static void place_of(const comparison *m, unsigned kite, const double at[2], dou
 {
     const double u = at[0], v = at[1], *c = m->part;
 
-    if (surface_is_sided(m->s))
+    if (surface_is_sided(m->s)) {
         sided_spot(m->s, sided_kite(m->s, kite, u, v), out);
-    else if (c != NULL && surface_is_triangle(m->s))
+        for (int i = 0; i < 2 && c != NULL; i++)
+            out[i] = (1 - out[i]) * c[i] + out[i] * c[2 + i];
+    } else if (c != NULL && surface_is_triangle(m->s))
         for (int i = 0; i < 2; i++)
             out[i] = (1 - u - v) * c[i] + u * c[2 + i] + v * c[4 + i];
     else

@@ -140,6 +140,8 @@ typedef struct {
     /* Normal and curvatures there. If they do not exist at that place, it moves towards the middle
      * of the kite, by at most 2^-9 of the way. LOFT_SINGULAR: they do not exist there either. */
     int (*look)(const engine_surface *s, unsigned kite, double u, double v, engine_look *out);
+    /* The same at u, v as eval takes them; nothing moves. */
+    int (*local)(const engine_surface *s, double u, double v, engine_look *out);
     /* The curves with z = `height` in their order, z within tol. They are found on a grid of n x n
      * cells (n sides: a multiple of them around). */
     int (*contour)(const engine_surface *s, double height, double tol, unsigned n,

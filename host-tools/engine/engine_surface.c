@@ -321,17 +321,24 @@ static int surface_differential(const engine_surface *e, double u, double v, lof
     }
 }
 
-static int look_at(const engine_surface *e, unsigned kite, double u, double v, engine_look *out)
+static int surface_local(const engine_surface *e, double u, double v, engine_look *out)
 {
+    const sided_place own = { SIDED_OWN, 0, u, v };
     loft_differential here;
 
     if (e->sided)
-        return ENGINE_OF(engine_sides).look(e->sided, sided_kite(e->s, kite, u, v), out);
+        return ENGINE_OF(engine_sides).look(e->sided, own, out);
     if (e->s->kind == SURFACE_SPHERE)
         return look_sphere(e, u, v, out);
     const int status = surface_differential(e, u, v, &here);
 
     return status ? status : look_of(&here, out);
+}
+
+static int look_at(const engine_surface *e, unsigned kite, double u, double v, engine_look *out)
+{
+    return e->sided ? ENGINE_OF(engine_sides).look(e->sided, sided_kite(e->s, kite, u, v), out)
+                    : surface_local(e, u, v, out);
 }
 
 /* If rounding leads outside the polygon, move a little inside. If there is no normal (an edge that
@@ -493,4 +500,5 @@ const engine_surfaces ENGINE_OF(engine_surfaces) = { .open = surface_open,
     .eval  = surface_eval,
     .kite  = surface_kite,
     .look  = surface_look,
+    .local = surface_local,
                                                      .contour = surface_contour };

@@ -5,11 +5,17 @@
 
 const figure *figure_number(size_t i)
 {
-    if (i < figures_curves)
-        return &figures_curve[i];
-    i -= figures_curves;
-    if (i < figures_surfaces)
-        return &figures_surface[i];
-    i -= figures_surfaces;
-    return i < figures_sideds ? &figures_sided[i] : NULL;
+    const struct {
+        const figure *first;
+        size_t count;
+    } part[] = { { figures_curve, figures_curves },
+                 { figures_spline, figures_splines },
+                 { figures_surface, figures_surfaces },
+                 { figures_sided, figures_sideds },
+                 { figures_gb, figures_gbs } };
+
+    for (size_t k = 0; k < sizeof part / sizeof part[0]; i -= part[k++].count)
+        if (i < part[k].count)
+            return &part[k].first[i];
+    return NULL;
 }

@@ -2,9 +2,11 @@
  * SPDX-License-Identifier: MIT
  *
  *     figures.c           the list
- *     figures_curve.c     curves: polynomials, Bezier curves, conics, splines
- *     figures_surface.c   triangles, tensor products, Coons patches
+ *     figures_curve.c     polynomials, curves of interpolation
+ *     figures_spline.c    Bezier curves, conics, NURBS
+ *     figures_surface.c   triangles, tensor products, surfaces of curves
  *     figures_sided.c     patches with n sides, coordinates
+ *     figures_gb.c        generalized Bezier patches, a hole that is filled
  *     cmd_figures.c       runs the rows: files, pictures, proofs, the page
  *
  * A row holds data and lines of the command itself, so that a reader can repeat each of them.
@@ -32,6 +34,7 @@ typedef struct {
 typedef struct {
     const char *name, *text, *section, *title;
     const char *input;      /* in .loft */
+    const char *also;       /* one more input, {9}; or NULL */
     const char *make;       /* lines of `loft`, `;` between them: the files {1}, {2} ..; or NULL */
     const char *plot;       /* options of `loft plot` and the file; {01} is both in one */
     const char *type;       /* of the picture: "svg", "png" */
@@ -41,7 +44,8 @@ typedef struct {
 /* Figure i, in the order of the texts; NULL behind the last one. */
 const figure *figure_number(size_t i);
 
-extern const figure figures_curve[], figures_surface[], figures_sided[];
-extern const size_t figures_curves, figures_surfaces, figures_sideds;
+extern const figure figures_curve[], figures_spline[], figures_surface[], figures_sided[],
+    figures_gb[];
+extern const size_t figures_curves, figures_splines, figures_surfaces, figures_sideds, figures_gbs;
 
 #endif

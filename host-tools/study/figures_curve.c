@@ -16,6 +16,7 @@ const figure figures_curve[] = {
       "A polynomial of degree 4 and its control polygon",
       "bezier 4\n0 4\n10 28\n20 -8\n30 24\n40 12\n",
       NULL,
+      NULL,
       "--control {0}",
       "svg",
       { EXACT("{0}"),
@@ -33,6 +34,7 @@ const figure figures_curve[] = {
       "A polygon that is not convex gives a convex curve: (1, 0, e, 0, 1), e = -1, 1, 3",
       "bezier 4\n0 20\n10 0\n20 -20\n30 0\n40 20\nbezier 4\n60 20\n70 0\n80 20\n90 0\n100 20\n"
       "bezier 4\n120 20\n130 0\n140 60\n150 0\n160 20\n",
+      NULL,
       NULL,
       "--control {0}",
       "svg",
@@ -55,6 +57,7 @@ const figure figures_curve[] = {
       "Positive quadratics and their polygons: (1, a, 1), a = -0.5, -1, -1.5",
       "bezier 2\n0 20\n20 -10\n40 20\nbezier 2\n60 20\n80 -20\n100 20\nbezier 2\n120 20\n140 -30\n"
       "160 20\n",
+      NULL,
       NULL,
       "--control {0}",
       "svg",
@@ -81,6 +84,7 @@ const figure figures_curve[] = {
       "bezier 2\n0 40\n40 0\n80 40\nbezier 4\n0 40\n20 20\n40 0\n60 20\n80 40\nbezier 8\n0 40\n"
       "10 30\n20 20\n30 10\n40 0\n50 10\n60 20\n70 30\n80 40\n",
       NULL,
+      NULL,
       "--control {0}",
       "svg",
       { EXACT("{0}"),
@@ -101,6 +105,7 @@ const figure figures_curve[] = {
       "A line meets the curve no more often than its polygon",
       "bezier 4\n0 -10\n20 40\n40 -30\n60 20\n80 -10\nline\n0 2\n80 2\n",
       NULL,
+      NULL,
       "--control {0}",
       "svg",
       { EXACT("{0}"),
@@ -113,6 +118,7 @@ const figure figures_curve[] = {
       "3.1",
       "Two cubics that meet nine times",
       "bezier 3\n-30 -30\n-10 150\n10 -150\n30 30\nbezier 3\n-30 -30\n150 -10\n-150 10\n30 30\n",
+      NULL,
       NULL,
       "--control {0}",
       "svg",
@@ -127,6 +133,7 @@ const figure figures_curve[] = {
       "(1, l) and (l, 1) as inner points: l = 2/3, 4/3, 2, 2.5",
       "bezier 3\n30 0\n30 20\n20 30\n0 30\nbezier 3\n75 0\n75 40\n85 30\n45 30\nbezier 3\n120 0\n"
       "120 60\n150 30\n90 30\nbezier 3\n165 0\n165 75\n210 30\n135 30\n",
+      NULL,
       NULL,
       "--control --comb {0}",
       "svg",
@@ -156,6 +163,7 @@ const figure figures_curve[] = {
       "rational 2\n0 0\n20 40 : 0.25\n40 0\nrational 2\n0 0\n20 40 : 0.5\n40 0\nrational 2\n0 0\n"
       "20 40 : 1\n40 0\nrational 2\n0 0\n20 40 : 2\n40 0\nrational 2\n0 0\n20 40 : 4\n40 0\n",
       NULL,
+      NULL,
       "--control {0}",
       "svg",
       { EXACT("{0}"),
@@ -172,6 +180,7 @@ const figure figures_curve[] = {
       "(t^2 - 2 t, t), then (u^2 - 1, u + 1), 20 times as large",
       "bezier 2\n0 0\n-20 10\n-20 20\nbezier 2\n-20 20\n-20 30\n0 40\n",
       NULL,
+      NULL,
       "--control --comb {0}",
       "svg",
       { EXACT("{0}"),
@@ -184,6 +193,7 @@ const figure figures_curve[] = {
       "natural cubic spline",
       "The natural spline through six points",
       "natural uniform\n0 0\n20 30\n40 10\n60 35\n90 30\n100 0\n",
+      NULL,
       NULL,
       "--control --comb {0}",
       "svg",
@@ -208,6 +218,7 @@ const figure figures_curve[] = {
       "cardinal -1\n0 0\n20 30\n40 10\n60 35\n90 30\n100 0\ncardinal 0\n0 0\n20 30\n40 10\n60 35\n"
       "90 30\n100 0\ncardinal 0.5\n0 0\n20 30\n40 10\n60 35\n90 30\n100 0\n",
       NULL,
+      NULL,
       "{0}",
       "svg",
       { EXACT("{0}"),
@@ -223,6 +234,7 @@ const figure figures_curve[] = {
       "hermite3\n0 40 : 60 0\n60 0 : 60 0\nhermite3\n0 0 : 60 0\n60 40 : 60 0\nhermite3\n"
       "0 0 : 60 40\n60 0 : 60 0\nhermite3\n0 0 : 60 0\n60 0 : 60 40\n",
       NULL,
+      NULL,
       "{0}",
       "svg",
       { EXACT("{0}"),
@@ -237,6 +249,7 @@ const figure figures_curve[] = {
       "Local control: one point of eight is moved",
       "bspline 3\n0 0\n10 30\n30 40\n50 10\n70 0\n90 30\n110 40\n120 0\nbspline 3\n0 0\n10 30\n"
       "30 40\n50 40\n70 0\n90 30\n110 40\n120 0\n",
+      NULL,
       NULL,
       "--control {0}",
       "svg",

@@ -1243,16 +1243,16 @@ case_compare_with() {
     one_line 65 'without weights' "$loft" make quarter "$tmp/ball.loft"
 }
 case_figures() {
-    local names
-    names=$("$loft" figures --list | cut -d ' ' -f 1)
-    for num in q16 f32 f64; do
-        run 0 "$loft" figures --num $num --brief -o "$tmp/$num"; is_empty err
+    for num in f32 f64; do
+        run 0 "$loft" figures --num $num --brief --no-pictures -o "$tmp/$num"; is_empty err
         says out "numbers in $num, 0 of them beyond their bounds"
-        for name in $names; do
-            grep -q "<h2 id=\"$name\">" "$tmp/$num/index.html" || job_fails "$name is missing"
-            [ -s "$tmp/$num/$name.svg" ] || [ -s "$tmp/$num/$name.png" ] ||
-                job_fails "$name has no picture"
-        done
+    done
+    run 0 "$loft" figures --brief -o "$tmp/q16"; is_empty err
+    says out "numbers in q16, 0 of them beyond their bounds"
+    for name in $("$loft" figures --list | cut -d ' ' -f 1); do
+        grep -q "<h2 id=\"$name\">" "$tmp/q16/index.html" || job_fails "$name is missing"
+        [ -s "$tmp/q16/$name.svg" ] || [ -s "$tmp/q16/$name.png" ] ||
+            job_fails "$name has no picture"
     done
     run 0 "$loft" figures -o "$tmp/one" polygon
     [ "$(ls "$tmp/one")" = "$(printf 'index.html\npolygon.loft\npolygon.svg')" ] ||
