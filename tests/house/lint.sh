@@ -186,6 +186,22 @@ for name in sys.argv[1:]:
 }
 too_wide | rule "no line has more than 100 columns"
 
+# ... and lib/TEXTS.md names what exists, and every figure.
+{   for header in $(grep -o '`[a-z_0-9/]*\.h`' lib/TEXTS.md | tr -d '`' | sort -u); do
+        [ -f "lib/$header" ] || echo "lib/TEXTS.md: $header: no such header"
+    done
+    grep -o '`loft [a-z ]*`' lib/TEXTS.md | tr -d '`' | sort -u | while read -r _ command verb; do
+        [ -f "host-tools/cmd/cmd_$command.c" ] || echo "lib/TEXTS.md: loft $command: no command"
+        [ -z "$verb" ] || grep -q "{ \"$verb\", DECIDE" host-tools/study/engine_*.c ||
+            echo "lib/TEXTS.md: loft $command $verb: no such verb"
+    done
+    awk -F '|' 'NF == 6 && $5 !~ /figures|---/ { gsub(/,/, " ", $5); print $5 }' lib/TEXTS.md |
+        tr -s ' ' '\n' | grep -v '^–*$' | LC_ALL=C sort -u >"$result.texts"
+    sed -n 's/^    { "\([a-z0-9-]*\)".*/\1/p' host-tools/study/figures_*.c | LC_ALL=C sort -u |
+        LC_ALL=C comm -3 "$result.texts" - | sed 's/^/lib\/TEXTS.md and loft figures differ: /'
+    rm -f "$result.texts"
+} | rule "lib/TEXTS.md names what exists, and every figure"
+
 # 7. every call of the compiler has the user's CPPFLAGS and CFLAGS, and, if it links, LDFLAGS
 links_and_objects="lib libraries tools test-tools test-axes test-effort test-e2e
     build/test/q16/forward build/test/f64/harmonic build/vectors/f32
