@@ -12,10 +12,14 @@ cortex_memory = -DFLASH=$(word 1,$(1)) -DFLASH_SIZE=$(word 2,$(1)) \
                 -DRAM=$(word 3,$(1)) -DRAM_SIZE=$(word 4,$(1))
 cortex_gcc = arm-none-eabi-gcc -mthumb $(1) $(call cortex_memory,$(2)) $(3)
 cortex = $(eval $(call firmware,$(1),$(call cortex_gcc,$(2),$(3),$(4)),arm-none-eabi,$(strip \
-    ports/cortex-m/start.c ports/bare/no_outputs.c $(5)),ports/cortex-m/cortex.ld.in))
+    ports/cortex-m/start.c $(5)),ports/cortex-m/cortex.ld.in))
 
-STM32F405 = -DCORTEX_IRQS=82 -DCORTEX_LINE_IRQ=37 -DCORTEX_STREAM_IRQ=68 -DSTREAM_AHEAD=1
+STM32F405 = -DCORTEX_IRQS=82 -DCORTEX_LINE_IRQ=37 -DCORTEX_STREAM_IRQ=68 -DSTREAM_AHEAD=1 \
+            -DSTREAM_OUTPUTS=2
 STM32F103 = -DCORTEX_IRQS=43 -DCORTEX_LINE_IRQ=37 -DCORTEX_STREAM_IRQ=15 -DLOFT_MACHINE_PLANS=0
+NO_OUTPUTS = ports/bare/no_outputs.c
+NRF51_PORT = ports/nrf51/port.c $(NO_OUTPUTS)
+MPS2_PORT  = ports/mps2/port.c $(NO_OUTPUTS)
 NRF51     = -DCORTEX_IRQS=32 -DCORTEX_LINE_IRQ=2 -DCORTEX_SLOT_IRQ=8 -DLOFT_MACHINE_PLANS=0
 MPS2      = -DCORTEX_IRQS=32 -DCORTEX_LINE_IRQ=0 -DMPS2_CLOCK=25000000 \
             -DMPS2_UART0=0x40004000 -DMPS2_GPIO0=0x40010000 -DMPS2_GPIO1=0x40011000
@@ -29,14 +33,14 @@ $(call cortex,stm32f405-fast,$(CORTEX_M4F),0x08000000 1024K 0x20000000 128K,$(ST
     -DLOFT_SLOTS=1000,$(strip ports/stm32f405/port.c ports/cortex-m/stream.c))
 # the same: with 500 a pulse has 1 us
 $(call cortex,stm32f103,$(CORTEX_M3),0x08000000 64K 0x20000000 20K,$(STM32F103) \
-    -DLOFT_SLOTS=250,$(strip ports/stm32f103/port.c ports/cortex-m/stream.c))
+    -DLOFT_SLOTS=250,$(strip ports/stm32f103/port.c ports/cortex-m/stream.c $(NO_OUTPUTS)))
 $(call cortex,stm32f103-fast,$(CORTEX_M3),0x08000000 64K 0x20000000 20K,$(STM32F103) \
-    -DLOFT_SLOTS=500,$(strip ports/stm32f103/port.c ports/cortex-m/stream.c))
-$(call cortex,nrf51,$(CORTEX_M0),0x00000000 256K 0x20000000 16K,$(NRF51),ports/nrf51/port.c)
-$(call cortex,mps2-an385,$(CORTEX_M3),0x00000000 4M 0x20000000 4M,$(MPS2),ports/mps2/port.c)
-$(call cortex,mps2-an386,$(CORTEX_M4F),0x00000000 4M 0x20000000 4M,$(MPS2),ports/mps2/port.c)
-$(call cortex,mps2-an500,$(CORTEX_M7),0x00000000 4M 0x20000000 4M,$(MPS2),ports/mps2/port.c)
-$(call cortex,mps2-an505,$(CORTEX_M33),0x10000000 4M 0x38000000 4M,$(MPS2_33),ports/mps2/port.c)
+    -DLOFT_SLOTS=500,$(strip ports/stm32f103/port.c ports/cortex-m/stream.c $(NO_OUTPUTS)))
+$(call cortex,nrf51,$(CORTEX_M0),0x00000000 256K 0x20000000 16K,$(NRF51),$(NRF51_PORT))
+$(call cortex,mps2-an385,$(CORTEX_M3),0x00000000 4M 0x20000000 4M,$(MPS2),$(MPS2_PORT))
+$(call cortex,mps2-an386,$(CORTEX_M4F),0x00000000 4M 0x20000000 4M,$(MPS2),$(MPS2_PORT))
+$(call cortex,mps2-an500,$(CORTEX_M7),0x00000000 4M 0x20000000 4M,$(MPS2),$(MPS2_PORT))
+$(call cortex,mps2-an505,$(CORTEX_M33),0x10000000 4M 0x38000000 4M,$(MPS2_33),$(MPS2_PORT))
 
 # --- flashing: the usual tool, or a clear word when it is missing ---------------------------------
 flash_tool = @command -v $(1) >/dev/null || { echo "$(1) is missing: apt install $(2)"; exit 1; }

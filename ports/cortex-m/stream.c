@@ -20,6 +20,45 @@ static uint8_t changed_half;
 
 uint32_t *cortex_ring(void) { return ring; }
 
+
+// Outputs
+// -------
+
+#if STREAM_OUTPUTS > 0
+
+static uint16_t levels[STREAM_OUTPUTS], levels_at[2][STREAM_OUTPUTS];   /* of the halves */
+
+void loft_port_output(int output, uint16_t level) { levels[output - 1] = level; }
+
+/* The half of this number is made. */
+static void keep_outputs(uint8_t half)
+{
+    for (int k = 0; k < STREAM_OUTPUTS; k++)
+        levels_at[half & 1][k] = levels[k];
+}
+
+/* It begins; or the timer stands. */
+static void give_outputs(uint8_t half, bool stands)
+{
+    for (int k = 0; k < STREAM_OUTPUTS; k++)
+        cortex_output(k + 1, stands ? 0 : levels_at[half & 1][k]);
+}
+
+#else
+
+static void keep_outputs(uint8_t half) { (void)half; }
+static void give_outputs(uint8_t half, bool stands)
+{
+    (void)half;
+    (void)stands;
+}
+
+#endif
+
+
+// Slots
+// -----
+
 void cortex_block(void)
 {
     cortex_acknowledge();
@@ -28,6 +67,7 @@ void cortex_block(void)
         cortex_run(false);
         waits = true;
     }
+    give_outputs(given, waits);
     cortex_later();
 }
 
@@ -95,12 +135,14 @@ void cortex_fill(void)
         make_half(&ring[(second ? STREAM_HALF : 0) + STREAM_AHEAD]);
         if (second && STREAM_AHEAD)
             ring[0] = ring[STREAM_WORDS];
+        keep_outputs(made);
         LOFT_BARRIER();
         made++;
     }
     if (waits) {
         waits = false;
         LOFT_BARRIER();
+        give_outputs(given, false);
         cortex_run(true);
     }
     cortex_systick_run(loft_port_waits());

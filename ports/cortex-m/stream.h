@@ -11,6 +11,9 @@
  *     cortex_fill     in that of lowest priority: makes that half, and latches
  *     cortex_sample   while a guard waits, 100,000 times a second: has its input changed?
  *
+ * An output changes where the half begins in which its tick does: 0.25 ms before it, at most. While
+ * the timer stands all are off.
+ *
  * If a half is not made in time the timer stops until it is: no word is given twice.
  */
 #ifndef LOFT_CORTEX_STREAM_H
@@ -28,6 +31,11 @@
 #  define STREAM_AHEAD 0
 #endif
 
+/* The outputs that the port has. */
+#ifndef STREAM_OUTPUTS
+#  define STREAM_OUTPUTS 0
+#endif
+
 /* A word sets pins by its low half and clears pins by its high one: bits 0..2 step x, y, z, bits
  * 3..5 their directions. Every word has all directions. */
 #define STREAM_STEPS 0x07u
@@ -43,10 +51,11 @@ uint32_t *cortex_ring(void);
 
 /* OF THE PORT: set up timer and transfer, and return the clock of the core in Hz; let the timer run
  * or stand; the number of words of this turn of the ring that are given; the transfer's interrupt
- * is acknowledged. */
+ * is acknowledged; set an output, from 1, if it has any. */
 uint32_t cortex_stream(uint32_t slot_hz);
 void     cortex_run(bool run);
 uint32_t cortex_given(void);
 void     cortex_acknowledge(void);
+void     cortex_output(int output, uint16_t level);
 
 #endif

@@ -5,6 +5,7 @@
  *     step     PA0 PA1 PA2       limits   PC0 PC1 PC2, closing to ground
  *     dir      PA3 PA4 PA5       buttons  PC3 abort, PC4 hold, PC5 resume, closing to ground
  *     enable   PA6, low          line     PA9 PA10 (USART1), 8N1
+ *     outputs  PB8 power of output 1, PWM of 5.1 kHz; PB9 high while it is above 0; PB10 output 2
  *
  * Timer 1 requests two transfers of DMA2 in each slot (RM0090, table 43): its update, stream 5,
  * gives a word of the ring to PA; its compare 1, stream 1, ends the pulses.
@@ -23,11 +24,13 @@
 #define CORE    168000000u          /* Hz */
 #define RCC     0x40023800
 #define GPIOA   0x40020000
+#define GPIOB   0x40020400
 #define GPIOC   0x40020800
 #define USART1  0x40011000
 #define FLASHES 0x40023C00
 #define RANDOM  0x50060800
 #define TIM1    0x40010000
+#define TIM4    0x40000800
 #define DMA2    0x40026400
 
 #define BSRR    (GPIOA + 0x18)
@@ -35,6 +38,7 @@
 #define ENDS    (DMA2 + 0x10 + 0x18 * 1)    /* stream 1 */
 #include "cortex-m/stm32.h"
 #define PULLED_UP 0x555u     /* 0..5 of GPIOC */
+#define COUNTS  0x4000u     /* of TIM4, in a period of the power */
 #define CELLS   1024
 #include "plans.h"
 
@@ -42,12 +46,13 @@
 #define AXIS { LOFT_RAW(250), LOFT_RAW(400), LOFT_RAW(2000), 40000 }
 
 static volatile loft_cell cells[CELLS];
-static loft_machine_config config = {
-    .info = { .tick_hz = 1000, .slots = LOFT_SLOTS, .axis = { AXIS, AXIS, AXIS } },
+static loft_machine_config config = { .info = { .tick_hz = 1000,
+                                                .slots = LOFT_SLOTS,
+                                                .outputs = STREAM_OUTPUTS,
+                                                .axis = { AXIS, AXIS, AXIS } },
     .ramp = 200,
     .cell = cells,
-    .cells = CELLS
-};
+                                      .cells = CELLS };
 
 /* Crystal (or the internal clock, 16 MHz) to 168 MHz; APB1 at a quarter, APB2 at half. */
 static void set_clock(void)
@@ -71,6 +76,31 @@ static uint32_t random_number(void)
     return came(RANDOM + 0x04, 1) ? REG(RANDOM + 0x08) : 0;
 }
 
+/* Channel 3 of timer 4 is PB8. */
+static void begin_outputs(void)
+{
+    REG(RCC + 0x30) |= 1u << 1;                         /* port B */
+    REG(RCC + 0x40) |= 1u << 2;                         /* TIM4, at 84 MHz */
+    REG(TIM4 + 0x1C) = 6u << 4 | 1u << 3;               /* CCMR2: PWM, from the next period on */
+    REG(TIM4 + 0x2C) = COUNTS - 1;                      /* ARR */
+    REG(TIM4 + 0x3C) = 0;                               /* CCR3 */
+    REG(TIM4 + 0x20) = 1u << 8;                         /* CCER */
+    REG(TIM4 + 0x14) = 1;                               /* EGR: they are in force */
+    REG(TIM4 + 0x00) = 1u << 7 | 1u << 0;               /* CR1 */
+    REG(GPIOB + 0x24) = (REG(GPIOB + 0x24) & ~0x0000000Fu) | 0x00000002u;   /* AFRH: TIM4 */
+    /* MODER: 8 the timer's, 9 10 out */
+    REG(GPIOB + 0x00) = (REG(GPIOB + 0x00) & ~0x003F0000u) | 0x00160000u;
+}
+
+void cortex_output(int output, uint16_t level)
+{
+    const uint32_t pin = output == 1 ? 1u << 9 : 1u << 10;
+
+    if (output == 1)
+        REG(TIM4 + 0x3C) = (level * COUNTS + 0x8000u) >> 16;
+    REG(GPIOB + 0x18) = level ? pin : pin << 16;
+}
+
 loft_machine_config *loft_port_init(void)
 {
     set_clock();
@@ -82,6 +112,7 @@ loft_machine_config *loft_port_init(void)
     REG(GPIOA + 0x00) = (REG(GPIOA + 0x00) & ~0x003C3FFFu) | 0x00281555u;
     REG(GPIOA + 0x24) = (REG(GPIOA + 0x24) & ~0x00000FF0u) | 0x00000770u;   /* AFRH: USART1 */
     REG(GPIOC + 0x0C) = (REG(GPIOC + 0x0C) & ~0x00000FFFu) | PULLED_UP;     /* PUPDR: 0..5 up */
+    begin_outputs();
     set_line(CORE / 2, LOFT_BAUD);
     loft_port_plans(&config);
     return &config;

@@ -20,7 +20,7 @@
 #define SETTLE  20                      /* ms after the last byte, time to answer it */
 
 /* What differs between the chips. Addresses: RCC's clock control; the pins of the slots, the
- * port of the switches and x in it; timer 1; its transfers; USART 1. */
+ * port of the switches and x in it; timer 1; its transfers; USART 1; the outputs. */
 struct kind {
     const char *name;
     int model;
@@ -29,6 +29,7 @@ struct kind {
     uint32_t hz, bus;                   /* of the core; of USART 1 */
     unsigned irq_line, irq_stream, x_switch;
     uint32_t rcc, bsrr, idr, timer, dma, usart, random;
+    uint32_t power, outputs;            /* timer 4 and its port, or 0 */
 };
 static const struct kind kinds[] = {
     { .name = "stm32f405",
@@ -46,7 +47,9 @@ static const struct kind kinds[] = {
       .timer = 0x40010000,
       .dma = 0x40026400,
       .usart = 0x40011000,
-      .random = 0x50060800 },
+      .random = 0x50060800,
+      .power = 0x40000800,
+      .outputs = 0x40020400 },
     { .name = "stm32f103",
       .model = UC_CPU_ARM_CORTEX_M3,
       .streams = false,
@@ -72,6 +75,7 @@ struct chip {
     uint32_t plain[0x20000];            /* registers without an effect: 0x40000000.. */
     uint8_t in[65536];                  /* to the chip; indices wrap */
     uint16_t in_head, in_tail;
+    uint16_t switched;                  /* pins of the port of the outputs */
     bool came;                          /* RXNE */
     uint8_t data;
     uint64_t came_at, sent_at, heard, received, overruns;
@@ -237,6 +241,37 @@ static void write_timer(struct arm_stream *s, uint32_t offset, uint32_t value)
     }
 }
 
+static const uint32_t *plain(const struct chip *c, uint32_t address)
+{
+    return &c->plain[(address - 0x40000000) / 4];
+}
+
+/* Output 1 is the part of the time that pin 8 is high, as channel 3 of its timer gives it, while
+ * pin 9 is high; output 2 is pin 10. A pin that is no output is off. */
+static void watch_outputs(struct chip *c)
+{
+    const uint32_t *t = plain(c, c->kind->power), *b = plain(c, c->kind->outputs),
+                   *clocks = plain(c, c->kind->rcc);
+    const uint32_t mode = b[0];
+    const bool on = clocks[0x30 / 4] >> 1 & clocks[0x40 / 4] >> 2 & 1,
+               pwm = t[0] & 1 && (t[0x1C / 4] & 0x73) == 0x60 && t[0x20 / 4] >> 8 & 1 &&
+                     (mode >> 16 & 3) == 2 && (b[9] & 15) == 2,
+               allowed = (mode >> 18 & 3) == 1 && c->switched >> 9 & 1,
+               second = (mode >> 20 & 3) == 1 && c->switched >> 10 & 1;
+    const uint64_t part = on && pwm && allowed ? 65536ull * t[0x3C / 4] / (t[0x2C / 4] + 1ull) : 0;
+    struct host_record *r = &c->stream.pins.record;
+
+    host_record_output(r, c->core.now, 1, (uint16_t)(part > 65535 ? 65535 : part));
+    host_record_output(r, c->core.now, 2, on && second ? 65535 : 0);
+}
+
+static void write_output(struct chip *c, uint32_t offset, uint32_t value)
+{
+    if (offset == 0x18)
+        c->switched = (uint16_t)((c->switched & ~(value >> 16)) | (value & 0xFFFF));
+    watch_outputs(c);
+}
+
 static void write_register(void *context, uint32_t address, uint32_t value)
 {
     struct chip *c = context;
@@ -257,6 +292,10 @@ static void write_register(void *context, uint32_t address, uint32_t value)
         write_channel(s, UPDATE, address - (k->dma + 8 + 20 * 4), value);
     else if (!k->streams && address - (k->dma + 8 + 20 * 1) < 20)       /* channel 2: TIM1_CH1 */
         write_channel(s, COMPARE, address - (k->dma + 8 + 20 * 1), value);
+    else if (k->power && address - k->power < 0x80)
+        watch_outputs(c);
+    else if (k->outputs && address - k->outputs < 0x80)
+        write_output(c, address - k->outputs, value);
     else if (address == k->usart + 0x0C)
         c->core.pending[16 + k->irq_line] = c->came;
     else if (address == k->usart + 4) {
@@ -382,8 +421,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: arm_chip KIND FIRMWARE.elf [--link PATH] ..\n");
         return EX_USAGE;
     }
-    o.tick_hz = 1000;
-    o.slots = (uint16_t)(c.kind->hz / 1000 < 32767 ? c.kind->hz / 1000 : 32767);
+    o.tick_hz = 8000;
+    o.slots = c.kind->hz / o.tick_hz;   /* the record counts cycles */
     for (int i = 3; i + 1 < argc; i += 2) {
         if (strcmp(argv[i], "--link") == 0)
             o.link = argv[i + 1];

@@ -118,6 +118,33 @@ guarded() {
 }
 behind() { echo $(($(said position) - $(said latched))); }
 
+# burns BOARD: the drawing, each mm at 20 ms of full power; then a spindle and a coolant
+burns() {
+    "$loft" export "$drawing" -o "$tmp/cut.nc"
+    { printf 'G21 G90 G94 G17\nM4 S600\n'; grep '^[GXY]' "$tmp/cut.nc" | sed '1d; /^G0/d'
+      echo M5; } >"$tmp/burn.nc"
+    printf 'laser = yes\n' >"$tmp/laser.txt"
+    on_arm "$1" "" "$loft" stream "$tmp/burn.nc" --machine "$tmp/laser.txt" --port "$tmp/port" \
+        --feed 30
+    python3 tests/target/energy.py "$tmp/chip.csv" 1 >"$tmp/energy"
+    row "$1, a laser: the command ends well"                "$code" = 0
+    row "$1, a laser: way, in mm"                    "$(said way "$tmp/energy")" ">=" 130.7 mm
+    row "$1, a laser: full power for each mm, S600 F1800, in ms" \
+        "$(said mean "$tmp/energy")" ">=" 19.8
+    row "$1, a laser: the same, at most"                    "$(said mean "$tmp/energy")" "<=" 20.2
+    row "$1, a laser: the mm that differs most"             "$(said worst "$tmp/energy")" "<=" 2 %
+    row "$1, a laser: after the last pulse"                 "$(said after "$tmp/energy")" "<=" 0 ms
+    printf '%s\n' 'G21 G90 M3 S250' 'M8' 'G1 X10 F600' 'S1000' 'X20' 'M9' 'X25' 'M5' >"$tmp/part.nc"
+    on_arm "$1" "" "$loft" stream "$tmp/part.nc" --port "$tmp/port"
+    row "$1, a spindle: the command ends well"              "$code" = 0
+    row "$1, a spindle: power of S250, S1000 and M5, of 256" "$(levels 1)" = "64 256 0"
+    row "$1, a spindle: coolant"                            "$(levels 2)" = "256 0"
+}
+# levels N: those that output N has had, in 1/256
+levels() { awk -v n="$1" '/^# output/ && $3 == n { printf "%s%d", c, ($5 + 1) / 256; c = " " }' \
+    "$tmp/chip.csv"; }
+
+burns stm32f405
 rates stm32f405-fast 1000 168 0.10 84
 rates stm32f405      250  672 0.10 336
 rates stm32f103-fast 500  144 0.15 72
