@@ -228,8 +228,9 @@ bool svg_pattern(svg_reader *r, const svg_space *of)
     if (svg_is_marking(r, of->pattern))
         return true;
     bool good = draw_outline(r, of, &outline);
-    if (good && outline.count > 0 && place_tiles(r, &c, of, &outline, &t) &&
-        t.last[0] >= t.first[0] && t.last[1] >= t.first[1]) {
+    const bool seen = good && outline.count > 0;
+    good            = good && (!seen || place_tiles(r, &c, of, &outline, &t));
+    if (good && seen && t.last[0] >= t.first[0] && t.last[1] >= t.first[1]) {
         r->marking[r->markings++] = of->pattern;
         good = svg_enter_from_root(r, t.content, &style, scope, SVG_DEPTH_MAX, &scopes, &shown);
         r->node = was;
