@@ -507,6 +507,7 @@
 #define loft_parabola_init         LOFT_NAME(loft_parabola_init)
 #define loft_parabola_power        LOFT_NAME(loft_parabola_power)
 #define loft_part_root             LOFT_NAME(loft_part_root)
+#define loft_part_root_fine        LOFT_NAME(loft_part_root_fine)
 #define loft_partition_init        LOFT_NAME(loft_partition_init)
 #define loft_pass_init             LOFT_NAME(loft_pass_init)
 #define loft_pass_next             LOFT_NAME(loft_pass_next)

@@ -49,6 +49,7 @@ typedef struct {
 typedef struct {
     int32_t root, drop; /* 1 / sqrt b, 2^15 .. 2^14; the part of it that a tangent falls by */
     int half;           /* of that power of 4 */
+    int32_t held, fall; /* the most jerk over the root of the pace, and what it falls by */
 } place;
 
 static void set_sums(sums *out, int32_t x, int32_t y, int32_t z)
@@ -90,15 +91,20 @@ static void set_forms(forms *out, const sums *s, const legs *e)
 
 static inline bool holds(int32_t x, int32_t most) { return x <= most && -x <= most; }
 
-/* The part of the way from `now` to `all` where the size is `most` less that part of `fall`. */
-static int32_t part_to(int32_t now, int32_t all, int32_t most, int32_t fall)
+/* The part of the way from `now` to `all` where the size is `most` less that part of `fall`, or
+ * `by`, if that is less. */
+static int32_t part_to(int32_t now, int32_t all, int32_t most, int32_t fall, int32_t by)
 {
     const int32_t room = all >= 0 ? most - now : most + now,
                   need = (all >= 0 ? all - now : now - all) + fall;
+    const uint32_t unit = ((uint32_t)need >> 15) + 1;       /* at most 2^17 */
 
     if (room <= 0)
         return 0;
-    return (int32_t)((uint32_t)room / (((uint32_t)need >> 15) + 1));
+    if (by < LOFT_BUMP_ONE && (uint32_t)room >= (uint32_t)by * unit)
+        return by;                                          /* most are not divided */
+    const int32_t to = (int32_t)((uint32_t)room / unit);
+    return to < by ? to : by;
 }
 
 /* v2 4^half is 2^28 to 2^30. */
@@ -168,53 +174,54 @@ typedef struct {
     sums now, all;
     place at[3];
     int power, slope, unit; /* limits are multiplied by 2^power */
+    int32_t jerk;           /* of which the places have the most: axes often have the same */
 } interval;
 
-/* Does jerk hold on the way to a pace whose inverse root is set: before and with all of it? */
-static bool jumps(const interval *t, const legs *e, int32_t accel, int32_t jerk)
+/* Set what is held of a jerk. root / 2^(17 - half) */
+static void set_held(interval *t, int32_t jerk, bool far)
 {
-    const int32_t most = loft_part_scaled(accel, t->power);
+    if (jerk == t->jerk)
+        return;
+    t->jerk = jerk;
+    for (int n = 0; n < 3; n++) {
+        place *x = &t->at[n];
+        x->held = loft_part(loft_part_scaled(jerk, t->power + x->half - 1), x->root);
+        x->fall = far ? 0 : 2 * loft_part(x->held, x->drop);
+    }
+}
+
+/* Does jerk hold on the way to a pace whose inverse root is set: before and with all of it? */
+static bool jumps(const interval *t, const legs *e, int32_t most)
+{
     forms now, all;
 
     set_forms(&all, &t->all, e);
     set_forms(&now, &t->now, e);
-    for (int n = 0; n < 3; n++) {
-        const int32_t held = loft_part(loft_part_scaled(jerk, t->power + t->at[n].half - 1),
-                                       t->at[n].root);
-        if (!holds(all.accel[n], most) || !holds(all.jerk[n], held) || !holds(now.jerk[n], held))
+    for (int n = 0; n < 3; n++)
+        if (!holds(all.accel[n], most) || !holds(all.jerk[n], t->at[n].held) ||
+            !holds(now.jerk[n], t->at[n].held))
             return false;
-    }
     return true;
 }
 
 /* The part, `by` at most, with which the limits of an axis hold. */
-static int32_t axis_part(const interval *t, const legs *e, int32_t accel, int32_t jerk, int32_t by)
+static int32_t axis_part(const interval *t, const legs *e, int32_t most, int32_t by)
 {
-    const int32_t most = loft_part_scaled(accel, t->power);
-    int32_t held[3], fall[3];
+    const place *at = t->at;
     forms now, all;
 
     set_forms(&all, &t->all, e);
-    bool good = by == LOFT_BUMP_ONE && holds(all.accel[0], most) && holds(all.accel[1], most) &&
-                holds(all.accel[2], most);
-    for (int n = 0; n < 3; n++) {
-        /* root / 2^(17 - half) */
-        held[n] = loft_part(loft_part_scaled(jerk, t->power + t->at[n].half - 1), t->at[n].root);
-        fall[n] = 2 * loft_part(held[n], t->at[n].drop);
-        good = good && holds(all.jerk[n], held[n] - fall[n]);
-    }
+    bool good = holds(all.accel[0], most) && holds(all.accel[1], most) && holds(all.accel[2], most);
+    for (int n = 0; n < 3; n++)
+        good = good && holds(all.jerk[n], at[n].held - at[n].fall);
     if (good)
         return by;
     set_forms(&now, &t->now, e);
     for (int n = 0; n < 3; n++) {
-        if (!holds(all.accel[n], most)) {
-            const int32_t to = part_to(now.accel[n], all.accel[n], most, 0);
-            by = to < by ? to : by;
-        }
-        if (!holds(all.jerk[n], held[n] - fall[n])) {
-            const int32_t to = part_to(now.jerk[n], all.jerk[n], held[n], fall[n]);
-            by = to < by ? to : by;
-        }
+        if (!holds(all.accel[n], most))
+            by = part_to(now.accel[n], all.accel[n], most, 0, by);
+        if (!holds(all.jerk[n], at[n].held - at[n].fall))
+            by = part_to(now.jerk[n], all.jerk[n], at[n].held, at[n].fall, by);
     }
     return by;
 }
@@ -264,6 +271,7 @@ static int32_t part_within(const loft_period *period, const loft_knot knot[], un
               least = by_p > by_d ? by_p : by_d;
     t.unit = least > 0 ? least : 0;
     t.power = up + 8 - t.unit;
+    t.jerk = -1;
     int32_t by = LOFT_BUMP_ONE;
     for (int i = 0; i < LOFT_AXES && by > 0; i++) {
         if ((e[i].p[0] | e[i].p[1] | e[i].d[0] | e[i].d[1]) == 0)
@@ -272,7 +280,9 @@ static int32_t part_within(const loft_period *period, const loft_knot knot[], un
         accel -= accel >> 9;
         jerk -= jerk >> 9;
         shrink(&e[i], t.unit + t.slope + 2, t.unit);
-        by = !far ? axis_part(&t, &e[i], accel, jerk, by) : jumps(&t, &e[i], accel, jerk) ? by : 0;
+        set_held(&t, jerk, far);
+        const int32_t most = loft_part_scaled(accel, t.power);
+        by = !far ? axis_part(&t, &e[i], most, by) : jumps(&t, &e[i], most) ? by : 0;
     }
     return by;
 }

@@ -182,7 +182,8 @@ enum loft_status loft_chain_push(loft_chain *chain, const loft_move *move)
         for (int i = 0; i < LOFT_AXES; i++)
             chain->heading[i] = 0;
     }
-    (void)direction_of(&move->curve, true, chain->heading);
+    if (chain->period->exact > 0)
+        (void)direction_of(&move->curve, true, chain->heading);
     *move_at(chain, chain->count) = *move;
     chain->count++;
     chain->to = move->curve.p[3];

@@ -80,11 +80,16 @@ static bool mend_feed(loft_emit *e, unsigned k, range loose)
     const int n = is_loose(loose, k - 1) + is_loose(loose, k);
     const loft_coord feed = e->feed[k] > e->feed[k - 1] ? e->feed[k] : e->feed[k - 1];
     loft_coord leg[LOFT_AXES];
+    int64_t sum = 0;
 
-    for (int i = 0; i < LOFT_AXES; i++)
+    for (int i = 0; i < LOFT_AXES; i++) {
         leg[i] = d1(e, k, i);
+        sum += loft_coord_abs(leg[i]);
+    }
+    if (n == 0 || sum <= feed)
+        return false;
     const loft_coord size = loft_coord_length(leg);
-    if (n == 0 || size <= feed)
+    if (size <= feed)
         return false;
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_coord off = (loft_coord)((int64_t)leg[i] * (size - feed) / size / n);

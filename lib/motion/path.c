@@ -298,16 +298,14 @@ static int32_t part_along(const loft_coord off[], const loft_coord tangent[])
 }
 
 /* Along its tangent, twice; then across that, but beyond its ends. */
-loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const loft_position *p)
+static loft_coord off_between(const between *w, int32_t z, const loft_position *p)
 {
-    const between w = between_of(at);
-
     for (int round = 0;; round++) {
         loft_position on;
         loft_coord off[LOFT_AXES], tangent[LOFT_AXES];
 
-        place_between(&w, z, &on);
-        tangent_between(&w, z, tangent);
+        place_between(w, z, &on);
+        tangent_between(w, z, tangent);
         legs_of(&on, p, off);
         const int32_t part = part_along(off, tangent), next = z + part;
         const bool inside = next >= 0 && next <= PART_ONE;
@@ -319,6 +317,12 @@ loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const lo
             off[i] -= times(tangent[i], part);
         return loft_coord_length(off);
     }
+}
+
+loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const loft_position *p)
+{
+    const between w = between_of(at);
+    return off_between(&w, z, p);
 }
 
 
@@ -333,50 +337,67 @@ static void four(const loft_path_place queue[], unsigned count, unsigned k,
         at[i] = &queue[k + i - 1 < count ? k + i - 1 : count - 1];
 }
 
-static loft_coord off_at(const loft_path *path, loft_chain_walk *w,
-                         const loft_path_place *const at[4], int64_t s)
+/* How far the path is at s from the cubic, near its part z. */
+static loft_coord off_at(const loft_chain_walk *w, int64_t s, const between *cubic, int32_t z)
 {
     loft_position p;
 
-    (void)loft_chain_go(&path->chain, w, s);
     loft_chain_place(w, s, &p);
-    const int64_t z = ((s - at[1]->s) << 24) / (at[2]->s - at[1]->s);
-    return loft_path_off(at, (int32_t)z, &p);
+    return off_between(cubic, z, &p);
 }
 
 /* The last walk that has not passed s. */
 static const loft_chain_walk *walk_before(const loft_path *path, int64_t s)
 {
-    return path->ahead.s > path->check.s && path->ahead.s <= s ? &path->ahead : &path->check;
+    const loft_chain_walk *ahead = path->last.s <= s ? &path->last : &path->ahead;
+    return ahead->s > path->check.s && ahead->s <= s ? ahead : &path->check;
 }
 
-/* How far the path is from the cubic from place k to the next, at joints and eighths of the way. */
+/* Go to the next arc, which another walk may know. */
+static bool follow(const loft_path *path, loft_chain_walk *w)
+{
+    const loft_chain_walk *const known[] = { &path->ahead, &path->last, &path->walk };
+    const int64_t s = w->s + w->length;
+
+    for (unsigned n = 0; n < 3; n++)
+        if (known[n]->s == s && known[n]->length > 0) {
+            *w = *known[n];
+            return true;
+        }
+    return loft_chain_try(&path->chain, w);
+}
+
+/* How far the path is from the cubic from place k to the next, at joints and eighths of the way; of
+ * one arc, which turns by little, at quarters. */
 static loft_coord skipped(loft_path *path, unsigned k)
 {
     const loft_path_place *at[4];
     loft_coord most = 0;
 
     four(path->queue, path->queued, k, at);
-    const int64_t way = at[2]->s - at[1]->s;
+    const int64_t from = at[1]->s, way = at[2]->s - from;
     if (way <= 0)
         return 0;
-    loft_chain_walk w = *walk_before(path, at[1]->s);
-    for (int n = 1; n < 8; n++) {
-        const int64_t s = at[1]->s + way * n / 8;
+    const between cubic = between_of(at);
+    loft_chain_walk w = *walk_before(path, from);
+    while (from >= w.s + w.length && follow(path, &w))
+        ;
+    path->ahead = w;
+    const int step = from + way <= w.s + w.length ? 2 : 1;
+    for (int n = step; n < 8; n += step) {
+        const int64_t s = from + way * n / 8;
         while (s > w.s + w.length) {
             const int64_t joint = w.s + w.length;
-            if (joint > at[1]->s) {
-                const loft_coord off = off_at(path, &w, at, joint);
-                most = off > most ? off : most;
-            }
-            if (!loft_chain_try(&path->chain, &w))
+            const loft_coord off = off_at(&w, joint, &cubic,
+                                          (int32_t)(((joint - from) << 24) / way));
+            most = off > most ? off : most;
+            if (!follow(path, &w))
                 break;
-            if (w.s <= at[1]->s)
-                path->ahead = w;
         }
-        const loft_coord off = off_at(path, &w, at, s);
+        const loft_coord off = off_at(&w, s, &cubic, (int32_t)n << 21);
         most = off > most ? off : most;
     }
+    path->last = w;
     return most;
 }
 
@@ -492,7 +513,7 @@ void loft_path_begin(loft_path *path)
 {
     path->chain.walked = path->chain.closed = path->over = false;
     loft_corners_begin(&path->corners, &path->chain);
-    path->ahead = path->check = path->walk = path->corners.walk;
+    path->last = path->ahead = path->check = path->walk = path->corners.walk;
     path->queued = path->settled = 0;
     path->s = 0;
     path->along = -1;

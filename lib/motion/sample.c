@@ -6,6 +6,8 @@
  */
 #include "motion/sample.h"
 
+#include "num/part.h"       /* loft_part_root_fine */
+
 #define ONE         ((int32_t)1 << 30)
 #define CLOSE       256                         /* of a time, 2^-22 of a period */
 
@@ -18,11 +20,13 @@ static int64_t pace_at(const loft_knot knot[], unsigned k, int32_t z)
     return b0 + ((rise + (curve * z >> 31)) * z >> 30);
 }
 
-/* sqrt b, 2^-29. */
-static int64_t root_at(const loft_knot knot[], unsigned k, int32_t z)
+/* 1 / sqrt b, 2^-30. */
+static int64_t slowness(int64_t b)
 {
-    const int64_t b = pace_at(knot, k, z);
-    return (int64_t)loft_coord_sqrt((uint64_t)(b > 0 ? b : 1) << 34) + 1;
+    const uint32_t size = b > 0 ? (uint32_t)b : 1;
+    const int half = loft_doublings(size) / 2;
+    const int64_t root = loft_part_root_fine(size << 2 * half);
+    return half >= 2 ? root << (half - 2) : root >> (2 - half);
 }
 
 static loft_time time_to(const loft_knot knot[], unsigned k, int32_t z)
@@ -32,11 +36,11 @@ static loft_time time_to(const loft_knot knot[], unsigned k, int32_t z)
     loft_time sum = 0;
 
     for (int n = 0; n < 3; n++) {
-        const int64_t root = root_at(knot, k, (int32_t)((int64_t)at[n] * z >> 30));
-        sum += (n == 1 ? 8 : 5) * (((int64_t)1 << 59) / root);
+        const int64_t b = pace_at(knot, k, (int32_t)((int64_t)at[n] * z >> 30));
+        sum += (n == 1 ? 8 : 5) * slowness(b);
     }
-    /* sum <= 18 * 2^30 * 2^12 */
-    const int64_t mean = sum / 18;
+    /* sum <= 18 * 2^30 * 2^12; 1 / 18 is 2^-29 29826162, but for 2^-27 of it */
+    const int64_t mean = (sum >> 10) * 29826162 >> 19;
     return (mean >> 30) * z + (((mean & (ONE - 1)) * z) >> 30);
 }
 
@@ -73,7 +77,8 @@ int32_t loft_sample_part(const loft_sample *at, const loft_knot knot[])
         const int64_t off = at->time - time_to(knot, k, (int32_t)z);
         if (loft_long_abs(off) < CLOSE)
             break;
-        z += (off >> 8) * (root_at(knot, k, (int32_t)z) >> 8) >> 13;
+        const int64_t b = pace_at(knot, k, (int32_t)z), root = b * slowness(b) >> 25;
+        z += (off >> 8) * (root >> 8) >> 13;
     }
     return z > ONE ? ONE : z < 0 ? 0 : (int32_t)z;
 }

@@ -42,15 +42,25 @@
                              * beyond the limits */
 
 
-/* x / n, towards 0, too large by less than 2^-32 of x; n > 0. */
+/* 2^32 / n, rounded up, for n = 2, 3, .. 64: as long as four spans. A small chip divides slowly. */
+#define OVER(n)       UINT32_MAX / (n) + 1
+#define OVER_SEVEN(n) OVER(n), OVER(n + 1), OVER(n + 2), OVER(n + 3), OVER(n + 4), OVER(n + 5), \
+                      OVER(n + 6)
+static const uint32_t inverses[] = { OVER_SEVEN(2),  OVER_SEVEN(9),  OVER_SEVEN(16),
+                                     OVER_SEVEN(23), OVER_SEVEN(30), OVER_SEVEN(37),
+                                     OVER_SEVEN(44), OVER_SEVEN(51), OVER_SEVEN(58) };
+
+/* x / n, towards 0, too large by less than 2^-32 of x; n = 1 .. 64. */
 static int64_t over(int64_t x, int32_t n)
 {
-    const uint32_t inverse = UINT32_MAX / (uint32_t)n + 1;
+    if (n == 1)
+        return x;
+    const uint32_t inverse = inverses[n - 2];
     const uint64_t size = (uint64_t)loft_long_abs(x);
     const int64_t q = (int64_t)((size >> 32) * inverse +
                                 ((uint32_t)size * (uint64_t)inverse >> 32));
 
-    return n == 1 ? x : x < 0 ? -q : q;
+    return x < 0 ? -q : q;
 }
 
 
@@ -71,7 +81,7 @@ typedef struct {
 static int64_t velocity(const loft_thin *t, unsigned k, int i)
 {
     const int64_t leg = t->point[k].at[i] - t->point[k - 1].at[i];
-    return over(leg * ((int32_t)3 << FINE), from_to(t, k - 2, k + 1));
+    return leg == 0 ? 0 : over(leg * ((int32_t)3 << FINE), from_to(t, k - 2, k + 1));
 }
 
 /* V[from .. to] and A[from .. to - 1]; it rests beyond the ends of the chain. */
@@ -169,10 +179,11 @@ static bool axis_holds(const loft_thin *t, unsigned a, int i, const rates *r)
         if (loft_long_abs(r->v[k]) >> FINE > speed)
             return false;
     for (unsigned k = a > FIRST + 2 ? a - 2 : FIRST; k <= a + 2; k++) {
-        const int64_t n = from_to(t, k, k + 1), a0 = r->a[k], a1 = r->a[k + 1],
-                      most = accel * n * n + SLACK;
-        if (loft_long_abs(a0) * n * n >> FINE > most || loft_long_abs(a1) * n * n >> FINE > most ||
-            loft_long_abs(a1 - a0) * n * n >> FINE > jerk * n * n * n + 6 * SLACK)
+        const int32_t n = from_to(t, k, k + 1), square = n * n;
+        const int64_t a0 = loft_long_abs(r->a[k]), a1 = loft_long_abs(r->a[k + 1]),
+                      d = loft_long_abs(r->a[k + 1] - r->a[k]);
+        if ((a0 > a1 ? a0 : a1) * square >> FINE > accel * square + SLACK ||
+            d * square >> FINE > jerk * (square * n) + 6 * SLACK)
             return false;
     }
     return true;
@@ -207,12 +218,15 @@ static bool axis_is_close(const loft_thin *t, unsigned k, int i, const rates *r,
 static bool feed_holds(const loft_thin *t, unsigned k)
 {
     loft_coord feed = t->point[k - 1].feed, v[LOFT_AXES];
+    int64_t sum = 0;
 
     feed = t->point[k].feed < feed ? t->point[k].feed : feed;
     feed = t->point[k + 1].feed < feed ? t->point[k + 1].feed : feed;
-    for (int i = 0; i < LOFT_AXES; i++)
+    for (int i = 0; i < LOFT_AXES; i++) {
         v[i] = (loft_coord)(velocity(t, k, i) >> FINE);
-    return loft_coord_length(v) <= feed + SLACK / 8;
+        sum += loft_coord_abs(v[i]);
+    }
+    return sum <= feed || loft_coord_length(v) <= feed + SLACK / 8;
 }
 
 /* Is the motion good where points a and a + 1 have changed? */

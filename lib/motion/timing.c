@@ -15,7 +15,7 @@
 #include "motion/bump.h"    /* loft_bump_part */
 
 #define EASY        32      /* knots before an open end */
-#define FINE        1000
+#define FINE        (LOFT_PLAN_EFFORT > 1 ? 1000 : 500)
 #define BACK        (LOFT_PLAN_EFFORT < 2)  /* from the end: a knot can rise when the next has */
 
 typedef struct {
@@ -52,7 +52,7 @@ static int32_t top_of(const loft_period *p, const loft_knot knot[], unsigned k)
 
     for (int i = 0; i < LOFT_AXES; i++) {
         v[i] = fastest(legs_of(knot, k, i));
-        const int64_t part = ((int64_t)v[i] << 19) / p->speed[i];
+        const int64_t part = v[i] > 0 ? ((int64_t)v[i] << 19) / p->speed[i] : 0;
         most = part > most ? part : most;
     }
     const int64_t part = ((int64_t)loft_coord_length(v) << 19) / feed;
@@ -140,6 +140,8 @@ int32_t loft_timing_even(const loft_period *period, const loft_knot knot[], unsi
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const legs e = legs_of(knot, k, i);
+        if ((e.a | e.b | e.c) == 0)
+            continue;
         const loft_coord first = loft_coord_abs(e.b - e.a), last = loft_coord_abs(e.c - e.b);
         const int64_t d2 = first > last ? first : last, d3 = loft_coord_abs(e.c - 2 * e.b + e.a);
         if (d2 * b > (int64_t)period->accel[i] << 24)
@@ -230,10 +232,10 @@ static bool raise(bump *b)
     if (b->by >= LOFT_V2_MAX - q->v2)
         b->by = LOFT_V2_MAX - q->v2 - 1;
     /* from the middle outwards: there it is most likely to be refused */
-    for (unsigned n = 0; n <= b->width + 1 && b->by > fine; n++) {
+    for (unsigned n = 0; n <= b->width + 1 && b->by / 2 > fine; n++) {
         if (b->at + n < end)
             shorten(b, b->at + n);
-        if (b->at >= first + n + 1 && b->at - n - 1 < end && b->by > fine)
+        if (b->at >= first + n + 1 && b->at - n - 1 < end && b->by / 2 > fine)
             shorten(b, b->at - n - 1);
     }
     b->by /= 2;

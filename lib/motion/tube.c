@@ -74,13 +74,21 @@ static loft_coord off_between(const loft_knot knot[], unsigned k, const loft_pat
     return loft_path_off(at, INT32_C(1) << 23, &p);
 }
 
-/* The same at knot k, where it is D4 / 36 off: from the way before it or from the way behind it. */
-static loft_coord off_at(const loft_knot knot[], unsigned k, const loft_path_place *const before[],
-                         const loft_path_place *const behind[])
+static void four(const loft_knot knot[], unsigned k, const loft_path_place *at[])
 {
+    for (unsigned i = 0; i < 4; i++)
+        at[i] = &knot[k + i - 1].on;
+}
+
+/* The same at knot k, where it is D4 / 36 off: from the way before it or from the way behind it. */
+static loft_coord off_at(const loft_knot knot[], unsigned k)
+{
+    const loft_path_place *before[4], *behind[4];
     loft_coord a[LOFT_AXES], b[LOFT_AXES], c[LOFT_AXES];
     loft_position p;
 
+    four(knot, k - 1, before);
+    four(knot, k, behind);
     centre_of(knot, k - 1, a);
     centre_of(knot, k, b);
     centre_of(knot, k + 1, c);
@@ -91,23 +99,17 @@ static loft_coord off_at(const loft_knot knot[], unsigned k, const loft_path_pla
     return x < y ? x : y;
 }
 
-static void four(const loft_knot knot[], unsigned k, const loft_path_place *at[])
+/* The part of the tolerance that is left between knot k and the next. `off`: how far it is off at
+ * knot k, then at the next one. */
+static loft_coord left_between(const loft_period *p, const loft_knot knot[], unsigned k,
+                               loft_coord *off)
 {
-    for (unsigned i = 0; i < 4; i++)
-        at[i] = &knot[k + i - 1].on;
-}
+    const loft_path_place *here[4];
 
-/* The part of the tolerance that is left between knot k and the next. */
-static loft_coord left_between(const loft_period *p, const loft_knot knot[], unsigned k)
-{
-    const loft_path_place *before[4], *here[4], *behind[4];
-
-    four(knot, k - (k > 1), before);
     four(knot, k, here);
-    four(knot, k + 1, behind);
-    const loft_coord x = k > 1 ? off_at(knot, k, before, here) : 0,
-                     y = off_at(knot, k + 1, here, behind), z = off_between(knot, k, here);
+    const loft_coord x = *off, y = off_at(knot, k + 1), z = off_between(knot, k, here);
     const loft_coord most = x > y ? x : y;
+    *off = y;
     return p->tube + (knot[k].on.loose ? p->more : 0) - knot[k].on.skip - (most > z ? most : z);
 }
 
@@ -125,10 +127,12 @@ static loft_coord most_room(const loft_period *p, const loft_knot knot[], unsign
 
 void loft_tube_measure(const loft_period *p, loft_knot knot[], unsigned from, unsigned to)
 {
+    loft_coord off = from > 3 ? off_at(knot, from - 2) : 0;
+
     for (unsigned k = from; k < to; k++)
         knot[k].room = most_room(p, knot, k);
     for (unsigned k = from - 2; k < to; k++) {
-        const loft_coord left = left_between(p, knot, k);
+        const loft_coord left = left_between(p, knot, k, &off);
         for (unsigned i = k - 1; i <= k + 2; i++)
             if (i >= from && i < to && knot[i].room > left)
                 knot[i].room = left > 0 ? left : 0;

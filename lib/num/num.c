@@ -21,8 +21,22 @@ static const uint8_t seed[96] = { 252, 244, 237, 230, 223, 217, 211, 205, 199, 1
                                   27,  26,  25,  23,  22,  21,  20,  18,  17,  16,  15,  13,
                                   12,  11,  10,  9,   8,   7,   6,   5,   4,   3,   2,   1 };
 
+/* a b. A Cortex-M0 multiplies to 32 bits alone; libgcc's product of 64 bits takes twice as long. */
+static inline uint64_t product(uint32_t a, uint32_t b)
+{
+#if defined(__ARM_ARCH_6M__)
+    const uint32_t a0 = a & 0xffff, a1 = a >> 16, b0 = b & 0xffff, b1 = b >> 16;
+    const uint32_t low = a0 * b0, left = a1 * b0 + (low >> 16), right = a0 * b1 + (left & 0xffff);
+
+    return (uint64_t)(a1 * b1 + (left >> 16) + (right >> 16)) << 32 |
+           (right << 16 | (low & 0xffff));
+#else
+    return (uint64_t)a * b;
+#endif
+}
+
 /* a b / 2^32, rounded down */
-static uint32_t high(uint32_t a, uint32_t b) { return (uint32_t)((uint64_t)a * b >> 32); }
+static uint32_t high(uint32_t a, uint32_t b) { return (uint32_t)(product(a, b) >> 32); }
 
 /* 2^30 / sqrt(h / 2^32), for h >= 2^30: too small by 2^-25 of it at most, and never too large.
  *
@@ -36,7 +50,7 @@ static uint32_t inverse_root(uint32_t h)
     const uint32_t y = 2 * rough * (first >> 10);                                   /* 2^30 y */
     const uint32_t second = 3 * ((uint32_t)1 << 28) - 2 - high(high(y, y), h);      /* 2^28 */
 
-    return (uint32_t)((uint64_t)y * second >> 29);
+    return (uint32_t)(product(y, second) >> 29);
 }
 
 /* x is multiplied by a power of 4 until it is 2^62 at least; its root s by one of 2. With the
@@ -55,10 +69,10 @@ uint32_t loft_root(uint64_t x)
             down = (uint8_t)(down + bits / 2);
         }
     const uint32_t h = (uint32_t)(x >> 32), inverse = inverse_root(h);
-    uint32_t root = (uint32_t)((uint64_t)inverse * h >> 30);
-    const uint32_t rest = (uint32_t)((x - (uint64_t)root * root) >> 12);    /* below 2^29 */
-    root += (uint32_t)((uint64_t)rest * inverse >> 51);
-    root += x - (uint64_t)root * root > 2 * (uint64_t)root;
+    uint32_t root = (uint32_t)(product(inverse, h) >> 30);
+    const uint32_t rest = (uint32_t)((x - product(root, root)) >> 12);      /* below 2^29 */
+    root += (uint32_t)(product(rest, inverse) >> 51);
+    root += x - product(root, root) > 2 * (uint64_t)root;
     return root >> down;
 }
 
@@ -66,7 +80,7 @@ uint32_t loft_root(uint64_t x)
 uint32_t loft_root_nearest(uint64_t x)
 {
     const uint32_t r = loft_root(x);
-    return r + (x - (uint64_t)r * r > r);
+    return r + (x - product(r, r) > r);
 }
 
 #endif
@@ -76,6 +90,19 @@ uint32_t loft_root_nearest(uint64_t x)
 // -----------------------------
 
 #if LOFT_NUM == LOFT_Q16
+
+#if defined(__ARM_ARCH_6M__)
+loft_acc loft_acc_scale(loft_acc x, loft_unit t)
+{
+    const uint32_t size = t < 0 ? 0u - (uint32_t)t : (uint32_t)t;
+    const int32_t top = loft_acc_high(x);
+    const int64_t low = (int64_t)product(loft_acc_low(x), size),
+                  high = (int64_t)(product((uint32_t)top, size) -
+                                   (top < 0 ? (uint64_t)size << 32 : 0));
+
+    return (t < 0 ? -high : high) * 256 + loft_shift_24((t < 0 ? -low : low) + 8388608);
+}
+#endif
 
 /* sqrt(X / 2^32) = sqrt(X) / 2^16: the raw root is the root of the raw number. */
 loft_real loft_acc_sqrt(loft_acc x)
@@ -130,6 +157,8 @@ static uint8_t bits_of(uint64_t x)
 {
 #if defined(__AVR__)
     return loft_avr_bits(x);
+#elif defined(__GNUC__)
+    return (uint8_t)(x > 0 ? 64 - __builtin_clzll(x) : 0);
 #else
     uint8_t bits = 0;
 

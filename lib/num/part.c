@@ -17,3 +17,13 @@ int32_t loft_part_root(uint32_t m)
     const uint32_t i = (m >> 24) - 16, part = m >> 14 & 1023, y = inverse_roots[i];
     return (int32_t)(y - ((y - inverse_roots[i + 1]) * part >> 10));
 }
+
+/* With y (1 - e)^(-1/2) right, the first terms of its series: e is below 2^-9, so that 5/16 e^3 is
+ * left out. */
+int32_t loft_part_root_fine(uint32_t m)
+{
+    const int32_t y = loft_part_root(m),
+                  e = ((int32_t)1 << 30) - (int32_t)((uint64_t)m * (uint32_t)(y * y) >> 28),
+                  square = (e >> 6) * (e >> 6) >> 18;
+    return y * LOFT_PART_ONE + 2 * loft_part(e / 2 + square * 3 / 8, y);
+}

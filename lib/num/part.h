@@ -58,6 +58,14 @@ static inline int loft_doublings(uint32_t x)
  */
 int32_t loft_part_root(uint32_t m);
 
+/* 2^44 / sqrt m.
+ *
+ *   range   2^28 <= m < 2^30
+ *   error   2^-27 of it
+ *   cost    4 products, one of them of 64 bits
+ */
+int32_t loft_part_root_fine(uint32_t m);
+
 LOFT_END_C
 
 #endif

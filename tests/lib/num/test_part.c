@@ -32,10 +32,18 @@ static void inverse_roots_are_not_too_large(arb *a)
     CHECK(got <= want && got >= want * (1 - 0x1p-10) - 1);
 }
 
+static void fine_inverse_roots_are_close(arb *a)
+{
+    const uint32_t m = (UINT32_C(1) << 28) + arb_below(a, 3u << 28);
+
+    CHECK_NEAR(loft_part_root_fine(m) * sqrt(m) / 0x1p44, 1, 0x1p-27);
+}
+
 int main(void)
 {
     PROPERTY(a_product_loses_its_low_half, 20000);
     PROPERTY(doubled_numbers_have_30_bits, 20000);
     PROPERTY(inverse_roots_are_not_too_large, 50000);
+    PROPERTY(fine_inverse_roots_are_close, 50000);
     return check_failures();
 }
