@@ -11,6 +11,7 @@
 
 #include "base/c_name.h"
 #include "base/source.h"        /* source_name */
+#include "base/spool.h"         /* spool_passed */
 #include "base/tool.h"
 #include "draw/export.h"
 #include "plan/planning.h"
@@ -168,8 +169,8 @@ static int write_gcode(const export_wishes *w, const drawing *d, FILE *out)
         return tool_error(EX_USAGE, "--curves %s: give arcs, g5 or lines", w->curves);
     toolpath_make(&path, d, &how);
     gcode_make(&lines, &path, &as);
-    for (size_t i = 0; i < lines.count; i++)
-        fprintf(out, "%s\n", lines.line[i]);
+    for (size_t i = 0; i < lines.count; spool_passed(i++))
+        fprintf(out, "%s\n", gcode_text(&lines, i));
     fputs("M2\n", out);
     gcode_free(&lines);
     toolpath_free(&path);

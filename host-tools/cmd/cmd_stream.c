@@ -19,6 +19,7 @@
 #include "send/report.h"         /* report_start */
 #include "send/stream.h"         /* stream_run */
 #include "plan/table.h"          /* table_check */
+#include "base/spool.h"          /* spool_passed */
 #include "base/tool.h"
 #include "plan/toolpath.h"       /* toolpath_make */
 
@@ -427,8 +428,8 @@ static int draw_part(const stream_options *o, const parts *all, size_t k, grbl *
         code = grbl_run(g, &lines, what);
     if (code == 0 && g == NULL && p->tool != NULL)
         printf("(tool %s)\n%s", p->tool->name, *p->tool->pause ? "M0\n" : "");
-    for (size_t i = 0; code == 0 && g == NULL && i < lines.count; i++)
-        puts(lines.line[i]);
+    for (size_t i = 0; code == 0 && g == NULL && i < lines.count; spool_passed(i++))
+        puts(gcode_text(&lines, i));
     if (path.count > 0)
         memcpy(start, path.move[path.count - 1].p[3], sizeof how.start);
     gcode_free(&lines);

@@ -13,6 +13,7 @@
 
 #include "plan/job.h"
 #include "base/progress.h"       /* progress_show */
+#include "base/spool.h"          /* spool_grow */
 #include "base/tool.h"           /* tool_grow, tool_clock, tool_version */
 
 #define FIRST   64          /* items that identify the plan */
@@ -261,7 +262,7 @@ static void add_curves(job *j, const joints *of)
 {
     for (int i = 0; i < ENGINE_AXES; i++)
         j->head.start[i] = j->start[i] = j->end[i] = (int32_t)lround(of->move[0].p[0][i] * 65536);
-    for (size_t n = 0; n < of->count; n++) {
+    for (size_t n = 0; n < of->count; spool_passed(n++)) {
         const loft_item item = curve_of(&of->move[n], n > 0 ? j->last : j->head.start);
         add_item(j, &item, 0);
     }
@@ -449,7 +450,7 @@ static uint32_t input_crc(uint32_t crc, const joints *of, const job_options *o)
     for (int i = 0; i < ENGINE_AXES; i++)
         crc = loft_crc32(crc_of(crc, of->scale[i]),
                          o->kind == LOFT_POINTS ? (uint32_t)o->steps_per_mm[i] : 0);
-    for (size_t n = 0; n < of->count; n++) {
+    for (size_t n = 0; n < of->count; spool_passed(n++)) {
         crc = crc_of(crc, of->move[n].feed);
         for (int k = 0; k < 4; k++)
             for (int i = 0; i < ENGINE_AXES; i++)
@@ -484,8 +485,8 @@ int job_open(job *j, joints *of, const job_options *o)
     if (of->count >= LOFT_ITEMS_OPEN)
         return LOFT_ERR_RANGE;
     memcpy(j->steps_per_mm, o->steps_per_mm, sizeof j->steps_per_mm);
-    j->ends = tool_grow(NULL, of->count * sizeof *j->ends);
-    for (size_t n = 0; n < of->count; n++)
+    j->ends = spool_grow(NULL, of->count * sizeof *j->ends);
+    for (size_t n = 0; n < of->count; spool_passed(n++))
         j->all += seconds_of(&of->move[n]);
     if (o->kind == LOFT_CURVES) {
         const engine_limits planned = joints_limits(of, &o->limits);
@@ -510,7 +511,7 @@ void job_free(job *j)
     joints_end(&j->plan);
     free(j->entry);
     free(j->pause);
-    free(j->ends);
+    spool_free(j->ends);
     *j = (job){ 0 };
 }
 

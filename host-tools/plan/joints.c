@@ -9,7 +9,8 @@
 #include "plan/joints.h"
 #include "base/source.h"         /* source_name */
 #include "base/space.h"          /* space_distance, space_eval */
-#include "base/tool.h"           /* tool_error, tool_grow */
+#include "base/spool.h"          /* spool_grow */
+#include "base/tool.h"           /* tool_error */
 
 #define LOOKS     8         /* places in a piece where it is compared with the path */
 #define EVEN      1.02      /* largest change of the motors' feed within a piece */
@@ -100,14 +101,14 @@ static bool is_upright(const engine_move *m)
  * angle may turn without the tool. */
 static void lead_travels_through_pole(toolpath *t, const kinematics *k)
 {
-    for (size_t n = 0; n < t->count; n++) {
+    for (size_t n = 0; n < t->count; spool_passed(n++)) {
         engine_move *m = &t->move[n];
         if (t->curve[n] != TOOLPATH_TRAVEL || is_upright(m) || pole_distance(k, m->p[0]) < POLE ||
             pole_distance(k, m->p[3]) < POLE ||
             line_pole_distance(k, m->p[0], m->p[3]) >= k->inside)
             continue;
-        t->move  = tool_grow(t->move, (t->count + 1) * sizeof *t->move);
-        t->curve = tool_grow(t->curve, (t->count + 1) * sizeof *t->curve);
+        t->move  = spool_grow(t->move, (t->count + 1) * sizeof *t->move);
+        t->curve = spool_grow(t->curve, (t->count + 1) * sizeof *t->curve);
         m        = &t->move[n];
         memmove(m + 1, m, (t->count - n) * sizeof *m);
         memmove(&t->curve[n + 1], &t->curve[n], (t->count - n) * sizeof *t->curve);
@@ -131,9 +132,10 @@ static void add_move(mapping *m, const engine_move *move)
 
     if (j->count == j->room) {
         j->room = j->room ? 2 * j->room : 64;
-        j->move = tool_grow(j->move, j->room * sizeof *j->move);
-        j->of   = tool_grow(j->of, j->room * sizeof *j->of);
+        j->move = spool_grow(j->move, j->room * sizeof *j->move);
+        j->of   = spool_grow(j->of, j->room * sizeof *j->of);
     }
+    spool_passed(j->count);
     j->of[j->count]     = m->number;
     j->move[j->count++] = *move;
     memcpy(m->at, move->p[3], sizeof m->at);
@@ -355,7 +357,7 @@ static double farthest_radius(const toolpath *path, const kinematics *k)
 {
     double most = 0;
 
-    for (size_t n = 0; n < path->count; n++)
+    for (size_t n = 0; n < path->count; spool_passed(n++))
         for (int i = 0; i < 4; i++)
             most = fmax(most, pole_distance(k, path->move[n].p[i]));
     return most;
@@ -378,15 +380,15 @@ int joints_make(joints *out, toolpath *path, const kinematics *k, const joints_o
     }
     for (int i = 0; i < ENGINE_AXES; i++)
         out->scaled = out->scaled || out->scale[i] > 1;
-    for (m.number = 0; m.number < path->count && code == 0; m.number++)
+    for (m.number = 0; m.number < path->count && code == 0; spool_passed(m.number++))
         code = map_move(&m, &path->move[m.number]);
     return code;
 }
 
 void joints_free(joints *j)
 {
-    free(j->move);
-    free(j->of);
+    spool_free(j->move);
+    spool_free(j->of);
     *j = (joints){ .k = NULL };
 }
 
@@ -429,6 +431,7 @@ static void scaled_move(void *context, size_t n, engine_move *out)
     const joints_planning *p = context;
     const joints *j          = p->j;
 
+    spool_passed(n);
     *out = j->move[p->first + n];
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < ENGINE_AXES; i++)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/source.h"         /* source_name */
+#include "base/spool.h"          /* spool_passed */
 #include "base/tool.h"
 #include "plan/table.h"
 
@@ -43,7 +44,7 @@ static table_box box_of_drawing(const drawing *d)
 
     (void)drawing_box(d, box);
     table_box b = { { box[0][0], box[0][1], HUGE_VAL }, { box[1][0], box[1][1], -HUGE_VAL } };
-    for (size_t i = 0; i < d->count; i++) {
+    for (size_t i = 0; i < d->count; spool_passed(i++)) {
         drawing_curve up = { .path = 0 };
         const drawing one = { .curve = &up, .count = 1 };
         for (int k = 0; k < 4; k++)
@@ -63,7 +64,7 @@ static table_box box_of_path(const table_box *drawn, const toolpath *path)
     bool away = false;
     table_box b = *drawn;
 
-    for (size_t k = 0; k < path->count; k++) {
+    for (size_t k = 0; k < path->count; spool_passed(k++)) {
         const double *at = path->move[k].p[3];
         away = away || at[0] != start[0] || at[1] != start[1];
         include_place(&b, at, away ? 0 : 2);

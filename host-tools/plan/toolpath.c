@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/spool.h"          /* spool_grow */
 #include "base/tool.h"           /* tool_grow */
 #include "plan/toolpath.h"
 
@@ -33,9 +34,10 @@ static void add_move(making *m, const engine_move *move, size_t curve)
 {
     if (m->t->count == m->room) {
         m->room     = m->room ? 2 * m->room : 64;
-        m->t->move  = tool_grow(m->t->move, m->room * sizeof *m->t->move);
-        m->t->curve = tool_grow(m->t->curve, m->room * sizeof *m->t->curve);
+        m->t->move  = spool_grow(m->t->move, m->room * sizeof *m->t->move);
+        m->t->curve = spool_grow(m->t->curve, m->room * sizeof *m->t->curve);
     }
+    spool_passed(m->t->count);
     m->t->curve[m->t->count]  = curve;
     m->t->move[m->t->count++] = *move;
     memcpy(m->at, move->p[3], sizeof m->at);
@@ -106,7 +108,7 @@ static double length_of_rapids(const drawing *d)
 {
     double sum = 0;
 
-    for (size_t i = 0; i < d->count; i++)
+    for (size_t i = 0; i < d->count; spool_passed(i++))
         if (d->curve[i].feed < 0)
             sum += hypot(hypot(d->curve[i].p[3][0] - d->curve[i].p[0][0],
                                d->curve[i].p[3][1] - d->curve[i].p[0][1]),
@@ -181,7 +183,7 @@ void toolpath_make(toolpath *t, const drawing *d, const toolpath_options *o)
     if (d->from_line > 0)
         m.up = fmax(m.up, d->clear);
     memcpy(m.at, o->start, sizeof m.at);
-    for (size_t i = 0; i < d->count; i++) {
+    for (size_t i = 0; i < d->count; spool_passed(i++)) {
         add_events(&m, d, i);
         go_to_curve(&m, d, i);
         draw_path(&m, d, i);
@@ -195,8 +197,8 @@ void toolpath_make(toolpath *t, const drawing *d, const toolpath_options *o)
 
 void toolpath_free(toolpath *t)
 {
-    free(t->move);
-    free(t->curve);
+    spool_free(t->move);
+    spool_free(t->curve);
     free(t->event);
     *t = (toolpath){ 0 };
 }

@@ -11,6 +11,7 @@
 #include "read/gcode.h"
 #include "base/source.h"    /* source_read */
 #include "base/space.h"     /* space_distance */
+#include "base/spool.h"     /* spool_grow */
 #include "base/tool.h"      /* tool_error, tool_grow, sysexits */
 
 #define SAME 1e-6       /* mm; closer ends count as one point */
@@ -81,9 +82,9 @@ void drawing_free(drawing *d)
         curves_free(d->of);
     free(d->of);
     for (size_t i = 0; i < d->clips; i++)
-        free(d->clip[i].outline.curve);
+        spool_free(d->clip[i].outline.curve);
     free(d->clip);
-    free(d->curve);
+    spool_free(d->curve);
     free(d->event);
     *d = (drawing){ 0 };
 }
@@ -117,8 +118,9 @@ void drawing_add_like(drawing *d, const drawing_curve *c, bool fresh)
 
     if (d->count == d->room) {
         d->room  = d->room ? 2 * d->room : 256;
-        d->curve = tool_grow(d->curve, d->room * sizeof *d->curve);
+        d->curve = spool_grow(d->curve, d->room * sizeof *d->curve);
     }
+    spool_passed(d->count);
     d->curve[d->count]        = one;
     d->curve[d->count++].path = path;
 }
@@ -366,7 +368,7 @@ double drawing_length(const drawing *d)
 {
     double sum = 0;
 
-    for (size_t i = 0; i < d->count; i++) {
+    for (size_t i = 0; i < d->count; spool_passed(i++)) {
         const drawing_curve *c = &d->curve[i];
         double legs = 0;        /* of the control polygon: at least the length */
         for (int k = 0; k < 3; k++)
@@ -410,7 +412,7 @@ bool drawing_box(const drawing *d, double box[2][2])
 {
     box[0][0] = box[0][1] = HUGE_VAL;
     box[1][0] = box[1][1] = -HUGE_VAL;
-    for (size_t i = 0; i < d->count; i++)
+    for (size_t i = 0; i < d->count; spool_passed(i++))
         box_curve(box, &d->curve[i]);
     return d->count > 0;
 }
@@ -419,7 +421,7 @@ double drawing_top(const drawing *d)
 {
     double top = d->count > 0 ? -HUGE_VAL : 0;
 
-    for (size_t i = 0; i < d->count; i++)
+    for (size_t i = 0; i < d->count; spool_passed(i++))
         for (int k = 0; k < 4; k++)
             top = fmax(top, d->curve[i].z[k]);
     return top;

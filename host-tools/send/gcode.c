@@ -7,11 +7,10 @@
  */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "send/gcode.h"
-#include "base/tool.h"           /* tool_grow */
+#include "base/spool.h"          /* spool_grow */
 
 #define DEPTH   16          /* halvings at most                                  */
 #define LOOKS   16          /* checked places per piece */
@@ -32,14 +31,20 @@ static void put_line(writer *w, const char *words)
 {
     gcode *g = w->g;
 
+    const size_t size = strlen(words) + 1;
+
     if (g->count == g->room) {
         g->room = g->room ? 2 * g->room : 256;
-        g->line = tool_grow(g->line, g->room * sizeof *g->line);
-        g->move = tool_grow(g->move, g->room * sizeof *g->move);
+        g->line = spool_grow(g->line, g->room * sizeof *g->line);
     }
-    g->move[g->count] = w->move;
-    g->line[g->count] = tool_grow(NULL, strlen(words) + 1);
-    strcpy(g->line[g->count++], words);
+    if (g->held - g->used < size) {
+        g->held = 2 * (g->held + size);
+        g->text = spool_grow(g->text, g->held);
+    }
+    spool_passed(g->count);
+    g->line[g->count++] = (struct gcode_line){ g->used, w->move };
+    memcpy(g->text + g->used, words, size);
+    g->used += size;
 }
 
 /* Append a word with at most four decimals. */
@@ -271,9 +276,7 @@ void gcode_make(gcode *g, const toolpath *t, const gcode_options *o)
 
 void gcode_free(gcode *g)
 {
-    for (size_t i = 0; i < g->count; i++)
-        free(g->line[i]);
-    free(g->line);
-    free(g->move);
+    spool_free(g->line);
+    spool_free(g->text);
     *g = (gcode){ .count = 0 };
 }

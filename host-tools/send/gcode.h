@@ -11,10 +11,17 @@
 #include "plan/toolpath.h"   /* toolpath */
 
 typedef struct {
-    char **line;        /* each without its newline */
-    size_t *move;       /* the move that it draws            */
+    char *text;         /* of all lines, each with a 0 in place of its newline */
+    size_t used, held;
+    struct gcode_line {
+        size_t at;      /* in the text                */
+        size_t move;    /* the move that it draws */
+    } * line;
     size_t count, room;
 } gcode;
+
+/* Line n. */
+static inline const char *gcode_text(const gcode *g, size_t n) { return g->text + g->line[n].at; }
 
 enum gcode_curves { GCODE_ARCS, GCODE_G5, GCODE_CHORDS };
 

@@ -21,7 +21,8 @@ static bool send_lines(grbl *g)
     char text[160];
 
     while (g->sent < g->code->count && g->sent - g->done < GRBL_WAITING) {
-        const unsigned size = (unsigned)snprintf(text, sizeof text, "%s\n", g->code->line[g->sent]);
+        const unsigned size = (unsigned)snprintf(text, sizeof text, "%s\n",
+                                                 gcode_text(g->code, g->sent));
         if (g->under_way + size > g->buffer - 1)
             break;
         if (!grbl_put(g, text, size))
@@ -85,7 +86,7 @@ static int report_trouble(grbl *g)
         (void)stop_controller(g);
         return tool_error(EX_PROTOCOL,
                           "%s: error %d at line %zu of %zu, `%s`: %s; the machine is stopped",
-                          g->port, g->error, g->wrong + 1, code->count, code->line[g->wrong],
+                          g->port, g->error, g->wrong + 1, code->count, gcode_text(code, g->wrong),
                           grbl_error_text(g->error));
     }
     if (now - g->heard > GRBL_DEAF)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/keys.h"           /* keys_start, keys_interrupted */
+#include "base/spool.h"          /* spool_grow */
 #include "base/tool.h"
 #include "plan/job.h"            /* job */
 #include "plan/table.h"          /* table_place */
@@ -119,8 +120,8 @@ static int plan_move(const mover *v, const mover_move *m, one_move *w)
                           "cannot be: give its --machine FILE",
                           v->port, kinematics_name(&p.machine.k));
     /* a move past the pole of a polar machine becomes several: the path must be able to grow */
-    w->path = (toolpath){ .move  = tool_grow(NULL, sizeof *w->path.move),
-                          .curve = tool_grow(NULL, sizeof *w->path.curve),
+    w->path = (toolpath){ .move  = spool_grow(NULL, sizeof *w->path.move),
+                          .curve = spool_grow(NULL, sizeof *w->path.curve),
                           .count = 1 };
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < ENGINE_AXES; i++)

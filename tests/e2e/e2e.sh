@@ -601,7 +601,7 @@ case_memory_of_a_long_program() {       # each line took 300 bytes
     local what most
     for what in "plan --total" "stream --dry-run"; do
         most=()
-        for lines in 10000 100000; do
+        for lines in 30000 100000; do
             awk -v n=$lines 'BEGIN { print "G21 G90\nG0 X50 Y0\nF18000"
                 for (i = 1; i <= n; i++)
                     printf "G1 X%.5f Y%.5f\n", 50 * cos(i / 1000), 50 * sin(i / 1000)
@@ -611,6 +611,16 @@ case_memory_of_a_long_program() {       # each line took 300 bytes
         done
         [ $((most[1] - most[0])) -lt 2048 ] || job_fails "$what: ${most[*]} kB"
     done
+    most=()                             # lines that stay lines: each took 300 bytes more
+    for lines in 20000 200000; do
+        awk -v n=$lines 'BEGIN { print "G21 G90\nG0 X50 Y0\nF18000"
+            for (i = 1; i <= n; i++)
+                printf "G1 X%d Y%d\n", i % 2 * 2, i % 97
+            print "M30" }' >"$tmp/hatch.nc"
+        peak "$loft" stream --grbl --dry-run "$tmp/hatch.nc"
+        [ "$(wc -l <"$tmp/out")" -gt $lines ] || job_fails "lines are missing"
+    done
+    [ $((most[1] - most[0])) -lt 4096 ] || job_fails "lines: ${most[*]} kB"
 }
 case_planning_is_seen() {               # on a terminal there is a bar, elsewhere nothing
     long_drawing

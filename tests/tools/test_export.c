@@ -98,8 +98,8 @@ static void through_gcode(drawing *out, const drawing *d, const gcode_options *h
     gcode_make(&g, &path, how);
     text[0] = '\0';
     for (size_t i = 0, used = 0; i < g.count; i++) {
-        *arcs += i > 0 && (g.line[i][1] == '2' || g.line[i][1] == '3' || g.line[i][1] == '5');
-        used += (size_t)sprintf(text + used, "%s\n", g.line[i]);
+        *arcs += i > 0 && strchr("235", gcode_text(&g, i)[1]) != NULL;
+        used += (size_t)sprintf(text + used, "%s\n", gcode_text(&g, i));
     }
     *out = (drawing){ 0 };
     CHECK(drawing_read_gcode(out, "part.nc", text, strlen(text)) == 0);

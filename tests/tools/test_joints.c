@@ -7,6 +7,7 @@
 #include <sysexits.h>
 
 #include "check.h"
+#include "base/spool.h"      /* spool_grow */
 #include "tools/drawn.h"
 #include "engine/engine.h"
 #include "plan/joints.h"
@@ -57,8 +58,8 @@ static void arb_path(arb *a, toolpath *path)
     double at[ENGINE_AXES] = { random_signed(a, 20), random_signed(a, 20), 0 },
            way = 7 * random_unit(a);
 
-    *path = (toolpath){ .move = tool_grow(NULL, MOVES * sizeof *path->move),
-                        .curve = tool_grow(NULL, MOVES * sizeof *path->curve),
+    *path = (toolpath){ .move = spool_grow(NULL, MOVES * sizeof *path->move),
+                        .curve = spool_grow(NULL, MOVES * sizeof *path->curve),
                         .count = MOVES };
     for (int n = 0; n < MOVES; n++) {
         engine_move *m = &path->move[n];
