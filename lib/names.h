@@ -444,6 +444,7 @@
 #define loft_line_value            LOFT_NAME(loft_line_value)
 #define loft_links_next            LOFT_NAME(loft_links_next)
 #define loft_links_start           LOFT_NAME(loft_links_start)
+#define loft_m0_scale              LOFT_NAME(loft_m0_scale)
 #define loft_machine_control       LOFT_NAME(loft_machine_control)
 #define loft_machine_init          LOFT_NAME(loft_machine_init)
 #define loft_machine_inputs        LOFT_NAME(loft_machine_inputs)

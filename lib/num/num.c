@@ -92,7 +92,7 @@ uint32_t loft_root_nearest(uint64_t x)
 #if LOFT_NUM == LOFT_Q16
 
 #if defined(__ARM_ARCH_6M__)
-loft_acc loft_acc_scale(loft_acc x, loft_unit t)
+loft_acc loft_m0_scale(loft_acc x, loft_unit t)
 {
     const uint32_t size = t < 0 ? 0u - (uint32_t)t : (uint32_t)t;
     const int32_t top = loft_acc_high(x);

@@ -154,17 +154,22 @@ static inline loft_real loft_lerp(loft_real a, loft_real b, loft_unit t)
     return (loft_real)(a + loft_shift_24(((int64_t)b - a) * t + 8388608));
 }
 
+#if defined(__ARM_ARCH_6M__)
+/* loft_acc_scale of a core that multiplies to 32 bits alone */
+loft_acc loft_m0_scale(loft_acc x, loft_unit t);
+#endif
+
 /* x * t: the two 32-bit halves of x are multiplied separately, so that no product exceeds 64 bits.
  * error 2^-33 (1/2 of an acc LSB); |x * t| <= 2^30 */
-#if defined(__ARM_ARCH_6M__)
-loft_acc loft_acc_scale(loft_acc x, loft_unit t);
-#else
 static inline loft_acc loft_acc_scale(loft_acc x, loft_unit t)
 {
+#if defined(__ARM_ARCH_6M__)
+    return loft_m0_scale(x, t);
+#else
     return (loft_acc)loft_acc_high(x) * t * 256 +
            loft_shift_24((int64_t)loft_acc_low(x) * t + 8388608);
-}
 #endif
+}
 #endif
 
 /* error 2^-33; |x|, |y| < 2^30, t in 0..1 or |(y - x) t| <= 2^30; none at t = 0 and 1 */

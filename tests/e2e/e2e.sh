@@ -1207,6 +1207,22 @@ case_decide() {
     one_line 64 'ray: --of has 3 numbers: give a point and'      "$loft" decide ray --of=1,2,3 -
     one_line 65 'holds no surface' "$loft" decide ray --of=1,2,3,4,5,6 "$tmp/touch.txt"
 }
+case_normals_and_curvatures() {         # of a sphere; of z = 32 x (10 - x) y (10 - y) / 10^4 on top
+    printf 'sphere 10\n' >"$tmp/ball.loft"
+    printf 'tensor 2 2\n0 0 0\n0 5 0\n0 10 0\n5 0 0\n5 5 8\n5 10 0\n10 0 0\n10 5 0\n10 10 0\n' \
+        >"$tmp/hill.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" eval --normal --uv 0.2,0.3,0.7,0.6 --num $num "$tmp/ball.loft"
+        awk 'function off(a, b) { return a > b ? a - b : b - a }
+            { for (i = 1; i <= 3; i++) if (off($i, 10 * $(i + 3)) > 1e-4) exit 1
+              if (off($7, 0.01) > 1e-6 || off($8, -0.1) > 1e-6) exit 1 }
+            END { exit NR != 2 }' "$tmp/out" || job_fails "$num: $(cat "$tmp/out")"
+        run 0 "$loft" eval --normal --num $num "$tmp/hill.loft"
+        awk 'function off(a, b) { return a > b ? a - b : b - a }
+            { exit off($6, 1) > 1e-6 || off($7, 0.0256) > 1e-6 || off($8, -0.16) > 1e-6 }' \
+            "$tmp/out" || job_fails "$num: $(cat "$tmp/out")"
+    done
+}
 case_compare_with() {
     printf 'bezier 3\n0 0\n10 30\n40 -20\n50 10\n' >"$tmp/curve.loft"
     printf 'triangle 2\n0 0 9\n10 0 2\n0 10 5\n20 0 4\n10 10 8\n0 20 3\n' >"$tmp/tri.loft"

@@ -58,12 +58,14 @@ static inline void arb_hills(arb *a, unsigned kind, int32_t high, hills *h)
     CHECK(status == LOFT_OK);
 }
 
-/* A ball, a flat end or a bull-nose of radius 2. */
-static inline void arb_cutter(arb *a, loft_cutter *c)
+/* A ball, a flat end or a bull-nose. */
+static inline loft_cutter arb_cutter(arb *a, loft_real radius)
 {
-    const loft_real corner[3] = { LOFT_REAL(2), 0, LOFT_REAL(0.5) };
+    const loft_real corner[3] = { radius, 0, radius / 3 };
+    loft_cutter c;
 
-    CHECK(loft_cutter_init(c, LOFT_REAL(2), corner[arb_below(a, 3)]) == LOFT_OK);
+    CHECK(loft_cutter_init(&c, radius, corner[arb_below(a, 3)]) == LOFT_OK);
+    return c;
 }
 
 static inline loft_vec hills_at(const hills *h, loft_unit u, loft_unit v)

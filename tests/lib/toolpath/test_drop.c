@@ -9,14 +9,9 @@
 #define GRID 32
 #define FLOOR 60
 
-static loft_cutter arb_cutter(arb *a)
+static loft_real arb_radius(arb *a)
 {
-    const loft_real radius = LOFT_REAL(1) + loft_real_from_raw((int32_t)arb_below(a, 262144));
-    const uint32_t kind = arb_below(a, 3);
-    loft_cutter c;
-
-    CHECK(loft_cutter_init(&c, radius, kind == 0 ? radius : kind == 1 ? 0 : radius / 3) == LOFT_OK);
-    return c;
+    return LOFT_REAL(1) + loft_real_from_raw((int32_t)arb_below(a, 262144));
 }
 
 /* The highest tip so far, and the point of the grid that gives it. */
@@ -60,7 +55,7 @@ static long double tip_by_search(const hills *h, const loft_cutter *c, long doub
 static void a_tip_cuts_nothing_and_is_low(arb *a)
 {
     static hills h;
-    const loft_cutter c = arb_cutter(a);
+    const loft_cutter c = arb_cutter(a, arb_radius(a));
     const loft_real tol = LOFT_REAL(0.002), x = LOFT_REAL(2) + loft_real_abs(arb_real(a, 20)),
                     y = LOFT_REAL(2) + loft_real_abs(arb_real(a, 20));
     loft_drop d;
@@ -81,7 +76,7 @@ static void a_tip_cuts_nothing_and_is_low(arb *a)
 static void the_tolerance_is_kept(arb *a)
 {
     static hills h;
-    const loft_cutter c = arb_cutter(a);
+    const loft_cutter c = arb_cutter(a, arb_radius(a));
     const loft_real x = LOFT_REAL(8), y = LOFT_REAL(8);
     loft_drop_spot spot = { 0, 0, 0 };
     loft_drop d;
@@ -102,7 +97,7 @@ static void the_tolerance_is_kept(arb *a)
 static void a_clear_way_cuts_nothing(arb *a)
 {
     static hills h;
-    const loft_cutter c = arb_cutter(a);
+    const loft_cutter c = arb_cutter(a, arb_radius(a));
     loft_vec from = { { 0 } }, to = { { 0 } };
     loft_drop d;
 
@@ -140,7 +135,7 @@ static void parts_give_what_the_patch_gives(arb *a)
 {
     static hills h;
     static loft_sheet part[64];
-    const loft_cutter c = arb_cutter(a);
+    const loft_cutter c = arb_cutter(a, arb_radius(a));
     const loft_real x = arb_real(a, 16), y = arb_real(a, 16);
     loft_drop whole, parts;
 
@@ -160,7 +155,7 @@ static void parts_give_what_the_patch_gives(arb *a)
 static void wrong_orders_are_refused(arb *a)
 {
     static hills h;
-    const loft_cutter c = arb_cutter(a);
+    const loft_cutter c = arb_cutter(a, arb_radius(a));
     loft_drop d;
 
     arb_hills(a, HILLS_TENSOR, 5, &h);

@@ -121,12 +121,11 @@ static void cusps_are_as_asked_and_nothing_is_cut(arb *a)
 static void no_path_cuts(arb *a)
 {
     static hills h;
-    loft_cutter c;
     loft_raster r;
     loft_drop d;
 
     arb_hills(a, arb_below(a, HILLS_KINDS), 8, &h);
-    arb_cutter(a, &c);
+    const loft_cutter c = arb_cutter(a, LOFT_REAL(2));
     CHECK(loft_drop_init(&d, &h.sheet, 1, &c, LOFT_REAL(0.02), -LOFT_REAL(10)) == LOFT_OK);
     CHECK(loft_raster_init(&r, &d, &table, arb_below(a, 2), 0, LOFT_REAL(4)) == LOFT_OK);
     walk_raster(&r);

@@ -94,8 +94,8 @@ static void a_plate_is_gone_around_at_its_distance(arb *a)
     loft_drop d;
 
     for (int i = 0; i < 4; i++) {
-        h.p[i].axis[0] = i / 2 * side;
-        h.p[i].axis[1] = i % 2 * side;
+        h.p[i].axis[0] = i / 2 ? side : 0;
+        h.p[i].axis[1] = i % 2 ? side : 0;
         h.p[i].axis[2] = 0;
     }
     CHECK(loft_tensor_init(&h.as.tensor, h.p, 1, 1) == LOFT_OK);
@@ -135,11 +135,10 @@ static void no_line_cuts_and_each_comes_back(arb *a)
 {
     static hills h;
     loft_waterline w;
-    loft_cutter c;
     loft_drop d;
 
     arb_hills(a, arb_below(a, HILLS_KINDS), 8, &h);
-    arb_cutter(a, &c);
+    const loft_cutter c = arb_cutter(a, LOFT_REAL(2));
     CHECK(loft_drop_init(&d, &h.sheet, 1, &c, LOFT_REAL(TOL), -LOFT_REAL(20)) == LOFT_OK);
     CHECK(loft_waterline_init(&w, &d, &table, arb_real(a, 5)) == LOFT_OK);
     if (!begin_at(&w, loft_real_from_int((int32_t)arb_below(a, 8))))
