@@ -8,8 +8,8 @@ const figure figures_surface[] = {
       "Triangles",
       "3(1) to 3(3)",
       "A cubic triangle and its net",
-"triangle 3\n0 0 9\n10 0 2\n0 10 5\n20 0 4\n10 10 8\n0 20 3\n30 0 1\n20 10 0\n"
-"10 20 7\n0 30 6\n",
+      "triangle 3\n0 0 9\n10 0 2\n0 10 5\n20 0 4\n10 10 8\n0 20 3\n30 0 1\n20 10 0\n"
+      "10 20 7\n0 30 6\n",
       NULL,
       NULL,
       "--control {0}",
@@ -28,13 +28,13 @@ const figure figures_surface[] = {
             .pick = "@1:3",
             .want = 5.03125,
             .lsb = 1 },
-} },
+      } },
     { "value",
       "Chang",
       "5.3, the example of figure 5.7",
       "De Casteljau on a cubic triangle: 119/64 at (1/4, 1/4, 1/2)",
-"triangle 3\n0 0 6\n8 0 0\n0 8 0\n16 0 -6\n8 8 12\n0 16 18\n24 0 6\n16 8 24\n"
-"8 16 18\n0 24 0\n",
+      "triangle 3\n0 0 6\n8 0 0\n0 8 0\n16 0 -6\n8 8 12\n0 16 18\n24 0 6\n16 8 24\n"
+      "8 16 18\n0 24 0\n",
       NULL,
       NULL,
       "--control {0}",
@@ -50,13 +50,13 @@ const figure figures_surface[] = {
             .pick = "@1:3",
             .want = 11.15625,
             .lsb = 1 },
-} },
+      } },
     { "triangle-raise",
       "Triangles",
       "3(6); Chang 5.5, figures 5.9 to 5.12",
       "Nets of degree 3, 6 and 9 of one surface close on it",
-"triangle 3\n0 0 9\n10 0 2\n0 10 5\n20 0 4\n10 10 8\n0 20 3\n30 0 1\n20 10 0\n"
-"10 20 7\n0 30 6\n",
+      "triangle 3\n0 0 9\n10 0 2\n0 10 5\n20 0 4\n10 10 8\n0 20 3\n30 0 1\n20 10 0\n"
+      "10 20 7\n0 30 6\n",
       NULL,
       "make raise --of 3 {0}; make raise --of 6 {0}",
       "--control {012}",
@@ -72,13 +72,13 @@ const figure figures_surface[] = {
             .pick = "eval:5",
             .off = 1.01,
             .floats = 8 },
-} },
+      } },
     { "triangle-split",
       "Triangles",
       "3(6); Chang 5.4",
       "Split at the point (3/10, 3/10, 2/5): three nets",
-"triangle 3\n0 0 9\n10 0 2\n0 10 5\n20 0 4\n10 10 8\n0 20 3\n30 0 1\n20 10 0\n"
-"10 20 7\n0 30 6\n",
+      "triangle 3\n0 0 9\n10 0 2\n0 10 5\n20 0 4\n10 10 8\n0 20 3\n30 0 1\n20 10 0\n"
+      "10 20 7\n0 30 6\n",
       NULL,
       "make split --of 0.3,0.4 {0}",
       "--control {1}",
@@ -90,13 +90,13 @@ const figure figures_surface[] = {
             .pick = "eval:5",
             .off = 1.1,
             .floats = 6 },
-} },
+      } },
     { "triangle-quarter",
       "Triangles",
       "3(6), uniform subdivision",
       "Four parts by halves only",
-"triangle 3\n0 0 9\n10 0 2\n0 10 5\n20 0 4\n10 10 8\n0 20 3\n30 0 1\n20 10 0\n"
-"10 20 7\n0 30 6\n",
+      "triangle 3\n0 0 9\n10 0 2\n0 10 5\n20 0 4\n10 10 8\n0 20 3\n30 0 1\n20 10 0\n"
+      "10 20 7\n0 30 6\n",
       NULL,
       "make quarter {0}",
       "--control {1}",
@@ -109,13 +109,13 @@ const figure figures_surface[] = {
             .pick = "eval:5",
             .off = 1.01,
             .floats = 2 },
-} },
+      } },
     { "triangle-continue",
       "Chang",
       "8.5, figures 8.9 to 8.11",
       "A cubic triangle continued to the corner (-2, 3/2, 3/2)",
-"triangle 3\n0 0 8\n8 0 6\n0 8 4\n16 0 2\n8 8 4\n0 16 2\n24 0 0\n16 8 2\n8 16 2\n"
-"0 24 4\n",
+      "triangle 3\n0 0 8\n8 0 6\n0 8 4\n16 0 2\n8 8 4\n0 16 2\n24 0 0\n16 8 2\n8 16 2\n"
+      "0 24 4\n",
       NULL,
       "make continue --of 1.5,1.5 {0}",
       "--control {01}",
@@ -124,12 +124,12 @@ const figure figures_surface[] = {
           { .says = "all derivatives agree across the edge",
             .run = "decide join --of 1.5,1.5 {01}",
             .text = "derivatives to order 3" },
-} },
+      } },
     { "triangle-positive",
       "Chang",
       "7.1",
       "A quadratic that touches 0: A = B = C = 1, a = b = c = -1/2",
-"triangle 2\n0 0 24\n12 0 -12\n0 12 -12\n24 0 24\n12 12 -12\n0 24 24\n",
+      "triangle 2\n0 0 24\n12 0 -12\n0 12 -12\n24 0 24\n12 12 -12\n0 24 24\n",
       NULL,
       NULL,
       "--control {0}",
@@ -151,12 +151,12 @@ const figure figures_surface[] = {
           { .says = "with -0.5001 it is",
             .run = "decide triangle --of=1,-0.5,-0.5,1,-0.5001,1",
             .text = "nonnegative no" },
-} },
+      } },
     { "copositive",
       "Chang",
       "7.2, 7.3, Hadeler",
       "A form that is copositive, not definite: x^T M x over the triangle",
-"triangle 2\n0 0 16\n12 0 -16\n0 12 16\n24 0 16\n12 12 16\n0 24 16\n",
+      "triangle 2\n0 0 16\n12 0 -16\n0 12 16\n24 0 16\n12 12 16\n0 24 16\n",
       NULL,
       NULL,
       "--control {0}",
@@ -180,14 +180,14 @@ const figure figures_surface[] = {
             .run = "eval --uv 0.5,0 {0}",
             .pick = "@1:3",
             .lsb = 1 },
-} },
+      } },
     { "convex-net",
       "Chang",
       "8.1 to 8.3; Triangles 4",
       "A convex net, one that is weakly convex, one that is neither",
-"triangle 3\n0 0 0\n10 0 3.33333333\n0 10 3.33333333\n20 0 13.3333333\n"
-"10 10 6.66666667\n0 20 13.3333333\n30 0 30\n20 10 16.6666667\n"
-"10 20 16.6666667\n0 30 30\n",
+      "triangle 3\n0 0 0\n10 0 3.33333333\n0 10 3.33333333\n20 0 13.3333333\n"
+      "10 10 6.66666667\n0 20 13.3333333\n30 0 30\n20 10 16.6666667\n"
+      "10 20 16.6666667\n0 30 30\n",
       NULL,
       NULL,
       "--control {0}",
@@ -207,12 +207,12 @@ const figure figures_surface[] = {
           { .says = "neither",
             .run = "decide triangle --of=0,0,0,2,-2,-2",
             .text = "net convex no;weakly convex no" },
-} },
+      } },
     { "octant",
       "Triangles",
       "5b",
       "An octant of a sphere: a rational quartic triangle",
-"octant 30\n",
+      "octant 30\n",
       NULL,
       NULL,
       "--control {0}",
@@ -223,12 +223,12 @@ const figure figures_surface[] = {
             .pick = "eval:5",
             .off = 1.2,
             .floats = 6 },
-} },
+      } },
     { "pn",
       "Triangles",
       "5b",
       "A triangle from three normals beside the octant of a sphere",
-"pn\n30 0 0 : 1 0 0\n0 30 0 : 0 1 0\n0 0 30 : 0 0 1\noctant 30\n",
+      "pn\n30 0 0 : 1 0 0\n0 30 0 : 0 1 0\n0 0 30 : 0 0 1\noctant 30\n",
       NULL,
       NULL,
       "--control {0}",
@@ -244,13 +244,13 @@ const figure figures_surface[] = {
             .pick = "@1:4",
             .want = 1,
             .lsb = 1 },
-} },
+      } },
     { "triangle-rational",
       "Triangles",
       "5a",
       "A rational triangle: weights 1/2, 1, 2, 4",
-"triangle 2\n0 0 6 : 1\n12 0 9 : 2\n0 12 9 : 0.5\n24 0 3 : 1\n12 12 15 : 4\n"
-"0 24 0 : 1\n",
+      "triangle 2\n0 0 6 : 1\n12 0 9 : 2\n0 12 9 : 0.5\n24 0 3 : 1\n12 12 15 : 4\n"
+      "0 24 0 : 1\n",
       NULL,
       NULL,
       "--control {0}",
@@ -264,16 +264,16 @@ const figure figures_surface[] = {
           { .says = "the middle of the edge with weight 4: (3 + 8 15 + 0) / 10",
             .run = "eval --uv 0.5,0.5 {0}",
             .pick = "@1:3",
-            .want = 12.300000000000001,
+            .want = 12.3,
             .lsb = 1 },
-} },
+      } },
     { "tensor-net",
       "Tensor",
       "1, 2; Splines, bicubic Bezier surface",
       "A bicubic patch and its net",
-"tensor 3 3\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n10 0 6\n10 10 24\n10 20 14\n"
-"10 30 2\n20 0 -6\n20 10 10\n20 20 -18\n20 30 8\n30 0 4\n30 10 -2\n30 20 6\n"
-"30 30 0\n",
+      "tensor 3 3\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n10 0 6\n10 10 24\n10 20 14\n"
+      "10 30 2\n20 0 -6\n20 10 10\n20 20 -18\n20 30 8\n30 0 4\n30 10 -2\n30 20 6\n"
+      "30 30 0\n",
       NULL,
       NULL,
       "--control {0}",
@@ -292,14 +292,14 @@ const figure figures_surface[] = {
             .pick = "@1:3",
             .want = 5.21875,
             .lsb = 1 },
-} },
+      } },
     { "tensor-split",
       "Tensor",
       "4, de Casteljau in either order",
       "Four parts of a bicubic patch, cut at (1/3, 2/3)",
-"tensor 3 3\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n10 0 6\n10 10 24\n10 20 14\n"
-"10 30 2\n20 0 -6\n20 10 10\n20 20 -18\n20 30 8\n30 0 4\n30 10 -2\n30 20 6\n"
-"30 30 0\n",
+      "tensor 3 3\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n10 0 6\n10 10 24\n10 20 14\n"
+      "10 30 2\n20 0 -6\n20 10 10\n20 20 -18\n20 30 8\n30 0 4\n30 10 -2\n30 20 6\n"
+      "30 30 0\n",
       NULL,
       "make split --of 0.333333,0.666667 {0}",
       "--control {1}",
@@ -313,14 +313,14 @@ const figure figures_surface[] = {
             .pick = "eval:5",
             .off = 1.6,
             .floats = 40 },
-} },
+      } },
     { "tensor-raise",
       "Tensor",
       "1, 2",
       "The same patch of degrees 3, 3 and 6, 6",
-"tensor 3 3\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n10 0 6\n10 10 24\n10 20 14\n"
-"10 30 2\n20 0 -6\n20 10 10\n20 20 -18\n20 30 8\n30 0 4\n30 10 -2\n30 20 6\n"
-"30 30 0\n",
+      "tensor 3 3\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n10 0 6\n10 10 24\n10 20 14\n"
+      "10 30 2\n20 0 -6\n20 10 10\n20 20 -18\n20 30 8\n30 0 4\n30 10 -2\n30 20 6\n"
+      "30 30 0\n",
       NULL,
       "make raise --of 3 {0}",
       "--control {1}",
@@ -331,16 +331,16 @@ const figure figures_surface[] = {
             .pick = "eval:5",
             .off = 1.6,
             .floats = 12 },
-} },
+      } },
     { "tensor-join",
       "Tensor",
       "3",
       "A patch continued with equal slopes across the edge",
-"tensor 3 3\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n10 0 6\n10 10 24\n10 20 14\n"
-"10 30 2\n20 0 -6\n20 10 10\n20 20 -18\n20 30 8\n30 0 4\n30 10 -2\n30 20 6\n"
-"30 30 0\ntensor 3 3\n30 0 4\n30 10 -2\n30 20 6\n30 30 0\n40 0 14\n40 10 -14\n"
-"40 20 30\n40 30 -8\n50 0 -1\n50 10 -2\n50 20 11\n50 30 10\n60 0 0\n60 10 3\n"
-"60 20 6\n60 30 9\n",
+      "tensor 3 3\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n10 0 6\n10 10 24\n10 20 14\n"
+      "10 30 2\n20 0 -6\n20 10 10\n20 20 -18\n20 30 8\n30 0 4\n30 10 -2\n30 20 6\n"
+      "30 30 0\ntensor 3 3\n30 0 4\n30 10 -2\n30 20 6\n30 30 0\n40 0 14\n40 10 -14\n"
+      "40 20 30\n40 30 -8\n50 0 -1\n50 10 -2\n50 20 11\n50 30 10\n60 0 0\n60 10 3\n"
+      "60 20 6\n60 30 9\n",
       NULL,
       NULL,
       "{0}",
@@ -354,12 +354,12 @@ const figure figures_surface[] = {
           { .says = "decided exactly",
             .run = "decide join {0}",
             .text = "0 1 C0 yes C1 yes G1 yes" },
-} },
+      } },
     { "bilinear",
       "Tensor",
       "1; Splines, bilinear surface",
       "A bilinear patch lies on z = x y / 20",
-"tensor 1 1\n-20 -20 20\n-20 20 -20\n20 -20 -20\n20 20 20\n",
+      "tensor 1 1\n-20 -20 20\n-20 20 -20\n20 -20 -20\n20 20 20\n",
       NULL,
       NULL,
       "--control {0}",
@@ -378,14 +378,14 @@ const figure figures_surface[] = {
           { .says = "Gaussian curvature in the middle: -1/400",
             .run = "eval --normal {0}",
             .pick = "@1:7",
-            .want = -0.0025000000000000001,
+            .want = -0.0025,
             .off = 1e-07 },
-} },
+      } },
     { "hyperboloid",
       "Splines",
       "parametric surfaces; Chang 4.3",
       "A line that is turned about the z axis",
-"bezier 1\n20 -10 0\n20 10 30\n",
+      "bezier 1\n20 -10 0\n20 10 30\n",
       NULL,
       "make revolve {0}",
       "{1}",
@@ -398,12 +398,12 @@ const figure figures_surface[] = {
             .pick = "eval:5",
             .off = 2.5,
             .floats = 8 },
-} },
+      } },
     { "sphere",
       "Splines",
       "parametric sphere",
       "A sphere by its angles",
-"sphere 20\n",
+      "sphere 20\n",
       NULL,
       NULL,
       "{0}",
@@ -422,15 +422,15 @@ const figure figures_surface[] = {
           { .says = "Gaussian curvature 1/400",
             .run = "eval --normal {0}",
             .pick = "@1:7",
-            .want = 0.0025000000000000001,
+            .want = 0.0025,
             .off = 1e-09 },
-} },
+      } },
     { "cylinder",
       "Splines",
       "NURBS; Chang 4.3",
       "A quarter of a cylinder with weights 1, sqrt(1/2), 1",
-"tensor 2 1\n0 0 20 : 1\n0 30 20 : 1\n20 0 20 : 0.70710678118654752\n"
-"20 30 20 : 0.70710678118654752\n20 0 0 : 1\n20 30 0 : 1\n",
+      "tensor 2 1\n0 0 20 : 1\n0 30 20 : 1\n20 0 20 : 0.70710678118654752\n"
+      "20 30 20 : 0.70710678118654752\n20 0 0 : 1\n20 30 0 : 1\n",
       NULL,
       NULL,
       "--control {0}",
@@ -450,12 +450,12 @@ const figure figures_surface[] = {
             .run = "eval --normal {0}",
             .pick = "@1:7",
             .off = 1e-07 },
-} },
+      } },
     { "ruled",
       "Chang",
       "9.2",
       "Lines between a parabola and a line",
-"bezier 2\n0 0 0\n20 0 30\n40 0 0\nbezier 1\n0 40 10\n40 40 10\n",
+      "bezier 2\n0 0 0\n20 0 30\n40 0 0\nbezier 1\n0 40 10\n40 40 10\n",
       NULL,
       "make ruled {0}",
       "--control {1}",
@@ -466,13 +466,13 @@ const figure figures_surface[] = {
             .pick = "@1:3",
             .want = 12.5,
             .lsb = 1 },
-} },
+      } },
     { "coons",
       "Chang",
       "9.2, figure 9.1",
       "The simple patch between four cubics",
-"coons 3 3\n0 0 0\n10 0 6\n20 0 -6\n30 0 4\n0 30 6\n10 30 2\n20 30 8\n30 30 0\n"
-"0 0 0\n0 10 8\n0 20 -4\n0 30 6\n30 0 4\n30 10 -2\n30 20 6\n30 30 0\n",
+      "coons 3 3\n0 0 0\n10 0 6\n20 0 -6\n30 0 4\n0 30 6\n10 30 2\n20 30 8\n30 30 0\n"
+      "0 0 0\n0 10 8\n0 20 -4\n0 30 6\n30 0 4\n30 10 -2\n30 20 6\n30 30 0\n",
       NULL,
       NULL,
       "--control {0}",
@@ -489,17 +489,17 @@ const figure figures_surface[] = {
             .pick = "@1:3",
             .want = 2.125,
             .lsb = 1 },
-} },
+      } },
     { "coons-slopes",
       "Chang",
       "9.3, figure 9.2",
       "Edges and slopes of a bicubic patch give it back",
-"coons slopes 3 3\n0 0 0\n10 0 6\n20 0 -6\n30 0 4\n0 30 6\n10 30 2\n20 30 8\n"
-"30 30 0\n0 30 24\n0 30 54\n0 30 48\n0 30 -18\n0 30 30\n0 30 -36\n0 30 78\n"
-"0 30 -18\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n30 0 4\n30 10 -2\n30 20 6\n30 30 0\n"
-"30 0 18\n30 0 48\n30 0 54\n30 0 -12\n30 0 30\n30 0 -36\n30 0 72\n30 0 -24\n",
-"tensor 3 3\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n10 0 6\n10 10 24\n10 20 14\n"
-"10 30 2\n20 0 -6\n20 10 10\n20 20 -18\n20 30 8\n30 0 4\n30 10 -2\n30 20 6\n"
+      "coons slopes 3 3\n0 0 0\n10 0 6\n20 0 -6\n30 0 4\n0 30 6\n10 30 2\n20 30 8\n"
+      "30 30 0\n0 30 24\n0 30 54\n0 30 48\n0 30 -18\n0 30 30\n0 30 -36\n0 30 78\n"
+      "0 30 -18\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n30 0 4\n30 10 -2\n30 20 6\n30 30 0\n"
+      "30 0 18\n30 0 48\n30 0 54\n30 0 -12\n30 0 30\n30 0 -36\n30 0 72\n30 0 -24\n",
+      "tensor 3 3\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n10 0 6\n10 10 24\n10 20 14\n"
+      "10 30 2\n20 0 -6\n20 10 10\n20 20 -18\n20 30 8\n30 0 4\n30 10 -2\n30 20 6\n"
       "30 30 0\n",
       NULL,
       "{0}",
@@ -510,20 +510,20 @@ const figure figures_surface[] = {
             .pick = "eval:5",
             .off = 1.5,
             .floats = 20 },
-} },
+      } },
     { "coons-curvatures",
       "Chang",
       "9.4",
       "With curvatures as well",
-"coons curvatures 3 3\n0 0 0\n10 0 6\n20 0 -6\n30 0 4\n0 30 6\n10 30 2\n"
-"20 30 8\n30 30 0\n0 30 24\n0 30 54\n0 30 48\n0 30 -18\n0 30 30\n0 30 -36\n"
-"0 30 78\n0 30 -18\n0 0 -120\n0 0 -168\n0 0 -264\n0 0 84\n0 0 132\n0 0 -12\n"
-"0 0 324\n0 0 -84\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n30 0 4\n30 10 -2\n30 20 6\n"
-"30 30 0\n30 0 18\n30 0 48\n30 0 54\n30 0 -12\n30 0 30\n30 0 -36\n30 0 72\n"
-"30 0 -24\n0 0 -108\n0 0 -180\n0 0 -300\n0 0 60\n0 0 132\n0 0 12\n0 0 336\n"
-"0 0 -84\n",
-"tensor 3 3\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n10 0 6\n10 10 24\n10 20 14\n"
-"10 30 2\n20 0 -6\n20 10 10\n20 20 -18\n20 30 8\n30 0 4\n30 10 -2\n30 20 6\n"
+      "coons curvatures 3 3\n0 0 0\n10 0 6\n20 0 -6\n30 0 4\n0 30 6\n10 30 2\n"
+      "20 30 8\n30 30 0\n0 30 24\n0 30 54\n0 30 48\n0 30 -18\n0 30 30\n0 30 -36\n"
+      "0 30 78\n0 30 -18\n0 0 -120\n0 0 -168\n0 0 -264\n0 0 84\n0 0 132\n0 0 -12\n"
+      "0 0 324\n0 0 -84\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n30 0 4\n30 10 -2\n30 20 6\n"
+      "30 30 0\n30 0 18\n30 0 48\n30 0 54\n30 0 -12\n30 0 30\n30 0 -36\n30 0 72\n"
+      "30 0 -24\n0 0 -108\n0 0 -180\n0 0 -300\n0 0 60\n0 0 132\n0 0 12\n0 0 336\n"
+      "0 0 -84\n",
+      "tensor 3 3\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n10 0 6\n10 10 24\n10 20 14\n"
+      "10 30 2\n20 0 -6\n20 10 10\n20 20 -18\n20 30 8\n30 0 4\n30 10 -2\n30 20 6\n"
       "30 30 0\n",
       NULL,
       "{0}",
@@ -534,15 +534,15 @@ const figure figures_surface[] = {
             .pick = "eval:5",
             .off = 1.5,
             .floats = 60 },
-} },
+      } },
     { "bicubic",
       "Chang",
       "9.5",
       "Corners, tangents and twists of the same patch",
-"bicubic\n0 0 0\n0 30 6\n0 30 24\n0 30 30\n30 0 4\n30 30 0\n0 30 -18\n0 30 -18\n"
-"30 0 18\n30 0 -12\n0 0 90\n0 0 -198\n30 0 30\n30 0 -24\n0 0 -198\n0 0 -288\n",
-"tensor 3 3\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n10 0 6\n10 10 24\n10 20 14\n"
-"10 30 2\n20 0 -6\n20 10 10\n20 20 -18\n20 30 8\n30 0 4\n30 10 -2\n30 20 6\n"
+      "bicubic\n0 0 0\n0 30 6\n0 30 24\n0 30 30\n30 0 4\n30 30 0\n0 30 -18\n0 30 -18\n"
+      "30 0 18\n30 0 -12\n0 0 90\n0 0 -198\n30 0 30\n30 0 -24\n0 0 -198\n0 0 -288\n",
+      "tensor 3 3\n0 0 0\n0 10 8\n0 20 -4\n0 30 6\n10 0 6\n10 10 24\n10 20 14\n"
+      "10 30 2\n20 0 -6\n20 10 10\n20 20 -18\n20 30 8\n30 0 4\n30 10 -2\n30 20 6\n"
       "30 30 0\n",
       NULL,
       "{0}",
@@ -558,14 +558,14 @@ const figure figures_surface[] = {
             .pick = "eval:5",
             .off = 1.01,
             .floats = 8 },
-} },
+      } },
     { "bessel",
       "Chang",
       "9.5; Tensor, Ferguson",
       "Through a grid of points, with tangents of parabolas",
-"line\n-20 -20 5\n-20 0 5\n-20 20 -5\n-20 40 -25\nline\n0 -20 -5\n0 0 0\n"
-"0 20 -5\n0 40 -20\nline\n20 -20 -5\n20 0 5\n20 20 5\n20 40 -5\nline\n40 -20 5\n"
-"40 0 20\n40 20 25\n40 40 20\n",
+      "line\n-20 -20 5\n-20 0 5\n-20 20 -5\n-20 40 -25\nline\n0 -20 -5\n0 0 0\n"
+      "0 20 -5\n0 40 -20\nline\n20 -20 -5\n20 0 5\n20 20 5\n20 40 -5\nline\n40 -20 5\n"
+      "40 0 20\n40 20 25\n40 40 20\n",
       NULL,
       "make bessel {0}",
       "{1}",
@@ -576,7 +576,7 @@ const figure figures_surface[] = {
             .pick = "eval:5",
             .off = 3,
             .floats = 16 },
-} },
+      } },
 };
 
 const size_t figures_surfaces = sizeof figures_surface / sizeof figures_surface[0];
