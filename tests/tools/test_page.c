@@ -7,6 +7,7 @@
 
 #include "check.h"
 #include "plan/page.h"
+#include "base/spool.h"      /* spool_grow */
 #include "tools/drawn.h"
 
 static double random_unit(arb *a)      { return (double)(arb_next(a) >> 11) / 9007199254740992.0; }
@@ -38,7 +39,7 @@ static int apply(const page_options *g, drawing *d)
 static void copy_drawing(drawing *to, const drawing *from)
 {
     *to       = *from;
-    to->curve = tool_grow(NULL, from->count * sizeof *to->curve);
+    to->curve = spool_grow(NULL, from->count * sizeof *to->curve);
     memcpy(to->curve, from->curve, from->count * sizeof *to->curve);
     to->room = from->count;
 }
