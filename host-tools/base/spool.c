@@ -27,7 +27,7 @@ typedef struct head {
 
 _Static_assert(sizeof(head) % 16 == 0, "elements are aligned as malloc does it");
 
-static head *longest_since; /* the last one that began in a file */
+static head *newest;        /* the last one that began in a file */
 
 /* An array has moved. */
 static head *link_up(head *h)
@@ -37,7 +37,7 @@ static head *link_up(head *h)
     if (h->after != NULL)
         h->after->before = h;
     else
-        longest_since = h;
+        newest = h;
     return h;
 }
 
@@ -48,7 +48,7 @@ static void unlink_from(const head *h)
     if (h->after != NULL)
         h->after->before = h->before;
     else
-        longest_since = h->before;
+        newest = h->before;
 }
 
 static int nameless_file(void)
@@ -91,7 +91,7 @@ static head *begin(size_t bytes)
             (void)close(file);
         return NULL;
     }
-    *h = (head){ .bytes = bytes, .file = file, .before = longest_since };
+    *h = (head){ .bytes = bytes, .file = file, .before = newest };
     return link_up(h);
 }
 
@@ -140,7 +140,7 @@ void spool_free(void *spool)
 
 void spool_rest(void)
 {
-    for (head *h = longest_since, *before; h != NULL; h = before) {
+    for (head *h = newest, *before; h != NULL; h = before) {
         before = h->before;
         (void)madvise(h, h->bytes, MADV_DONTNEED);
     }

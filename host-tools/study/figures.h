@@ -31,6 +31,11 @@ typedef struct {
     const char *text;       /* instead of a number: this is in the output, lines joined with `;` */
 } figure_proof;
 
+/* A proof of many figures, with its bounds in q16 and in floats. */
+#define FIGURE_ERROR(q16, other)                                                                   \
+    { .says = "error against the definition, in LSB", .run = "compare {0}", .pick = "eval:5",      \
+      .off = (q16), .floats = (other) }
+
 typedef struct {
     const char *name, *text, *section, *title;
     const char *input;      /* in .loft */

@@ -3,17 +3,20 @@
  */
 #include "study/figures.h"
 
+/* A pentagon whose height is 40 times the coordinate of one vertex. */
+#define ONE_VERTEX(kind)                                                                           \
+    "spatch 5 1 " kind "\n"                                                                        \
+    "domain 2.4492936e-15 40  -38.0422607 12.3606798  -23.5114101 -32.3606798  23.5114101 "        \
+    "-32.3606798  38.0422607 12.3606798\n"                                                         \
+    "2.4492936e-15 40 0\n-38.0422607 12.3606798 40\n-23.5114101 -32.3606798 0\n"                   \
+    "23.5114101 -32.3606798 0\n38.0422607 12.3606798 0\n"
+
 const figure figures_sided[] = {
     { "wachspress",
       "Polygons",
       "2.6.1, figure 2-8",
       "Lines of equal Wachspress coordinate of a vertex",
-      "spatch 5 1 wachspress\n"
-      "domain 2.4492936e-15 40  -38.0422607 12.3606798  -23.5114101 -32.3606798  23.5114101 "
-      "-32.3606798  38.0422607 12.3606798\n"
-      "2.4492936e-15 40 0\n-38.0422607 12.3606798 40\n"
-      "-23.5114101 -32.3606798 0\n23.5114101 -32.3606798 0\n"
-      "38.0422607 12.3606798 0\n",
+      ONE_VERTEX("wachspress"),
       NULL,
       NULL,
       "--contours 9 --view -90,90 {0}",
@@ -30,12 +33,7 @@ const figure figures_sided[] = {
       "Polygons",
       "2.6.2, figure 2-9",
       "Lines of equal mean value coordinate of a vertex",
-      "spatch 5 1 meanvalue\n"
-      "domain 2.4492936e-15 40  -38.0422607 12.3606798  -23.5114101 -32.3606798  23.5114101 "
-      "-32.3606798  38.0422607 12.3606798\n"
-      "2.4492936e-15 40 0\n-38.0422607 12.3606798 40\n"
-      "-23.5114101 -32.3606798 0\n23.5114101 -32.3606798 0\n"
-      "38.0422607 12.3606798 0\n",
+      ONE_VERTEX("meanvalue"),
       NULL,
       NULL,
       "--contours 9 --view -90,90 {0}",
@@ -52,12 +50,7 @@ const figure figures_sided[] = {
       "Polygons",
       "2.6.3, figure 2-10",
       "Lines of equal harmonic coordinate of a vertex",
-      "spatch 5 1 harmonic\n"
-      "domain 2.4492936e-15 40  -38.0422607 12.3606798  -23.5114101 -32.3606798  23.5114101 "
-      "-32.3606798  38.0422607 12.3606798\n"
-      "2.4492936e-15 40 0\n-38.0422607 12.3606798 40\n"
-      "-23.5114101 -32.3606798 0\n23.5114101 -32.3606798 0\n"
-      "38.0422607 12.3606798 0\n",
+      ONE_VERTEX("harmonic"),
       NULL,
       NULL,
       "--contours 9 --view -90,90 {0}",
