@@ -408,14 +408,11 @@ static int draw_part(const stream_options *o, const parts *all, size_t k, grbl *
     int code = 0;
     toolpath path;
     gcode lines;
-    char what[64];
 
     how.laser = false;                  /* its controller sees to that ($32) */
     memcpy(how.start, g ? grbl_place(g) : start, sizeof how.start);
     toolpath_make(&path, &p->smooth, &how);
     gcode_make(&lines, &path, &as);
-    snprintf(what, sizeof what, "%zu curve%s, %.3f m", path.curves, tool_s(path.curves),
-             path.drawn / 1000);
     if (path.count == 0)
         code = tool_error(EX_DATAERR,
                           "%s: nothing to draw in it: give a drawing with visible outlines",
@@ -425,7 +422,9 @@ static int draw_part(const stream_options *o, const parts *all, size_t k, grbl *
     if (code == 0 && g != NULL && p->tool != NULL)
         code = change_tool(p->tool, o->asks);
     if (code == 0 && g != NULL)
-        code = grbl_run(g, &lines, what);
+        code = grbl_run(g, &lines,
+                        &(report_job){ all->file, o->port, p->tool ? p->tool->name : NULL, &path,
+                                       o->p.tol, 0 });
     if (code == 0 && g == NULL && p->tool != NULL)
         printf("(tool %s)\n%s", p->tool->name, *p->tool->pause ? "M0\n" : "");
     for (size_t i = 0; code == 0 && g == NULL && i < lines.count; spool_passed(i++))
@@ -488,16 +487,12 @@ static int draw_file(stream_options *o, const char *file)
 /* Who is told how it goes? */
 static int start_report(const stream_options *o)
 {
-    const char *name = o->view ? "view" : "json";
-
     if (o->view && o->json)
         return tool_error(EX_USAGE, "--view and --json: one is for people, one for programs: give "
                                     "one of them");
-    if ((o->view || o->json) && o->grbl)
-        return tool_error(EX_USAGE,
-                          "--%s: a controller of grbl's kind does not tell enough for "
-                          "it: leave out --grbl or this",
-                          name);
+    if (o->json && o->grbl && o->dry)
+        return tool_error(EX_USAGE, "--json: standard output is the G-code of --grbl --dry-run: "
+                                    "leave out --json");
     if (o->view && !o->asks)
         return tool_error(EX_USAGE, "--view: it shows a drawing from a file while a machine draws "
                                     "it: give both, or leave it out");

@@ -4,16 +4,19 @@
  * Lines are sent ahead while their bytes fit the controller's buffer (grbl's wiki, "Streaming a
  * G-code program", character counting). Each `ok` or `error:` frees the bytes of the oldest line.
  */
+#include <math.h>
 #include <stdio.h>
 
 #include "send/grbl_talk.h"
+#include "send/near_move.h"      /* near_move */
 #include "send/grbl_words.h"     /* grbl_error_text, grbl_alarm_text */
 #include "base/keys.h"           /* keys_next, keys_interrupted */
-#include "base/progress.h"       /* progress_show */
+#include "send/report.h"         /* report_show */
 #include "base/tool.h"           /* tool_error, tool_clock */
-#include "base/waits.h"          /* waits_for */
+#include "base/waits.h"          /* waits_due */
 
 #define STUCK       5.0     /* s at rest with unanswered lines */
+#define ABREAST     0.05    /* mm: moves that are so much farther may be the ones that it draws */
 
 /* Send as many lines as fit. */
 static bool send_lines(grbl *g)
@@ -50,14 +53,38 @@ static bool stop_controller(grbl *g)
     return grbl_put_byte(g, 0x18);
 }
 
+static bool is_held(const grbl *g) { return g->state == GRBL_HOLD || g->state == GRBL_HELD; }
+
+/* The state in one word, for a program. */
+static const char *state_word(const grbl *g)
+{
+    switch (g->state) {
+    case GRBL_RUN:  return "draws";
+    case GRBL_HOLD: return "holds";
+    case GRBL_HELD: return "held";
+    default:        return "waits";
+    }
+}
+
+/* Tell the current state in one line; it stays on the screen. */
+static void tell_state(const grbl *g)
+{
+    report_line("line %zu of %zu, %zu sent ahead, override %u %%, %s  X %.2f Y %.2f Z %.2f",
+                g->done, g->code->count, g->sent - g->done, g->rate, state_word(g), g->place[0],
+                g->place[1], g->place[2]);
+}
+
 static bool obey_keys(grbl *g, bool *abort)
 {
     switch (keys_next()) {
     case 'h': return grbl_put_byte(g, '!');
     case 'r': return grbl_put_byte(g, '~');
-    case '+': return grbl_put_byte(g, 0x91);
-    case '-': return grbl_put_byte(g, 0x92);
+    case '+':
+    case '=': return grbl_put_byte(g, 0x91);
+    case '-':
+    case '_': return grbl_put_byte(g, 0x92);
     case '0': return grbl_put_byte(g, 0x90);
+    case 's': tell_state(g); return true;
     case 'a': *abort = true; return true;
     default:  return true;
     }
@@ -104,24 +131,45 @@ static int report_trouble(grbl *g)
     return 0;
 }
 
-static void show_progress(const grbl *g, progress *bar)
+/* Find the move that it draws. Lines are answered before they are drawn, so it is one of those up
+ * to the last that was answered: the first that is as near to the tool as any. */
+static void follow_path(grbl *g, const toolpath *path)
+{
+    const size_t last = g->done > 0 ? g->code->line[g->done - 1].move : 0;
+    double best       = HUGE_VAL, t;
+
+    for (size_t n = g->behind; n <= last && n < path->count; n++)
+        best = fmin(best, near_move(&path->move[n], g->place, &t));
+    while (g->behind < last && near_move(&path->move[g->behind], g->place, &t) > best + ABREAST)
+        g->behind++;
+}
+
+static void show_progress(grbl *g, const report_job *job)
 {
     char text[128];
+    report_facts f = { .state    = state_word(g),
+                       .done     = (double)g->done,
+                       .total    = (double)g->code->count,
+                       .item     = (uint32_t)g->done,
+                       .items    = (uint32_t)g->code->count,
+                       .queued   = (uint32_t)(g->sent - g->done),
+                       .feed     = g->feed / 60,
+                       .override = g->rate,
+                       .at       = { g->place[0], g->place[1], g->place[2] },
+                       .rests    = is_held(g) };
 
-    const bool held = g->state == GRBL_HOLD || g->state == GRBL_HELD;
-
-    if (held)
-        progress_rest(bar);
-    if (held)
+    follow_path(g, job->path);
+    f.moves = g->behind;
+    if (is_held(g))
         snprintf(text, sizeof text, "held, r resumes  X %.2f Y %.2f Z %.2f", g->place[0],
                  g->place[1], g->place[2]);
     else
-        snprintf(text, sizeof text, "feed %5.1f mm/s %3u %% X %.2f Y %.2f Z %.2f", g->feed / 60,
-                 g->rate, g->place[0], g->place[1], g->place[2]);
-    progress_show(bar, (double)g->done, text);
+        snprintf(text, sizeof text, "feed %5.1f mm/s %3u %% X %.2f Y %.2f Z %.2f", f.feed, g->rate,
+                 g->place[0], g->place[1], g->place[2]);
+    report_show(&f, text);
 }
 
-static int drive_job(grbl *g, progress *bar)
+static int drive_job(grbl *g, const report_job *job)
 {
     bool abort = false;
     waits waiting = { .told = false };
@@ -140,33 +188,33 @@ static int drive_job(grbl *g, progress *bar)
                 EX_TEMPFAIL, "aborted at line %zu of %zu: the machine is stopped at %.3f %.3f %.3f",
                 g->done, count, g->place[0], g->place[1], g->place[2]);
         }
-        if (g->done == g->code->count && g->state != GRBL_RUN && g->state != GRBL_HOLD &&
-            g->state != GRBL_HELD)
+        if (g->done == g->code->count && g->state != GRBL_RUN && !is_held(g))
             g->asked = 0;               /* the last line was answered before it was drawn: ask
                                          * again */
-        show_progress(g, bar);
-        waits_for(&waiting, !bar->shown && (g->state == GRBL_HOLD || g->state == GRBL_HELD)
-                                ? "the controller is held: its button goes on"
-                                : NULL);
+        show_progress(g, job);
+        if (waits_due(&waiting, !report_shown() && is_held(g)
+                                    ? "the controller is held: its button goes on"
+                                    : NULL))
+            report_line("waiting: %s", waiting.what);
     }
     return 0;
 }
 
-int grbl_run(grbl *g, const gcode *code, const char *what)
+int grbl_run(grbl *g, const gcode *code, const report_job *job)
 {
-    progress bar;
     const double began = tool_clock();
 
-    g->code  = code;
-    g->state = GRBL_UNKNOWN;
+    g->code   = code;
+    g->state  = GRBL_UNKNOWN;
+    g->behind = 0;
     g->heard = g->moved = began;
-    progress_start(&bar, (double)code->count);
-    const int result = drive_job(g, &bar);
-    progress_clear(&bar);
+    report_begin(job);
+    const int result = drive_job(g, job);
+    report_end();
     if (result == 0)
-        printf("drawn: %s, %zu lines of G-code in %.1f s, %s at %.3f %.3f %.3f\n", what,
-               code->count, tool_clock() - began,
-               g->name[0] != '\0' ? g->name : "the controller is stopped", g->place[0], g->place[1],
-               g->place[2]);
+        printf("drawn: %zu curve%s, %.3f m, %zu lines of G-code in %.1f s, %s at %.3f %.3f %.3f\n",
+               job->path->curves, tool_s(job->path->curves), job->path->drawn / 1000, code->count,
+               tool_clock() - began, g->name[0] != '\0' ? g->name : "the controller is stopped",
+               g->place[0], g->place[1], g->place[2]);
     return result;
 }

@@ -12,6 +12,7 @@
 #include "engine/engine.h"  /* ENGINE_AXES */
 #include "read/machine_file.h"  /* machine_file */
 #include "send/gcode.h"     /* gcode */
+#include "send/report.h"    /* report_job */
 
 typedef struct grbl grbl;
 
@@ -31,8 +32,8 @@ int  grbl_machine(const grbl *g, machine_file *m);
  * no soft limits ($20=1): then it does not know where it is. */
 bool grbl_table(const grbl *g, machine_file *m);
 
-/* Send all lines and wait for the end; handles keys and shows progress. Returns an exit code, after
- * printing the closing line or one error. */
-int  grbl_run(grbl *g, const gcode *code, const char *what);
+/* Send all lines, made of the path of `job`, and wait for the end; handles keys and tells how it
+ * goes. Returns an exit code, after printing the closing line or one error. */
+int  grbl_run(grbl *g, const gcode *code, const report_job *job);
 
 #endif

@@ -38,6 +38,7 @@ struct grbl {
     double heard, asked, moved;         /* clocks                                */
     const gcode *code;
     size_t sent, done, wrong;           /* lines; wrong: the line that the error is about */
+    size_t behind;                      /* moves of the path, drawn by now */
     unsigned size_of[GRBL_WAITING], under_way;   /* bytes                             */
     int error, alarm;
     bool restarted;

@@ -65,11 +65,15 @@ static void end_line(void)
 
 static void put_job(const report_job *job)
 {
+    char id[16];
+
     put_event("job");
     put_pair("file", job->file);
     put_pair("port", job->port);
     put_pair("tool", job->tool);
-    fprintf(now.out, ",\"id\":\"%08" PRIx32 "\",\"tol\":%.6g", job->id, job->tol);
+    snprintf(id, sizeof id, "%08" PRIx32, job->id);
+    put_pair("id", job->id != 0 ? id : NULL);
+    fprintf(now.out, ",\"tol\":%.6g", job->tol);
     if (job->path != NULL)
         fprintf(now.out, ",\"curves\":%zu,\"drawn\":%.3f,\"travelled\":%.3f", job->path->curves,
                 job->path->drawn, job->path->travelled);

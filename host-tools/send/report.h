@@ -18,7 +18,7 @@ typedef struct {
     const char *tool;               /* NULL: the drawing has no tools */
     const toolpath *path;           /* NULL: unknown */
     double tol;                     /* mm, planned */
-    uint32_t id;
+    uint32_t id;                    /* 0: the machine keeps none */
 } report_job;
 
 /* Is the pen down in this move of the path? */

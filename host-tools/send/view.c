@@ -11,6 +11,7 @@
 
 #include "base/screen.h"         /* screen_put */
 #include "base/tool.h"           /* tool_grow */
+#include "send/near_move.h"      /* near_move */
 #include "send/view.h"
 
 #define ABOVE 2         /* rows above the drawing, and */
@@ -27,15 +28,6 @@ static struct {
 } shown;
 
 static bool draws(size_t n) { return report_draws(shown.job, n); }
-
-static void point_of(const engine_move *m, double t, double out[2])
-{
-    for (int i = 0; i < 2; i++) {
-        const double a = 1 - t;
-        out[i] = a * a * a * m->p[0][i] + 3 * a * a * t * m->p[1][i] + 3 * a * t * t * m->p[2][i] +
-                 t * t * t * m->p[3][i];
-    }
-}
 
 static char *cell_at(const double at[2])
 {
@@ -57,8 +49,8 @@ static void mark_move(const engine_move *m, double end, char mark)
                         (m->p[k + 1][1] - m->p[k][1]) / shown.per[1]);
     const int steps = (int)fmin(ceil(2 * length), 10000) + 1;
     for (int k = 0; k <= steps && k <= end * steps; k++) {
-        double at[2];
-        point_of(m, (double)k / steps, at);
+        double at[ENGINE_AXES];
+        near_point(m, (double)k / steps, at);
         char *cell = cell_at(at);
         if (cell != NULL)
             *cell = mark;
@@ -107,23 +99,6 @@ static void lay_out(const report_job *job, int rows, int columns)
             mark_move(&job->path->move[n], 1, '.');
 }
 
-/* The parameter of the point of a move that is nearest to the tool. */
-static double nearest_part(const engine_move *m, const double at[2])
-{
-    double best = 0, least = HUGE_VAL;
-
-    for (int k = 0; k <= 64; k++) {
-        double p[2];
-        point_of(m, k / 64.0, p);
-        const double far = hypot(p[0] - at[0], p[1] - at[1]);
-        if (far < least) {
-            least = far;
-            best  = k / 64.0;
-        }
-    }
-    return best;
-}
-
 static void put_drawing(const report_facts *f)
 {
     const toolpath *path = shown.job->path;
@@ -134,8 +109,11 @@ static void put_drawing(const report_facts *f)
         if (draws(shown.moves))
             mark_move(&path->move[shown.moves], 1, '#');
     const bool down = draws(shown.moves);
-    if (down)
-        mark_move(&path->move[shown.moves], nearest_part(&path->move[shown.moves], f->at), '#');
+    double part;
+    if (down) {
+        (void)near_move(&path->move[shown.moves], f->at, &part);
+        mark_move(&path->move[shown.moves], part, '#');
+    }
     for (int row = 0; row < shown.rows; row++)
         screen_put(ABOVE + row, 0, &shown.cell[row * (shown.columns + 1)]);
     const char *cell = cell_at(f->at);

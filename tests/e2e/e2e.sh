@@ -416,7 +416,6 @@ case_a_program_is_told_in_json() {
     run 0 "$loft" stream "$tmp/small.csv" --json --dry-run
     lines "len(o) == 2 and o[0]['seconds'] > 5 and o[0]['items'] > 200"
     one_line 64 'give one of them' "${job[@]}" --json --view
-    one_line 64 'leave out --grbl' "${job[@]}" --json --grbl
 }
 case_what_is_left_stays_while_held() {
     machine patient --speed real --once
@@ -1947,6 +1946,26 @@ case_grbl_draws_cubics_and_work_coordinates() {
     drew g5
     run 0 "$loft" stream tests/drawings/outline12.csv --grbl --g5 --dry-run
     [ "$(grep -c '^G5' "$tmp/out")" = 12 ] || job_fails "$(head -3 "$tmp/out")"
+}
+case_grbl_on_the_whole_terminal_and_in_json() {
+    peer shown
+    local job=("$loft" stream tests/drawings/outline12.csv --grbl --feed 1 --port "$tmp/shown")
+    echo 'job begun' >"$tmp/shown.log"
+    "$pty" type "$tmp/shown.log" "1:h 1.4:s 2:r" "${job[@]}" --view >"$tmp/out" 2>&1 \
+        || job_fails "exit code $?"
+    seen 'h hold  r resume  a abort'; seen 'pen down'; seen '#'; seen '....'; seen '@'
+    seen 'sent ahead, override 100 %, held'; says after 'drawn: 12 curves, 0.131 m'
+    drew shown
+    peer told
+    job[7]=$tmp/told
+    run 0 "${job[@]}" --json
+    lines "o[0]['event'] == 'job' and o[0]['curves'] == 12 and o[0]['id'] is None"
+    lines "o[-1] == {'event': 'end', 'code': 0} and states[-1]['items'] == states[-1]['item']"
+    lines "[x['part'] for x in states] == sorted(x['part'] for x in states) and len(states) > 10"
+    lines "{x['pen'] for x in states} >= {'down'} and states[-1]['at'][0] != states[3]['at'][0]"
+    drew told
+    one_line 64 'leave out --json' "${job[@]}" --json --dry-run
+    one_line 64 'must be a terminal' "${job[@]}" --view
 }
 case_grbl_troubles_are_told() {
     refuses() {
