@@ -50,32 +50,44 @@ static bool parse_tool(const char *text, void *out)
     return false;
 }
 
-typedef struct {
-    double (*point)[ENGINE_AXES];
-    size_t count, room;
-    progress bar;
-    const mill_order *o;
-} path;
-
-static void take_point(void *context, const double point[ENGINE_AXES])
+/* straight, ramp:5, helix:2, helix:2:5 */
+static bool parse_entry(const char *text, void *out)
 {
-    path *p = context;
+    tool_wish *w = out;
+    double angle = 3, radius = 1;
+    char rest = 0;
 
-    if (p->count == p->room) {
-        p->room  = p->room ? 2 * p->room : 1024;
-        p->point = tool_grow(p->point, p->room * sizeof *p->point);
+    if (strcmp(text, "straight") == 0) {
+        w->o.entry = MILL_STRAIGHT;
+        return true;
     }
-    memcpy(p->point[p->count++], point, sizeof *p->point);
-    if (p->bar.shown) {
-        const unsigned across = 1 - p->o->axis;
-        progress_show(&p->bar,
-                      p->o->levels ? p->point[0][2] - point[2]
-                                   : point[across] - p->o->area[0][across],
-                      "milling");
-    }
+    const bool ramp = sscanf(text, "ramp:%lf%c", &angle, &rest) == 1;
+    if (ramp || (strncmp(text, "helix:", 6) == 0 &&
+                 (sscanf(text, "helix:%lf%c", &radius, &rest) == 1 ||
+                  sscanf(text, "helix:%lf:%lf%c", &radius, &angle, &rest) == 2)))
+        if (angle >= 0.5 && angle <= 45 && radius >= 0.05 && radius <= 125) {
+            w->o.entry = ramp ? MILL_RAMP : MILL_HELIX;
+            w->o.slope = tan(angle * acos(-1) / 180);
+            w->o.around = radius;
+            return true;
+        }
+    (void)tool_error(
+        EX_USAGE,
+        "--entry %s: give straight, ramp:DEGREES or helix:MM[:DEGREES], with 0.5 to 45 "
+        "degrees and a radius of 0.05 to 125 mm",
+        text);
+    return false;
 }
 
-static double way_of(const path *p)
+static void show(void *context, double share)
+{
+    progress *const bar = context;
+
+    if (bar->shown)
+        progress_show(bar, share, "milling");
+}
+
+static double way_of(const mill_cut *p)
 {
     double sum = 0;
 
@@ -86,28 +98,25 @@ static double way_of(const path *p)
     return sum;
 }
 
-/* The path from a safe height to a safe height, below what is known of it. */
-static int print_path(const engine *e, const tool_wish *w, const path *p, const mill_report *r,
-                      double safe)
+/* The path, below what is known of it. */
+static int print_path(const engine *e, const tool_wish *w, const mill_cut *p, const mill_report *r)
 {
     const print_options out = { e, true };
-    double end[ENGINE_AXES];
 
-    printf("# %s, %zu lines, %zu points, %.1f mm\n", w->name, r->lines, p->count, way_of(p));
+    printf("# %s, %zu lines, %zu points, %.1f mm, %.1f of it between lines\n", w->name, r->lines,
+           p->count, way_of(p), r->ways);
     printf("# cuts below the surface: none, proved for each of %zu chords\n", p->count - 1);
-    printf(w->o.levels ? "# beside the surface: at most %g\n"
-                       : "# above the lowest way: at most %g\n",
+    printf(w->o.pattern == MILL_WATERLINE ? "# beside the surface: at most %g\n"
+                                          : "# above the lowest way: at most %g\n",
            w->o.tol);
     if (r->cusp > 0)
         printf("# cusps: at most %.6f, asked %g\n", r->cusp, w->o.cusp);
+    if (w->o.entry != MILL_STRAIGHT)
+        printf("# entries: %zu by a helix, %zu by a ramp, %zu straight down\n",
+               r->entries[MILL_HELIX], r->entries[MILL_RAMP], r->entries[MILL_STRAIGHT]);
     puts("line");
-    for (size_t i = 0; i < p->count + 2; i++) {
-        const bool first = i == 0, last = i == p->count + 1;
-        memcpy(end, p->point[first ? 0 : last ? p->count - 1 : i - 1], sizeof end);
-        if (first || last)
-            end[2] = fmax(r->top + safe, end[2]);
-        print_point((void *)&out, end);
-    }
+    for (size_t i = 0; i < p->count; i++)
+        print_point((void *)&out, p->point[i]);
     return ferror(stdout) ? EX_IOERR : EX_OK;
 }
 
@@ -127,24 +136,27 @@ static int refuse(const char *file, const surfaces *all, const mill_report *r, i
                       engine_status(status));
 }
 
-static int mill_surfaces(const engine *e, tool_wish *w, const char *file, double safe)
+static int mill_surfaces(const engine *e, tool_wish *w, const char *file)
 {
     engine_mill *const run = e == &engine_q16   ? engine_mill_q16
                              : e == &engine_f32 ? engine_mill_f32
                                                 : engine_mill_f64;
     surfaces all = { 0 };
-    path p = { .o = &w->o };
+    mill_cuts path = { 0 };
+    progress bar;
     mill_report r;
     int code = surfaces_read_only(&all, file);
 
     if (code == 0) {
-        progress_start(&p.bar, 0);
-        const int status = run(&all, &w->o, take_point, &p, &r);
-        progress_clear(&p.bar);
-        code = status == 0 ? print_path(e, w, &p, &r, safe)
+        progress_start(&bar, 1);
+        w->o.tell = show;
+        w->o.context = &bar;
+        const int status = run(&all, &w->o, &path, &r);
+        progress_clear(&bar);
+        code = status == 0 ? print_path(e, w, &path.cut[0], &r)
                            : refuse(source_name(file), &all, &r, status);
     }
-    free(p.point);
+    mill_cuts_free(&path);
     surfaces_free(&all);
     return code;
 }
@@ -186,10 +198,9 @@ static int plot_left(const tool_wish *w, const char *file, const char *record_fi
 static int run_mill(const tool_command *self, int argc, char **argv)
 {
     const engine *e = &engine_f64;
-    tool_wish w = { .o = { .radius = 3, .corner = 3, .tol = 0.01 }, .name = "ball:6" };
+    tool_wish w = { .o = { .radius = 3, .corner = 3, .tol = 0.01, .safe = 5 }, .name = "ball:6" };
     tool_list area = { .count = 0 }, lowest = { .count = 0 };
     const char *along = "x", *pattern = "raster", *record_file = NULL, *output = "left.png";
-    double safe = 5;
     int first;
 
     const tool_option options[] = {
@@ -210,8 +221,11 @@ static int run_mill(const tool_command *self, int argc, char **argv)
                   "waterlines)"),
         TOOL_LIST("floor", "Z", &lowest, -4096, 4096,
                   "lowest height of the tip (that of the surfaces)"),
-        TOOL_NUMBER("safe", "MM", &safe, 0, 1000,
+        TOOL_NUMBER("safe", "MM", &w.o.safe, 0, 1000,
                     "height above the surfaces where the path begins and ends (5)"),
+        TOOL_PARSED("entry", "KIND", &w, parse_entry,
+                    "how the tool goes down to a line: straight, ramp:DEGREES along it, "
+                    "helix:MM[:DEGREES] around (straight)"),
         TOOL_TEXT("record", "FILE", &record_file,
                   "no path, but a picture of what is left, by pulses of `loft simulate --record`"),
         TOOL_TEXT("output", "FILE", &output, "or -o: that picture, .png .svg or .pdf (left.png)"),
@@ -238,7 +252,7 @@ static int run_mill(const tool_command *self, int argc, char **argv)
     w.o.axis = along[0] == 'y';
     if (strcmp(pattern, "raster") != 0 && strcmp(pattern, "waterline") != 0)
         return tool_error(EX_USAGE, "--pattern %s: give raster or waterline", pattern);
-    w.o.levels = pattern[0] == 'w';
+    w.o.pattern = pattern[0] == 'w' ? MILL_WATERLINE : MILL_RASTER;
     if (lowest.count > 1 || (area.count != 0 && area.count != 4))
         return tool_error(EX_USAGE, lowest.count > 1 ? "--floor: give one height"
                                                      : "--area: give X,Y,X,Y: two corners");
@@ -252,7 +266,7 @@ static int run_mill(const tool_command *self, int argc, char **argv)
             return tool_error(EX_USAGE, "--area: is empty: give two corners apart");
     }
     return record_file != NULL ? plot_left(&w, argv[first], record_file, output)
-                               : mill_surfaces(e, &w, argv[first], safe);
+                               : mill_surfaces(e, &w, argv[first]);
 }
 
 const tool_command command_mill = {
@@ -264,7 +278,9 @@ const tool_command command_mill = {
     "chords within --tol. Each chord is proved not to cut below any surface; beside walls the\n"
     "path goes up and down on the spot. --pattern waterline goes around what is steep, from\n"
     "above down, the surface to the right; the distance of heights is that of --cusp on an\n"
-    "upright wall. The first lines of the output say what is proved and measured. Surfaces\n"
+    "upright wall; each hill is finished before the next one. --entry leads the tool into the\n"
+    "material along the line or around, proved as all chords are; a helix without room becomes\n"
+    "a ramp. The first lines of the output say what is proved and measured. Surfaces\n"
     "are seen from above. With --record the surfaces are drawn instead, coloured by what a\n"
     "machine left on them or cut off them.\n",
     run_mill

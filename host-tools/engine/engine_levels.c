@@ -18,14 +18,10 @@
 typedef struct {
     loft_waterline line;
     const loft_drop *d;
-    loft_vec last;              /* where the tool is */
     double from[2], by;         /* the first place, and the distance of places */
     size_t across, rows;        /* places in a row; rows */
     unsigned char *crossed;     /* one for each step between two places */
-    engine_point_sink *sink;
-    void *context;
-    mill_report *out;
-    bool begun;
+    mill_cuts *out;
 } levels;
 
 static void give(levels *l, const loft_vec *p)
@@ -33,9 +29,7 @@ static void give(levels *l, const loft_vec *p)
     double point[ENGINE_AXES];
 
     point_of(*p, point);
-    l->sink(l->context, point);
-    l->last  = *p;
-    l->begun = true;
+    mill_cuts_add(l->out, point);
 }
 
 /* A chord was walked: mark the steps where it crosses rows. It may err by the tolerance. */
@@ -66,30 +60,29 @@ static loft_vec place_of(const levels *l, size_t row, size_t at)
     return p;
 }
 
-/* To the beginning of a line: up, across, down. */
-static void go_to(levels *l, const loft_vec *to)
+/* A line that is back at the end of its first chord is a ring without that chord. One that is back
+ * at the end of another keeps its beginning, which may be in a sharp inner corner. */
+static void close_cut(const levels *l, mill_cut *cut)
 {
-    loft_vec up = l->last, over = *to;
-
-    if (l->begun) {
-        up.axis[2] = over.axis[2] = loft_drop_over(l->d, &l->last, to);
-        give(l, &up);
-        give(l, &over);
+    if (l->line.closed && cut->count > 3 &&
+        memcmp(cut->point[1], cut->point[cut->count - 1], sizeof *cut->point) == 0) {
+        memmove(cut->point, cut->point + 1, --cut->count * sizeof *cut->point);
+        cut->closed = true;
     }
-    give(l, to);
 }
 
-static void walk(levels *l)
+static void walk(levels *l, unsigned level)
 {
     loft_vec from = l->line.from, to;
+    mill_cut *const cut = mill_cuts_begin(l->out, level);
 
-    go_to(l, &from);
+    give(l, &from);
     while (loft_waterline_next(&l->line, &to)) {
         give(l, &to);
         mark(l, &from, &to);
         from = to;
     }
-    l->out->lines++;
+    close_cut(l, cut);
 }
 
 static bool is_clear(const levels *l, const loft_vec *p)
@@ -97,7 +90,7 @@ static bool is_clear(const levels *l, const loft_vec *p)
     return loft_waterline_clear(&l->line, p->axis[0], p->axis[1]);
 }
 
-static void walk_row(levels *l, size_t row)
+static void walk_row(levels *l, unsigned level, size_t row)
 {
     loft_vec p = place_of(l, row, 0);
     bool clear = is_clear(l, &p);
@@ -108,16 +101,16 @@ static void walk_row(levels *l, size_t row)
         clear = is_clear(l, &next);
         if (was != clear && !l->crossed[row * l->across + at] &&
             loft_waterline_begin(&l->line, was ? &p : &next, was ? &next : &p) == LOFT_OK)
-            walk(l);
+            walk(l, level);
         p = next;
     }
 }
 
 int ENGINE_OF(engine_levels)(const loft_drop *d, const loft_box *area, double top, double step,
-                             engine_point_sink *sink, void *context, mill_report *out)
+                             const mill_order *o, mill_cuts *out)
 {
     const double lowest = double_of(d->floor), count = fmax(1, ceil((top - lowest) / step - 1e-9));
-    levels l = { .d = d, .sink = sink, .context = context, .out = out };
+    levels l = { .d = d, .out = out };
     int status = LOFT_OK;
 
     l.by = double_of(d->cutter.radius) / 2;
@@ -133,7 +126,8 @@ int ENGINE_OF(engine_levels)(const loft_drop *d, const loft_box *area, double to
                      ? (int)loft_waterline_init(&l.line, d, area, z)
                      : LOFT_ERR_RANGE;
         for (size_t row = 0; row < l.rows && status == LOFT_OK; row++)
-            walk_row(&l, row);
+            walk_row(&l, (unsigned)k - 1, row);
+        o->tell(o->context, k / count);
     }
     free(l.crossed);
     return status;

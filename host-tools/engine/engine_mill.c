@@ -9,6 +9,7 @@
 
 #include "base/tool.h"              /* tool_grow */
 #include "engine/engine_levels.h"
+#include "engine/engine_links.h"
 #include "engine/engine_sheet.h"
 #include "engine/mill.h"
 
@@ -63,7 +64,7 @@ static int complete_order(const sheet_list *l, mill_order *o, loft_box *area, mi
     if (!o->floored)
         o->lowest = double_of(box.min.axis[2]);
     for (int k = 0; k < 2 && !o->bounded; k++) {
-        const double margin = (o->levels ? AROUND : BEYOND) * o->radius;
+        const double margin = (o->pattern == MILL_WATERLINE ? AROUND : BEYOND) * o->radius;
         o->area[0][k] = double_of(box.min.axis[k]) - margin;
         o->area[1][k] = double_of(box.max.axis[k]) + margin;
     }
@@ -89,8 +90,9 @@ static int start_drop(const sheet_list *l, const mill_order *o, loft_drop *d)
 }
 
 static int mill_raster(const loft_drop *d, const mill_order *o, const loft_box *area,
-                       engine_point_sink *sink, void *context, mill_report *out)
+                       mill_cuts *cuts, mill_report *out)
 {
+    const double from = o->area[0][1 - o->axis], width = o->area[1][1 - o->axis] - from;
     loft_real cusp, step;
     loft_raster r;
     loft_vec tip;
@@ -98,14 +100,17 @@ static int mill_raster(const loft_drop *d, const mill_order *o, const loft_box *
     if (!tol_of(o->cusp, &cusp) || !real_of(o->step, &step))
         return LOFT_ERR_RANGE;
     const int status = loft_raster_init(&r, d, area, o->axis, cusp, step);
+    (void)mill_cuts_begin(cuts, 0);
     while (status == LOFT_OK && loft_raster_next(&r, &tip)) {
         double point[ENGINE_AXES];
         point_of(tip, point);
-        sink(context, point);
+        mill_cuts_add(cuts, point);
+        o->tell(o->context, (point[1 - o->axis] - from) / width);
     }
     if (status == LOFT_OK) {
         out->lines = r.lines;
         out->cusp = double_of(r.cusp);
+        out->depth = out->top - o->lowest;
     }
     return status;
 }
@@ -116,9 +121,20 @@ static double depth_of(const mill_order *o)
     return o->step > 0 ? o->step : 2 * sqrt(o->cusp * (2 * o->radius - o->cusp));
 }
 
-int ENGINE_OF(engine_mill)(const surfaces *all, mill_order *o, engine_point_sink *sink,
-                           void *context, mill_report *out)
+static int mill_levels(const loft_drop *d, const mill_order *o, const loft_box *area,
+                       mill_cuts *cuts, mill_report *out)
 {
+    const int status = ENGINE_OF(engine_levels)(d, area, out->top, depth_of(o), o, cuts);
+
+    out->lines = cuts->count;
+    out->depth = depth_of(o);
+    mill_cuts_order(cuts, o->radius);
+    return status;
+}
+
+int ENGINE_OF(engine_mill)(const surfaces *all, mill_order *o, mill_cuts *path, mill_report *out)
+{
+    mill_cuts cuts = { 0 };
     sheet_list l = { 0 };
     loft_box area;
     loft_drop d;
@@ -130,9 +146,11 @@ int ENGINE_OF(engine_mill)(const surfaces *all, mill_order *o, engine_point_sink
     if (status == LOFT_OK)
         status = start_drop(&l, o, &d);
     if (status == LOFT_OK)
-        status = o->levels ? ENGINE_OF(engine_levels)(&d, &area, out->top, depth_of(o), sink,
-                                                      context, out)
-                           : mill_raster(&d, o, &area, sink, context, out);
+        status = (o->pattern == MILL_WATERLINE ? mill_levels : mill_raster)(&d, o, &area, &cuts,
+                                                                            out);
+    if (status == LOFT_OK)
+        ENGINE_OF(engine_links)(&d, o, &cuts, path, out);
+    mill_cuts_free(&cuts);
     close_sheets(&l);
     return status;
 }

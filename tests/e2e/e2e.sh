@@ -1142,6 +1142,12 @@ case_mill() {
     run 0 "$loft" mill --tool ball:4 --pattern waterline --step 1 --tol 0.05 "$tmp/dome.loft"
     says out '^# ball:4, 3 lines'; says out '^# beside the surface: at most 0.05'
     cp "$tmp/out" "$tmp/path.loft"; run 0 "$loft" plan "$tmp/path.loft"; says out '^in all'
+    for entry in ramp:5 helix:0.5:10; do
+        run 0 "$loft" mill --tool ball:4 --pattern waterline --step 1 --tol 0.05 --entry $entry \
+            "$tmp/dome.loft"
+        says out "^# entries: .*[1-9] by a ${entry%%:*}"
+    done
+    one_line 64 'give straight, ramp:DEGREES' "$loft" mill --entry ramp:60 "$tmp/dome.loft"
     one_line 64 'give raster or waterline' "$loft" mill --pattern spiral "$tmp/dome.loft"
     printf 'octant 9\n' >"$tmp/octant.loft"
     run 0 "$loft" mill --tool flat:3 --step 3 --floor 4 "$tmp/octant.loft"
