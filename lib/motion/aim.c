@@ -94,7 +94,7 @@ static unsigned set_aim(const loft_timing *t)
     unsigned first = t->to;
 
     for (unsigned k = t->to; k-- > t->from;) {
-        q[k].aim = v2 = rise(t, k, v2, &slope, even_at(t, k));
+        q[k].work.aim = v2 = rise(t, k, v2, &slope, even_at(t, k));
         if (v2 <= q[k].v2 + q[k].v2 / 32)
             break;
         first = k;
@@ -102,7 +102,7 @@ static unsigned set_aim(const loft_timing *t)
     v2 = q[first - 1].v2;
     slope = first > 1 ? v2 - q[first - 2].v2 : 0;
     for (unsigned k = first; k < t->to; k++)
-        q[k].aim = v2 = rise(t, k - 1, v2, &slope, q[k].aim);
+        q[k].work.aim = v2 = rise(t, k - 1, v2, &slope, q[k].work.aim);
     return first;
 }
 
@@ -112,9 +112,10 @@ static void take_means(const loft_timing *t, unsigned first)
     for (int n = 0; n < MEANS; n++) {
         int32_t before = t->knot[first - 1].v2;
         for (unsigned k = first; k + 1 < t->to; k++) {
-            const int32_t at = t->knot[k].aim, mean = before / 4 + at / 2 + t->knot[k + 1].aim / 4;
+            const int32_t at = t->knot[k].work.aim,
+                          mean = before / 4 + at / 2 + t->knot[k + 1].work.aim / 4;
             before = at;
-            t->knot[k].aim = least(at, mean);
+            t->knot[k].work.aim = least(at, mean);
         }
     }
 }
@@ -131,7 +132,7 @@ static int32_t step_at(const step *s, unsigned k)
     const loft_knot *q = &s->t->knot[k];
     int32_t part = s->part;
 
-    if (k < s->from || k >= s->to || q->aim <= q->v2)
+    if (k < s->from || k >= s->to || q->work.aim <= q->v2)
         return 0;
     if (s->middle > 0) {
         const int32_t off = loft_coord_abs((int32_t)k - (int32_t)s->middle),
@@ -139,7 +140,7 @@ static int32_t step_at(const step *s, unsigned k)
                                                 : STEEP * (STRETCH - off) * (STRETCH - off);
         part = part * fall >> 15;
     }
-    return 2 * loft_part(q->aim - q->v2, part);
+    return 2 * loft_part(q->work.aim - q->v2, part);
 }
 
 static void take_step(step *s)

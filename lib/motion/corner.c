@@ -324,7 +324,7 @@ static void forget(loft_corners *c)
     unsigned n = 0;
     const int64_t from = c->looked < c->stretches ? c->stretch[c->looked].s : scanned(c);
 
-    while (n + 1u < c->looked && c->stretch[n + 1].s < from - 2 * (int64_t)scale_most(c))
+    while (n + 1u < c->looked && c->stretch[n + 1].s < from - scale_most(c))
         n++;
     if (n == 0 && c->stretches == LOFT_CORNERS_STRETCHES)
         n = c->looked > 1 ? (c->looked - 1u + 1) / 2 : 0;

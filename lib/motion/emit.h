@@ -11,7 +11,7 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_EMIT_SAMPLES 16
+#define LOFT_EMIT_SAMPLES 10
 
 /* Do not rely on the fields. Sample number `first` of the chain is sample[0]. */
 typedef struct {

@@ -5,6 +5,8 @@
 
 #include "motion/barrier.h" /* loft_barrier_time */
 
+#if LOFT_PLAN_EFFORT > 1
+
 #define PERIOD      65536           /* of times */
 #define SWEEPS      40
 #define AHEAD       22              /* knots that the pace of one looks ahead */
@@ -189,7 +191,6 @@ static void take(loft_guess_round *g, loft_path_place *out)
     out->skip   = p->skip > next->skip ? p->skip : next->skip;
     out->loose  = p->loose && next->loose;
     out->sharp  = g->time == 0 && p->sharp;
-    out->s = 0;
 }
 
 /* The first place, or one a period behind the last. */
@@ -343,6 +344,23 @@ bool loft_guess_again(loft_guess *guess, const loft_knot knots[], unsigned count
     g->ended = true;
     return true;
 }
+
+#else
+
+enum loft_path_state loft_guess_next(loft_guess *guess, loft_path_place *out)
+{
+    return loft_path_next(&guess->path, out);
+}
+
+void loft_guess_begin(loft_guess *guess) { loft_path_begin(&guess->path); }
+
+bool loft_guess_again(loft_guess *guess, const loft_knot knots[], unsigned count)
+{
+    (void)guess, (void)knots, (void)count;
+    return false;
+}
+
+#endif
 
 void loft_guess_init(loft_guess *guess, const loft_period *period, loft_move moves[], uint16_t room)
 {

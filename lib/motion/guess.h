@@ -12,9 +12,9 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_GUESS_KNOTS (LOFT_PLAN_EFFORT > 1 ? 80 : 3)  /* little effort: not used */
-#define LOFT_GUESS_QUEUE 4
-#define LOFT_GUESS_ROUNDS (LOFT_PLAN_EFFORT > 1 ? 2 : 1)  /* the second begins better */
+#define LOFT_GUESS_KNOTS  80
+#define LOFT_GUESS_QUEUE  4
+#define LOFT_GUESS_ROUNDS 2     /* the second begins better */
 
 /* A place and three more on the way to the next. */
 typedef struct {
@@ -39,7 +39,9 @@ typedef struct {
 typedef struct {
     const loft_period *period;
     loft_path          path;
+#if LOFT_PLAN_EFFORT > 1        /* otherwise the places of the path are taken as they are */
     loft_guess_round   round[LOFT_GUESS_ROUNDS];
+#endif
 } loft_guess;
 
 /* Start without a curve, in the caller's memory; `period` is kept. */

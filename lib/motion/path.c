@@ -90,7 +90,7 @@ static void look_along(loft_path *path)
 
 /* The first place, when there is a way. Curves without one are dropped, or they would fill the
  * ring. */
-static enum loft_path_state start(loft_path *path, loft_path_place *out)
+static enum loft_path_state start(loft_path *path, loft_path_waiting *out)
 {
     loft_chain *chain = &path->chain;
 
@@ -103,11 +103,11 @@ static enum loft_path_state start(loft_path *path, loft_path_place *out)
     look_along(path);
     loft_corners_add(&path->corners, loft_corner_of(0, 0, path->launch.jerk, false));
     chain->walked = true;
-    loft_chain_place(&path->walk, 0, &out->at);
-    out->number = path->walk.number;
-    out->feed   = path->walk.feed;
-    out->sharp  = out->loose = false;
     out->s = 0;
+    loft_chain_place(&path->walk, 0, &out->on.at);
+    out->on.number = path->walk.number;
+    out->on.feed   = path->walk.feed;
+    out->on.sharp  = out->on.loose = false;
     return LOFT_PATH_PLACE;
 }
 
@@ -137,23 +137,25 @@ static bool look_ahead(loft_path *path)
 }
 
 /* Go to s. */
-static void set_place(loft_path *path, int64_t s, bool ends, loft_path_place *out)
+static void set_place(loft_path *path, int64_t s, bool ends, loft_path_waiting *out)
 {
     const loft_corner *c = loft_corners_next_sharp(&path->corners, s - 1);
 
-    out->sharp = c && c->s == s;
-    out->loose = false;
-    out->feed  = loft_chain_go(&path->chain, &path->walk, s);
-    loft_chain_place(&path->walk, s, &out->at);
+    loft_path_place *on = &out->on;
+
+    on->sharp = c && c->s == s;
+    on->loose = false;
+    on->feed  = loft_chain_go(&path->chain, &path->walk, s);
+    loft_chain_place(&path->walk, s, &on->at);
     for (int i = 0; i < LOFT_AXES && ends; i++)
-        out->at.axis[i] = loft_coord_of(loft_to_acc(path->chain.to.axis[i]));
-    out->number = path->walk.number;
+        on->at.axis[i] = loft_coord_of(loft_to_acc(path->chain.to.axis[i]));
+    on->number = path->walk.number;
     out->s = path->s = s;
     look_along(path);
 }
 
 /* The next place of the guess. */
-static enum loft_path_state march(loft_path *path, loft_path_place *out)
+static enum loft_path_state march(loft_path *path, loft_path_waiting *out)
 {
     loft_corners *c = &path->corners;
 
@@ -330,11 +332,11 @@ loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const lo
 // --------------
 
 /* The places around the way from place k to the next. */
-static void four(const loft_path_place queue[], unsigned count, unsigned k,
+static void four(const loft_path_waiting queue[], unsigned count, unsigned k,
                  const loft_path_place *at[4])
 {
     for (unsigned i = 0; i < 4; i++)
-        at[i] = &queue[k + i - 1 < count ? k + i - 1 : count - 1];
+        at[i] = &queue[k + i - 1 < count ? k + i - 1 : count - 1].on;
 }
 
 /* How far the path is at s from the cubic, near its part z. */
@@ -375,7 +377,7 @@ static loft_coord skipped(loft_path *path, unsigned k)
     loft_coord most = 0;
 
     four(path->queue, path->queued, k, at);
-    const int64_t from = at[1]->s, way = at[2]->s - from;
+    const int64_t from = path->queue[k].s, way = path->queue[k + 1].s - from;
     if (way <= 0)
         return 0;
     const between cubic = between_of(at);
@@ -404,23 +406,23 @@ static loft_coord skipped(loft_path *path, unsigned k)
 /* A place in the middle of place k and the next. */
 static void halve(loft_path *path, unsigned k)
 {
-    loft_path_place *q = &path->queue[k];
+    loft_path_waiting *q = &path->queue[k];
 
     for (unsigned i = path->queued - k; i > 1; i--)
         q[i] = q[i - 1];
     path->queued++;
     q[1].s = (q[0].s + q[2].s) / 2;
     loft_chain_walk w = *walk_before(path, q[1].s);
-    q[1].feed = least(loft_chain_go(&path->chain, &w, q[1].s), q[2].feed);
-    loft_chain_place(&w, q[1].s, &q[1].at);
-    q[1].number = w.number;
-    q[1].sharp = q[1].loose = false;
+    q[1].on.feed = least(loft_chain_go(&path->chain, &w, q[1].s), q[2].on.feed);
+    loft_chain_place(&w, q[1].s, &q[1].on.at);
+    q[1].on.number = w.number;
+    q[1].on.sharp = q[1].on.loose = false;
 }
 
 /* A place in the middle, if less is skipped then: not of teeth that the tolerance swallows. */
 static bool is_better_halved(loft_path *path, unsigned k)
 {
-    loft_path_place *q = &path->queue[k];
+    const loft_path_place *q = &path->queue[k].on;
     const loft_coord whole = q->skip, most = loft_path_tol(path->chain.period, q) * 13 / 20;
 
     halve(path, k);
@@ -436,12 +438,12 @@ static bool is_better_halved(loft_path *path, unsigned k)
 /* Set what is skipped from place k to the next; true: a place was put between them. */
 static bool is_halved(loft_path *path, unsigned k)
 {
-    loft_path_place *q = &path->queue[k];
+    loft_path_waiting *q = &path->queue[k];
 
-    q->skip = skipped(path, k);
-    q->loose = loft_corners_loose(&path->corners, q[0].s, q[1].s);
-    return q->skip > loft_path_tol(path->chain.period, q) / 4 && path->queued < LOFT_PATH_QUEUE &&
-           q[1].s - q[0].s >= 64 && is_better_halved(path, k);
+    q->on.skip = skipped(path, k);
+    q->on.loose = loft_corners_loose(&path->corners, q[0].s, q[1].s);
+    return q->on.skip > loft_path_tol(path->chain.period, &q->on) / 4 &&
+           path->queued < LOFT_PATH_QUEUE && q[1].s - q[0].s >= 64 && is_better_halved(path, k);
 }
 
 /* A place that is put between two changes the cubic before them as well. */
@@ -497,10 +499,10 @@ enum loft_path_state loft_path_next(loft_path *path, loft_path_place *out)
         return LOFT_PATH_END;
     }
     settle(path);
-    *out = path->queue[1];
+    *out = path->queue[1].on;
     if (path->queued == 2)
         out->skip = 0;
-    (void)loft_chain_go(&path->chain, &path->check, out->s);
+    (void)loft_chain_go(&path->chain, &path->check, path->queue[1].s);
     path->queued--;
     path->settled = (uint8_t)(path->settled > 0 ? path->settled - 1 : 0);
     for (unsigned k = 0; k < path->queued; k++)

@@ -15,11 +15,10 @@
 LOFT_BEGIN_C
 
 /* Places that are checked before they are given. */
-#define LOFT_PATH_QUEUE     24
+#define LOFT_PATH_QUEUE     12
 
 /* A place of the path. */
 typedef struct {
-    int64_t    s;           /* from the start of the chain */
     loft_position at;
     loft_coord feed;        /* the speed that is asked for from the last place to this one */
     loft_coord skip;        /* how far the path is from the cubic through four places
@@ -34,6 +33,12 @@ static inline loft_coord loft_path_tol(const loft_period *p, const loft_path_pla
 {
     return p->tol + (from->loose ? p->more : 0);
 }
+
+/* One that waits, at the length s from the start of the chain. */
+typedef struct {
+    int64_t         s;
+    loft_path_place on;
+} loft_path_waiting;
 
 enum loft_path_state { LOFT_PATH_PLACE, LOFT_PATH_WAIT, LOFT_PATH_END };
 
@@ -51,7 +56,7 @@ typedef struct {
     int64_t            along;               /* where the arc begins to which these belong: */
     loft_coord         cap;                 /* the most speed in a period, */
     loft_corner        launch;              /* and a launch to it */
-    loft_path_place    queue[LOFT_PATH_QUEUE];
+    loft_path_waiting  queue[LOFT_PATH_QUEUE];
     uint8_t            queued, settled;     /* how many of them are known to be close enough? */
 } loft_path;
 

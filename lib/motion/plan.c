@@ -17,7 +17,7 @@
 #define MEASURED  (ALL ? 1024u : 32u) /* knots that are measured at once */
 #define AT_ONCE   (ALL ? SWEEPS : 6) /* of them in a part */
 #define RAISES    (ALL ? 4 : 1)      /* of a whole chain 4 times as many */
-#define REFINED   (ALL ? 2 : 0)
+#define REFINED   2
 #define SETTLED   64 /* knots before new ones that are raised again */
 #define MARGIN    4  /* of them, by which is seen if ones before hinder */
 #define CREEP     (LOFT_V2_ONE / 1024)
@@ -89,11 +89,6 @@ static void append_start(loft_plan *plan)
     append(plan, &first);
 }
 
-static enum loft_path_state next_place(loft_plan *plan, loft_path_place *out)
-{
-    return ALL ? loft_guess_next(&plan->guess, out) : loft_path_next(&plan->guess.path, out);
-}
-
 /* One more knot; the chain ends, or there is no room: LOFT_PATH_END. */
 static enum loft_path_state fill(loft_plan *plan)
 {
@@ -101,7 +96,7 @@ static enum loft_path_state fill(loft_plan *plan)
 
     if (plan->ended || plan->count + 2 >= plan->room)
         return LOFT_PATH_END;
-    const enum loft_path_state state = next_place(plan, &p);
+    const enum loft_path_state state = loft_guess_next(&plan->guess, &p);
     if (state == LOFT_PATH_END && plan->count > 0)
         close_chain(plan);
     if (state != LOFT_PATH_PLACE)

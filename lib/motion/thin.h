@@ -14,7 +14,7 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_THIN_POINTS  13
+#define LOFT_THIN_POINTS  12
 #define LOFT_THIN_SAMPLES 64        /* more than three spans of LOFT_PERIOD_JOINED periods */
 
 /* A control point. Its knot is at `time`. */

@@ -130,12 +130,12 @@ void loft_tube_measure(const loft_period *p, loft_knot knot[], unsigned from, un
     loft_coord off = from > 3 ? off_at(knot, from - 2) : 0;
 
     for (unsigned k = from; k < to; k++)
-        knot[k].room = most_room(p, knot, k);
+        knot[k].work.room = most_room(p, knot, k);
     for (unsigned k = from - 2; k < to; k++) {
         const loft_coord left = left_between(p, knot, k, &off);
         for (unsigned i = k - 1; i <= k + 2; i++)
-            if (i >= from && i < to && knot[i].room > left)
-                knot[i].room = left > 0 ? left : 0;
+            if (i >= from && i < to && knot[i].work.room > left)
+                knot[i].work.room = left > 0 ? left : 0;
     }
 }
 
@@ -176,7 +176,7 @@ static void pull(loft_coord e[], loft_coord r)
 static void relax(loft_knot knot[], unsigned k)
 {
     loft_coord e[LOFT_AXES], c[LOFT_AXES];
-    const loft_coord r = knot[k].room;
+    const loft_coord r = knot[k].work.room;
     bool far = false;
 
     for (int i = 0; i < LOFT_AXES; i++) {

@@ -15,11 +15,13 @@ LOFT_BEGIN_C
 typedef struct {
     loft_path_place on;     /* what is given */
     loft_position      point;  /* control point of the path */
-    loft_coord      room;   /* how far that may be from where it meets the places */
+    union {
+        loft_coord  room;   /* until it is placed: how far that may be from where it meets them */
+        int32_t     aim;    /* then: what v2 is moved to, at first, aim.h */
+    } work;
     int32_t         v2;     /* control value of the squared pace, 2^-24: timing.h */
     int32_t         top;    /* the most that speed allows it to be, up to the next knot */
     int32_t         goal;   /* the most that all limits allow an even one, up to the next knot */
-    int32_t         aim;    /* what v2 is moved to, at first: aim.h */
 } loft_knot;
 
 /* Put the control points from..to - 1 where the path through the knots has them.
