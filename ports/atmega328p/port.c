@@ -92,9 +92,6 @@ static loft_machine_config config = { .info = { .tick_hz = LOFT_TICK_HZ,
 #define BUTTONS 0x07                /* of PINC  */
 #define PROBE   0x20
 
-/* enough for the longest tick, and half as many again */
-#define LOW     80
-
 static uint8_t ring_head;                   /* where the next slot is put */
 
 /* An input of a guard has changed before this slot of the ring; UNCHANGED: none has. */
@@ -177,9 +174,10 @@ __attribute__((used)) uint8_t loft_port_work(void);
 uint8_t loft_port_work(void)
 {
     do {
+        const uint8_t begun = ring_head;
         make_slots();
         loft_machine_tick(&machine);
-        follow_outputs(&machine.drive);
+        follow_outputs(&machine.drive, begun);
     } while (RING_FILLED < LOW && !loft_step_done(&machine.drive.step));
     return work_wanted();
 }

@@ -3,7 +3,7 @@
 AVR_BAUD  ?= 115200
 AVR_SLOTS ?= 80
 AVR_TICK_HZ ?= 1000
-# spindle or laser, coolant, pauses; 0: 2.3 kB less, and a span more in the queue
+# spindle or laser, coolant, pauses; 0: 2.5 kB less, and a span more in the queue
 AVR_OUTPUTS ?= 2
 # a servo in place of the third motor, if the settings say so; 0: 400 bytes less, and a span more
 AVR_SERVO ?= 1
@@ -88,11 +88,12 @@ build/target/bench_%: tests/bench/bench_%.c build/q16x3/libloft.a
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(BUILT) $(STD) $(INCLUDE) $(call num_flag,q16) $^ -lm -o $@
 
-## Print the controller's numbers beside grbl's, half an hour   TRIALS= CUTS= FRAMES=number of each
+## Measure homing, stops, laser, servo, settings; then speed and line beside grbl   ROWS= TRIALS=
 .PHONY: bench-machine
-bench-machine: firmware-atmega328p $(TOOL_OUT)/loft \
+bench-machine: firmware-atmega328p $(TOOL_OUT)/loft build/e2e/pty \
                $(addprefix build/target/,chip rate trials bench_line bench_frames)
-	@bash tests/bench/bench_machine.sh $(AVR_DIR)/loft.elf $(TOOL_OUT)/loft build/target
+	@bash tests/bench/bench_machine.sh $(AVR_DIR)/loft.elf $(TOOL_OUT)/loft build/target \
+	    build/e2e/pty
 
 ## Run whole jobs on an emulated ATmega328P, cycle by cycle: pulses, timing, limits
 .PHONY: check-atmega328p

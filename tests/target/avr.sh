@@ -165,6 +165,16 @@ row "laser: after the last pulse"                       "$(said after "$tmp/ener
 row "laser: slots missed"                                   "$(value slots_missed)" = 0
 row "laser: all interrupts"                                 "$(value load)" "<=" 0.80 "of the time"
 row "laser: RAM, data, bss and the deepest stack"           "$(ram)" "<=" 1988 bytes
+# The sender is killed twice: the queue runs empty, and the ticks become long.
+jobs=99
+on_chip "$chip" "$elf" bash -c '
+    for s in 0.7 0.9; do timeout -s KILL $s "$@" >/dev/null 2>&1; sleep 1; done; "$@"' - \
+    "$loft" stream "$tmp/burn.nc" --machine "$tmp/laser.txt" --port "$tmp/port" --feed 30
+jobs=
+python3 tests/target/energy.py "$tmp/chip.csv" 1 >"$tmp/energy"
+row "laser, starved: the command ends well"                 "$code" = 0
+row "laser, starved: the mm that differs most"          "$(said worst "$tmp/energy")" "<=" 2 %
+row "laser, starved: standing"                          "$(said standing "$tmp/energy")" "<=" 0 ms
 printf '%s\n' 'G21 G90 M3 S250' 'M8' 'G1 X10 F600' 'S1000' 'X20' 'M9' 'X1500' >"$tmp/part.nc"
 # levels N: those that output N has had, in 1/256
 levels() { awk -v n="$1" '/^# output/ && $3 == n { printf "%s%d", c, ($5 + 1) / 256; c = " " }' \

@@ -1,12 +1,13 @@
 /* tests/target/avr_chip.c -- the emulated chip behind a pseudo terminal
  * SPDX-License-Identifier: MIT
  * usage: chip FIRMWARE.elf --tick ADDRESS [--link PATH] [--record FILE] [--steps N] [--profile
- * FILE] [--touch STEPS[,MS]] [--jobs N] [--eeprom FILE]
+ * FILE] [--touch STEPS[,MS]] [--jobs N] [--eeprom FILE] [--states FILE]
  *
  * --touch: the limit switch of x closes with the pulse of x that reaches STEPS, and bounces for MS;
  * behind STEPS, seen from 0, it is closed, and before it is open.
  *
  * --eeprom: FILE holds the EEPROM between two runs.
+ * --states: FILE gets the EEPROM after each byte that is written to it, one after the other.
  *
  * The chip's time stops while it is the host's turn (avr_gate.h). The program ends when N jobs, or
  * one, have been drawn and closed, and prints lines `name value`.
@@ -25,6 +26,7 @@
 #define BATCH       (HZ / 1000)     /* cycles between two checks of the line */
 #define SETTLE      (HZ / 50)       /* after the last byte, time to answer it: */
 #define KEEPS       (HZ / 5)        /* more while it writes to its EEPROM, 3.3 ms a byte */
+#define EECR        0x3F
 #define EEPROM      1024
 #define BOUNCE      (HZ / 10000)    /* cycles between two changes of a contact, at least */
 
@@ -37,6 +39,10 @@ struct chip {
     avr_cycle_count_t settled;
     uint32_t jobs;                      /* until it ends */
     const char *eeprom;                 /* a file, or NULL */
+    FILE *states;                       /* of the EEPROM, or NULL */
+    uint8_t written[EEPROM];            /* the latest of them */
+    avr_io_write_t control;             /* what simavr does when EECR is written */
+    void *control_of;
 };
 
 
@@ -108,6 +114,34 @@ static void load_eeprom(struct chip *c)
     if (fread(byte, 1, EEPROM, f) == EEPROM)
         avr_ioctl(c->core.avr, AVR_IOCTL_EEPROM_SET, &all);
     fclose(f);
+}
+
+/* The firmware has written to EECR: that writes a byte at most. */
+static void follow_eeprom(avr_t *avr, avr_io_addr_t at, uint8_t value, void *param)
+{
+    struct chip *c = param;
+    avr_eeprom_desc_t all = { .ee = NULL, .offset = 0, .size = EEPROM };
+
+    c->control(avr, at, value, c->control_of);
+    avr_ioctl(avr, AVR_IOCTL_EEPROM_GET, &all);
+    if (memcmp(c->written, all.ee, EEPROM) == 0)
+        return;
+    memcpy(c->written, all.ee, EEPROM);
+    fwrite(c->written, 1, EEPROM, c->states);
+}
+
+static void watch_eeprom(struct chip *c)
+{
+    avr_t *avr = c->core.avr;
+    avr_eeprom_desc_t all = { .ee = c->written, .offset = 0, .size = EEPROM };
+
+    if (c->states == NULL)
+        return;
+    avr_ioctl(avr, AVR_IOCTL_EEPROM_GET, &all);
+    c->control = avr->io[AVR_DATA_TO_IO(EECR)].w.c;
+    c->control_of = avr->io[AVR_DATA_TO_IO(EECR)].w.param;
+    avr->io[AVR_DATA_TO_IO(EECR)].w.c = follow_eeprom;
+    avr->io[AVR_DATA_TO_IO(EECR)].w.param = c;
 }
 
 static int save_eeprom(const struct chip *c)
@@ -241,6 +275,8 @@ int main(int argc, char **argv)
             c.jobs = (uint32_t)strtoul(argv[i + 1], NULL, 0);
         if (strcmp(argv[i], "--eeprom") == 0)
             c.eeprom = argv[i + 1];
+        if (strcmp(argv[i], "--states") == 0 && (c.states = fopen(argv[i + 1], "wb")) == NULL)
+            return EX_CANTCREAT;
         if (strcmp(argv[i], "--profile") == 0)
             profile = argv[i + 1];
     }
@@ -256,6 +292,7 @@ int main(int argc, char **argv)
     if (code == 0) {
         watch_x(&c, touch);
         load_eeprom(&c);
+        watch_eeprom(&c);
         code = host_record_open(&c.core.meter.record, &o);
     }
     if (code == 0)
@@ -270,5 +307,7 @@ int main(int argc, char **argv)
     code = host_record_close(&c.core.meter.record, &o);
     if (code == 0)
         code = save_eeprom(&c);
+    if (c.states && fclose(c.states) != 0)
+        code = EX_IOERR;
     return profile && code == 0 ? write_profile(&c, profile) : code;
 }
