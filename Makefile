@@ -186,10 +186,10 @@ HOST_PACKAGES := gcc g++ libc6-dev make pkg-config clang clang-format libclang-r
 deps:
 	@sh tests/house/deps.sh $(HOST_PACKAGES)
 
-## Install what else `make bench` and `make bench-motion` compare with (AGG, GSL, SciPy)
+## Install what else `make bench` compares with (AGG, GSL)
 .PHONY: deps-bench
 deps-bench:
-	@sh tests/house/deps.sh g++ libagg-dev libgsl-dev python3-scipy
+	@sh tests/house/deps.sh g++ libagg-dev libgsl-dev
 
 ## Install what `make check-gcode` compares with (LinuxCNC's rs274)
 .PHONY: deps-gcode

@@ -101,16 +101,52 @@ icons_rows() {
     row "(B) icons whose plan does not arrive" 0 \
         "$(awk '/^icon/ && NF != 8 { n++ } END { print n + 0 }' "$build/table-0.005.out")" \
         "of $(wc -l < "$build/icons")"
-    row "(B) time over the reference that stops at corners, outline" 1.00 "" "no reference here"
-    row "(B) time over the reference that stops at corners, icons" 0.94 "" "no reference here"
-    row "(D) time over TOPP with stops at corners" 1.00 "" "no reference here"
-    row "(D) time over TOPP with blends of 0.005 mm" 1.05 "" "no reference here"
     file="$build/table-0.005.out $build/table-0.02.out $build/table-0.05.out"
     row "(B) icons: speed of an axis, of the limit" 1.001 $(largest 3 ^icon $file)
     row "(B) icons: acceleration of an axis, of the limit" 1.005 $(largest 4 ^icon $file)
     row "(B) icons: jerk of an axis, of the limit" 1.02 $(largest 5 ^icon $file)
     row "(B) icons: distance from the path (Frechet), of the tolerance" \
         1 $(largest 6 ^icon $file)
+}
+
+# against MACHINE COLUMN LESS: outline, star and icons over a reference, in this column of
+# bench_motion_reference.c; a plan may last LESS seconds more. Prints the outline's ratio, that of
+# the icons' sums, the worst one and its name.
+against() {
+    awk -v c="$2" -v less="$3" '
+        NR == FNR { t[$1] = $c; next }
+        NF == 8 && t[$1] > 0 { r = ($2 - less) / t[$1]
+                               if ($1 ~ /^outline/) outline = $2 / t[$1]
+                               if ($1 ~ /^icon/) { sum += $2; all += t[$1] }
+                               if (r > most) { most = r; name = $1 } }
+        END { if (all > 0) printf "%.4f %.4f %.4f %s\n", outline, sum / all, most, name }' \
+        "$build/reference-$1.out" "$build/table-$1-5.out"
+}
+
+# chains over references that stop at corners, or blend them
+stops_rows() {
+    local m v a j outline sum worst name
+    shape_lists
+    icon_lists
+    for m in $table_b D:100:500:0; do
+        IFS=: read -r m v a j <<< "$m"
+        (cd "$build/lists" && "$table_bin/reference-f64" "$v" "$a" "$j" 0.005 \
+            outline-cut-1 star-cut-1 $icons) > "$build/reference-$m.out" &
+        measured q16 0.005 400 "$m:$v:$a:$j" outline-cut-1 star-cut-1 $icons \
+            > "$build/table-$m-5.out"
+        wait $!
+    done
+    read -r outline sum worst name < <(against B 2 0)
+    row "(B) outline: time over the reference that stops at corners" 1.00 "$outline"
+    row "(B) icons: time over the reference that stops at corners" 0.94 "$sum"
+    row "(B) time over the reference that stops at corners, worst" 1.01 "$worst" "$name"
+    read -r outline sum worst name < <(against D 2 0.004)
+    row "(D) outline: time over TOPP with stops at corners" 1.00 "$outline"
+    row "(D) icons: time over TOPP with stops at corners" 1.00 "$sum"
+    row "(D) less a period of 4 ms, over TOPP with stops at corners, worst" 1.00 "$worst" "$name"
+    read -r outline sum worst name < <(against D 3 0)
+    row "(D) icons: time over TOPP with blends of 0.005 mm" 1.05 "$sum"
+    row "(D) time over TOPP with blends of 0.005 mm, worst" 1.05 "$worst" "$name"
 }
 
 ahead_rows() {

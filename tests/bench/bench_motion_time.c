@@ -3,17 +3,18 @@
  * SPDX-License-Identifier: MIT
  * usage: time FOLDER [CHAINS]      FOLDER holds lists of moves; CHAINS random smooth ones as well
  *
- * Prints `accel NAME PLAN LEAST` if jerk is not limited. If it is, prints `jerk NAME PLAN` and
- * writes FOLDER/NAME.path for topp_jerk.py. Prints `rest LENGTH PLAN LEAST PERIOD` for lines from
- * rest to rest. All in seconds.
+ * Prints `accel NAME PLAN LEAST` if jerk is not limited, else `jerk NAME PLAN SHORT` with a time by
+ * topp_jerk.h. Prints `rest LENGTH PLAN LEAST PERIOD` for lines from rest to rest. All in seconds.
  */
 #define CURVES 64
 
 #include "support/motion_paths.h"   /* test_paths, smooth_path   */
 #include "support/motion_spans.h"   /* plan_chain, seconds       */
 #include "support/topp.h"           /* topp_grid, topp_time      */
+#include "support/topp_jerk.h"      /* topp_jerk_time            */
 
-static topp grid;
+static topp      grid;
+static topp_jerk jerked;
 
 static double twist[TOPP_MAX][LOFT_AXES];      /* the derivative of the curvature vector with
                                                 * respect to length */
@@ -62,37 +63,34 @@ static void ease_grid(void)
             ease_jump(j);
 }
 
-static void print_row(FILE *f, const double v[])
+/* Some of the places of the grid: 1500 evenly, and denser towards both ends. */
+static double short_time(void)
 {
-    for (int i = 0; i < LOFT_AXES; i++)
-        fprintf(f, " %.9g", v[i]);
-}
+    const double length = grid.node[grid.count - 1].s, least = length / 20000;
+    double next = 0;
 
-static void write_path(const char *folder, const char *name)
-{
-    char file[300];
-
-    snprintf(file, sizeof file, "%s/%s.path", folder, name);
-    FILE *f = fopen(file, "w");
-    if (!f)
-        exit(73);
-    fprintf(f, "limits");
-    for (int i = 0; i < LOFT_AXES; i++)
-        fprintf(f, " %.9g", arb_value(limits.max_accel[i]));
-    for (int i = 0; i < LOFT_AXES; i++)
-        fprintf(f, " %.9g", (double)limits.max_jerk[i]);
+    jerked.count = 0;
     for (unsigned j = 0; j < grid.count; j++) {
-        fprintf(f, "\n%.9g ", grid.node[j].s);
-        print_row(f, grid.node[j].u);
-        print_row(f, grid.node[j].k);
-        print_row(f, twist[j]);
-        fprintf(f, " %.9g", grid.node[j].top);
+        const topp_node *n = &grid.node[j];
+        const double away = fmin(n->s, length - n->s);
+        jerk_node *to = &jerked.node[jerked.count];
+        if ((n->s < next || away < least) && j + 1 < grid.count && j > 0)
+            continue;
+        *to = (jerk_node){ .s = n->s, .top = n->top };
+        memcpy(to->d1, n->u, sizeof n->u);
+        memcpy(to->d2, n->k, sizeof n->k);
+        memcpy(to->d3, twist[j], sizeof twist[j]);
+        next = n->s + fmin(length / 1500, fmax(least, away / 20));
+        jerked.count++;
     }
-    fprintf(f, "\n");
-    fclose(f);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        jerked.accel[i] = arb_value(limits.max_accel[i]);
+        jerked.jerk[i]  = limits.max_jerk[i];
+    }
+    return topp_jerk_time(&jerked);
 }
 
-static void measure(const char *folder, const char *name)
+static void measure(const char *name)
 {
     const arrival all = { CURVES, KNOTS, NULL };
 
@@ -101,8 +99,7 @@ static void measure(const char *folder, const char *name)
     topp_grid(&grid, chain, curves, &limits, 1000);
     if (limits.max_jerk[0] > 0) {
         ease_grid();
-        write_path(folder, name);
-        printf("jerk %s %.6f\n", name, seconds());
+        printf("jerk %s %.6f %.6f\n", name, seconds(), short_time());
     } else
         printf("accel %s %.6f %.6f\n", name, seconds(), topp_time(&grid));
 }
@@ -119,19 +116,6 @@ static void line_path(void)
     add_curve(d, e, u, w, 50);
 }
 
-/* The shortest time from rest to rest: seven phases of constant jerk, fewer if the speed or the
- * acceleration limit is not reached. */
-static double least_time(double length, double v, double a, double j)
-{
-    if (v * j < a * a)
-        return length < 2 * v * sqrt(v / j) ? 4 * cbrt(length / (2 * j))
-                                            : length / v + 2 * sqrt(v / j);
-    if (length < 2 * a * a * a / (j * j))
-        return 4 * cbrt(length / (2 * j));
-    v = fmin(v, (sqrt(a * a * a * a / (j * j) + 4 * a * length) - a * a / j) / 2);
-    return length / v + v / a + a / j;
-}
-
 static void measure_line(double length, double v, double accel)
 {
     const double d[LOFT_AXES] = { 1 }, e[LOFT_AXES] = { 0, 1 },
@@ -146,7 +130,7 @@ static void measure_line(double length, double v, double accel)
         return;
     loft_period_init(&p, &limits);
     printf("rest %g-mm-at-%g-mm/s-%g-mm/s2 %.6f %.6f %.6f\n", length, v, accel, seconds(),
-           least_time(length, v, accel, 20 * accel), (double)p.ticks / p.tick_hz);
+           scurve_time(length, v, accel, 20 * accel), (double)p.ticks / p.tick_hz);
 }
 
 static void measure_lines(void)
@@ -171,15 +155,15 @@ int main(int words, char **word)
         if (strcmp(test_paths[k].drawing, "outline12") == 0) {
             if (!load_path(&test_paths[k], word[1]))
                 return 66;
-            measure(word[1], test_paths[k].name);
+            measure(test_paths[k].name);
         }
     line_path();
-    measure(word[1], "line");
+    measure("line");
     measure_lines();
     for (unsigned seed = 1; seed <= chains; seed++) {
         snprintf(name, sizeof name, "smooth-seed-%u", seed);
         smooth_path(seed, seed % 4 == 0);
-        measure(word[1], name);
+        measure(name);
     }
     return 0;
 }

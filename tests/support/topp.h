@@ -66,8 +66,11 @@ static inline void topp_add(topp *g, const loft_move *m, double t, double s, con
     topp_node *n = &g->node[g->count < TOPP_MAX ? g->count++ : TOPP_MAX - 1];
     double d1[LOFT_AXES], d2[LOFT_AXES];
 
+    if (!(topp_rate(m->curve.p, t) > 1e-9))     /* a handle of no length */
+        t += t < 0.5 ? 0.01 : -0.01;
     topp_derivatives(m->curve.p, t, d1, d2);
-    const double rate = sqrt(topp_dot(d1, d1)), along = topp_dot(d1, d2) / (rate * rate);
+    const double rate  = fmax(1e-9, sqrt(topp_dot(d1, d1))),
+                 along = topp_dot(d1, d2) / (rate * rate);
     double v = arb_value(m->feed);
     n->s = s;
     for (int i = 0; i < LOFT_AXES; i++) {

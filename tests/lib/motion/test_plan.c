@@ -4,6 +4,7 @@
 #define CURVES 100
 
 #include "support/motion_any.h"     /* check_case, plan_chain */
+#include "support/topp_jerk.h"      /* scurve_time            */
 #include "wire/codec.h"             /* loft_packer */
 
 /* Bounds on times for a host, and for the little effort of a chip. */
@@ -47,17 +48,6 @@ static void add_line(double length, double feed)
     add_curve(d, e, u, w, feed);
 }
 
-static double least_time(double length, double v, double a, double j)
-{
-    const double ramp = v * j < a * a ? 2 * sqrt(v / j) : v / a + a / j;
-    if (length >= v * ramp)
-        return length / v + ramp;
-    if (length < 2 * a * a * a / (j * j))
-        return 4 * cbrt(length / (2 * j));
-    v = (sqrt(a * a * a * a / (j * j) + 4 * a * length) - a * a / j) / 2;
-    return length / v + v / a + a / j;
-}
-
 /* Lines from rest to rest: within 2 % and a period of the exact S-curve; of 120 lengths two miss
  * it by a 20th of a period. */
 static void lines_take_little_more_than_an_s_curve(arb *a)
@@ -70,7 +60,7 @@ static void lines_take_little_more_than_an_s_curve(arb *a)
     add_line(length, 200);
     CHECK(plan_chain(&all_at_once) == PLANNED);
     CHECK(spans_connect());
-    const double least = least_time(length, 200, 3000, 100000);
+    const double least = scurve_time(length, 200, 3000, 100000);
     CHECK(seconds() >= least * 0.99);
     CHECK(seconds() <= least * EFFORT(1.02, 1.08) + 1.05 * p.ticks / p.tick_hz);
 }
@@ -85,7 +75,7 @@ static void long_ramps_are_as_steep_as_short_ones(arb *a)
     add_line(length, 100);
     CHECK(plan_chain(&how) == PLANNED);
     CHECK(spans_connect());
-    CHECK(seconds() <= EFFORT(1.02, 1.04) * least_time(length, 100, 200, jerk > 0 ? jerk : 1e9));
+    CHECK(seconds() <= EFFORT(1.02, 1.04) * scurve_time(length, 100, 200, jerk > 0 ? jerk : 1e9));
 }
 
 /* Ramps of 5 to 100 periods, and lines that are known as a whole or not: within 15 % and a period
@@ -104,7 +94,7 @@ static void lines_with_any_ramps_take_little_more(arb *a)
         add_line(length, 100);
         CHECK(plan_chain(&how) == PLANNED);
         CHECK(spans_connect());
-        const double least = least_time(length, 100, accel, floor(jerk)),
+        const double least = scurve_time(length, 100, accel, floor(jerk)),
                      most = seconds() - (double)p.ticks / p.tick_hz;
         CHECK(seconds() >= least * 0.99 && most <= 1.15 * least);
         sum += most / least;
