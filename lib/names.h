@@ -568,6 +568,7 @@
 #define loft_queue_room            LOFT_NAME(loft_queue_room)
 #define loft_raster_cusp           LOFT_NAME(loft_raster_cusp)
 #define loft_raster_init           LOFT_NAME(loft_raster_init)
+#define loft_raster_init_spiral    LOFT_NAME(loft_raster_init_spiral)
 #define loft_raster_next           LOFT_NAME(loft_raster_next)
 #define loft_rational_box          LOFT_NAME(loft_rational_box)
 #define loft_rational_deriv        LOFT_NAME(loft_rational_deriv)

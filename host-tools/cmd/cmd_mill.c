@@ -210,8 +210,9 @@ static int run_mill(const tool_command *self, int argc, char **argv)
                     "height that a ball may leave between two lines (0.02)"),
         TOOL_NUMBER("step", "MM", &w.o.step, 0.001, 1000,
                     "distance of lines or heights, instead of --cusp"),
-        TOOL_TEXT("pattern", "raster|waterline", &pattern,
-                  "lines from border to border, or around at even heights (raster)"),
+        TOOL_TEXT("pattern", "KIND", &pattern,
+                  "raster: there and back; spiral: around and inward; waterline: at even heights "
+                  "(raster)"),
         TOOL_TEXT("along", "x|y", &along, "direction of a raster's lines (x)"),
         TOOL_NUMBER("tol", "MM", &w.o.tol, 0.001, 10,
                     "how much higher than necessary the path may be (0.01)"),
@@ -250,9 +251,13 @@ static int run_mill(const tool_command *self, int argc, char **argv)
     if (strcmp(along, "x") != 0 && strcmp(along, "y") != 0)
         return tool_error(EX_USAGE, "--along %s: give x or y", along);
     w.o.axis = along[0] == 'y';
-    if (strcmp(pattern, "raster") != 0 && strcmp(pattern, "waterline") != 0)
-        return tool_error(EX_USAGE, "--pattern %s: give raster or waterline", pattern);
-    w.o.pattern = pattern[0] == 'w' ? MILL_WATERLINE : MILL_RASTER;
+    static const char *const patterns[] = { "raster", "spiral", "waterline" };
+    int kind = 0;
+    while (kind < 3 && strcmp(pattern, patterns[kind]) != 0)
+        kind++;
+    if (kind == 3)
+        return tool_error(EX_USAGE, "--pattern %s: give raster, spiral or waterline", pattern);
+    w.o.pattern = (enum mill_pattern)kind;
     if (lowest.count > 1 || (area.count != 0 && area.count != 4))
         return tool_error(EX_USAGE, lowest.count > 1 ? "--floor: give one height"
                                                      : "--area: give X,Y,X,Y: two corners");
@@ -276,7 +281,8 @@ const tool_command command_mill = {
     "pn, octant. Prints the path of the tip as one `line` in .loft, which `loft stream` mills\n"
     "with z: lines there and back, their distance from the cusps that a ball leaves, in\n"
     "chords within --tol. Each chord is proved not to cut below any surface; beside walls the\n"
-    "path goes up and down on the spot. --pattern waterline goes around what is steep, from\n"
+    "path goes up and down on the spot. --pattern spiral goes around the area and inward\n"
+    "without a lift, one side to the left. --pattern waterline goes around what is steep, from\n"
     "above down, the surface to the right; the distance of heights is that of --cusp on an\n"
     "upright wall; each hill is finished before the next one. --entry leads the tool into the\n"
     "material along the line or around, proved as all chords are; a helix without room becomes\n"

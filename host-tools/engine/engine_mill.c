@@ -92,20 +92,24 @@ static int start_drop(const sheet_list *l, const mill_order *o, loft_drop *d)
 static int mill_raster(const loft_drop *d, const mill_order *o, const loft_box *area,
                        mill_cuts *cuts, mill_report *out)
 {
-    const double from = o->area[0][1 - o->axis], width = o->area[1][1 - o->axis] - from;
+    const bool spiral = o->pattern == MILL_SPIRAL;
+    const unsigned across = spiral ? 1 : 1 - o->axis;
+    const double from = o->area[0][across], width = o->area[1][across] - from;
     loft_real cusp, step;
     loft_raster r;
     loft_vec tip;
 
     if (!tol_of(o->cusp, &cusp) || !real_of(o->step, &step))
         return LOFT_ERR_RANGE;
-    const int status = loft_raster_init(&r, d, area, o->axis, cusp, step);
+    const int status = spiral ? loft_raster_init_spiral(&r, d, area, cusp, step)
+                              : loft_raster_init(&r, d, area, o->axis, cusp, step);
     (void)mill_cuts_begin(cuts, 0);
     while (status == LOFT_OK && loft_raster_next(&r, &tip)) {
         double point[ENGINE_AXES];
         point_of(tip, point);
         mill_cuts_add(cuts, point);
-        o->tell(o->context, (point[1 - o->axis] - from) / width);
+        o->tell(o->context, spiral ? 1 - double_of(r.area.max.axis[1] - r.area.min.axis[1]) / width
+                                   : (point[across] - from) / width);
     }
     if (status == LOFT_OK) {
         out->lines = r.lines;

@@ -12,7 +12,7 @@
 #include "engine/engine.h"      /* engine_point_sink */
 #include "engine/surface.h"     /* surfaces */
 
-enum mill_pattern { MILL_RASTER, MILL_WATERLINE };
+enum mill_pattern { MILL_RASTER, MILL_SPIRAL, MILL_WATERLINE };
 
 /* How the tool goes down to a line: straight, along the line, or around. */
 enum mill_entry { MILL_STRAIGHT, MILL_RAMP, MILL_HELIX, MILL_ENTRIES };

@@ -11,11 +11,16 @@
  * where b is how far the surface of all centres bulges over their chord: the cusp's tip lies under
  * the middle of the chord, and the surface r under the middle of the bulge. The ball's own heights
  * say both, so no derivative of a surface is needed.
+ *
+ * Where a spiral turns, two of its lines are corners, a step s apart along both axes. A place at
+ * (a, a) inside the outer corner is a from it and sqrt(2) (s - a) from the inner one, at worst
+ * (2 - sqrt(2)) s; between lines it is s / 2. Cusps go with the square: 4 (2 - sqrt(2))^2 times.
  */
 #include "toolpath/raster.h"
 
 #define FINEST 16               /* a line has at most 2^16 steps */
-#define ROUNDS 6                /* tries of one step across */
+#define ROUNDS 8                /* tries of one step across */
+#define CORNER 1.3725830020304792   /* 4 (2 - sqrt(2))^2 */
 
 
 /* A line */
@@ -151,14 +156,6 @@ static loft_vec point_of(unsigned axis, loft_real along, loft_real across)
     return p;
 }
 
-static loft_real height_at(const loft_drop *d, unsigned axis, loft_real along, loft_real across,
-                           loft_drop_spot *spot)
-{
-    const loft_vec p = point_of(axis, along, across);
-
-    return loft_drop_height(d, loft_vec_axis(&p, 0), loft_vec_axis(&p, 1), spot);
-}
-
 /* x / y as a slope, y > 0. */
 static loft_real ratio_of(loft_real x, loft_real y)
 {
@@ -187,41 +184,120 @@ static loft_real cusp_of(loft_real radius, const loft_real z[3], loft_real step,
     return loft_acc_round(loft_to_acc(loft_acc_quot(half2, sum)) - bulge);
 }
 
+/* Is the tangent plane of a sheet at a spot nearly at a right angle to the ball's radius there? At
+ * a border it is not. The spot errs by what the tolerance allows: sqrt(2 tol / radius) < 1/8. */
+static bool rests_inside(const loft_drop *d, const loft_drop_spot *spot, const loft_vec *tip)
+{
+    const loft_surface *s = &d->sheet[spot->sheet].surface;
+    const loft_unit step = LOFT_UNIT(0.00390625), one = LOFT_UNIT(1);
+    loft_vec p, q;
+
+    if (s->eval(s->surface, spot->u, spot->v, &p) != LOFT_OK)
+        return false;
+    for (int k = 0; k < 2; k++) {
+        const loft_unit sum = s->over == LOFT_SURFACE_TRIANGLE ? spot->u + spot->v
+                              : k == 0                         ? spot->u
+                                                               : spot->v,
+                        by = sum + step > one ? -step : step;
+        loft_acc along = 0, length2 = 0;
+        if ((k == 0 ? spot->u : spot->v) + by < 0 ||
+            s->eval(s->surface, spot->u + (k == 0 ? by : 0), spot->v + (k == 1 ? by : 0), &q) !=
+                LOFT_OK)
+            return false;
+        for (int axis = 0; axis < 3; axis++) {
+            const loft_real side = loft_vec_axis(&q, axis) - loft_vec_axis(&p, axis),
+                            to = loft_vec_axis(tip, axis) - loft_vec_axis(&p, axis) +
+                                 (axis == 2 ? d->cutter.radius : 0);
+            along += loft_prod(side, to);
+            length2 += loft_prod(side, side);
+        }
+        if (loft_acc_abs(along) * 16 > 3 * loft_prod(loft_acc_sqrt(length2), d->cutter.radius))
+            return false;
+    }
+    return true;
+}
+
+/* Five places across: the first line, and every quarter of the step to the second one. */
+typedef struct {
+    loft_real z[5];
+    bool met[5];                /* the ball rests inside of a sheet */
+    loft_drop_spot spot[5];
+} section;
+
+static void look_at(const loft_drop *d, unsigned axis, loft_real along, loft_real at,
+                    loft_real step, int k, section *s)
+{
+    loft_vec tip = point_of(axis, along, k < 4 ? at + step / 4 * (loft_real)k : at + step);
+
+    s->z[k] = loft_drop_height(d, loft_vec_axis(&tip, 0), loft_vec_axis(&tip, 1), &s->spot[k]);
+    set_height(&tip, s->z[k]);
+    s->met[k] = s->z[k] > d->floor + 2 * d->tol && rests_inside(d, &s->spot[k], &tip);
+}
+
+/* The largest slope between places of a sheet; `step` from the first to the last. */
+static loft_real steepest(const section *s, loft_real step)
+{
+    loft_real most = 0;
+
+    for (int k = 0; k < 4; k++)
+        if (s->met[k] && s->met[k + 1]) {
+            const loft_real slope = ratio_of(loft_real_abs(s->z[k + 1] - s->z[k]), step / 4);
+            most = slope > most ? slope : most;
+        }
+    return most;
+}
+
+/* The cusp there, `by` beyond the section before. Over a border only one side of the cusp stands,
+ * on a sheet that is taken for a plane of its steepest slope. */
+static loft_real cusp_at(const loft_drop *d, unsigned axis, loft_real along, loft_real at,
+                         loft_real step, loft_real by, const section *before, section *s)
+{
+    loft_real slope = 0, z[3];
+
+    for (int k = 0; k < 5; k += 2) {
+        look_at(d, axis, along, at, step, k, s);
+        z[k / 2] = s->z[k];
+        if (s->met[k] && before->met[k])
+            slope = ratio_of(s->z[k] - before->z[k], by);
+    }
+    if (!(s->met[0] || s->met[2] || s->met[4]))
+        return 0;
+    if (!(s->met[0] && s->met[2] && s->met[4])) {
+        look_at(d, axis, along, at, step, 1, s);
+        look_at(d, axis, along, at, step, 3, s);
+        z[0] = 0;
+        z[2] = loft_mul(steepest(s, step), step);
+        z[1] = z[2] / 2;
+    } else if (before->met[2])
+        slope = ratio_of(s->z[2] - before->z[2], by);
+    else
+        return 0;
+    return cusp_of(d->cutter.radius, z, step, slope);
+}
+
 loft_real loft_raster_cusp(const loft_drop *d, unsigned axis, loft_real at, loft_real step,
                            loft_real from, loft_real to)
 {
     const loft_acc length = loft_acc_abs(loft_to_acc(to) - loft_to_acc(from));
-    loft_real most = 0, before[3] = { 0, 0, 0 };
-    loft_drop_spot spot[3];
+    loft_real most = 0;
+    section before, here;
     uint32_t n = 1;
 
     while (n < LOFT_RASTER_LOOKS && (n < 16 || loft_to_acc(d->cutter.radius) * (int32_t)n < length))
         n *= 2;
-    for (int k = 0; k < 3; k++) {
-        spot[k].sheet = 0;
-        spot[k].u = spot[k].v = 0;
+    for (int k = 0; k < 5; k++) {
+        here.spot[k].sheet = 0;
+        here.spot[k].u = here.spot[k].v = 0;
+        here.z[k] = 0;
+        here.met[k] = false;
     }
+    const loft_real by = loft_acc_round(loft_acc_ratio(length, (int32_t)n));
     for (uint32_t j = 0; j <= n; j++) {
+        before = here;
         const loft_real along = loft_acc_round(
-            loft_acc_lerp_at(loft_to_acc(from), loft_to_acc(to), j, n));
-        loft_real z[3];
-        bool met = true;
-        for (int k = 0; k < 3; k++) {
-            z[k] = height_at(d, axis, along,
-                             at + (k == 0   ? 0
-                                   : k == 1 ? step / 2
-                                            : step),
-                             &spot[k]);
-            met = met && z[k] > d->floor + 2 * d->tol;
-        }
-        if (met && j > 0) {
-            const loft_real slope = ratio_of(z[1] - before[1],
-                                             loft_acc_round(loft_acc_ratio(length, (int32_t)n)));
-            const loft_real cusp = cusp_of(d->cutter.radius, z, step, slope);
-            most = cusp > most ? cusp : most;
-        }
-        for (int k = 0; k < 3; k++)
-            before[k] = z[k];
+                            loft_acc_lerp_at(loft_to_acc(from), loft_to_acc(to), j, n)),
+                        cusp = cusp_at(d, axis, along, at, step, by, &before, &here);
+        most = cusp > most ? cusp : most;
     }
     return most;
 }
@@ -271,8 +347,9 @@ static loft_real tol_of(loft_real tol)
     return tol > least ? tol : least;
 }
 
-enum loft_status loft_raster_init(loft_raster *r, const loft_drop *d, const loft_box *area,
-                                  unsigned axis, loft_real cusp, loft_real step)
+/* All but the first line. */
+static enum loft_status prepare(loft_raster *r, const loft_drop *d, const loft_box *area,
+                                unsigned axis, loft_real cusp, loft_real step)
 {
     const bool ball = d->cutter.radius <= d->cutter.corner;
 
@@ -289,42 +366,72 @@ enum loft_status loft_raster_init(loft_raster *r, const loft_drop *d, const loft
     r->step = step;
     r->cusp = 0;
     r->lines = 0;
-    r->back = r->over = r->begun = false;
+    r->back = r->over = r->begun = r->linking = r->spiral = false;
+    r->side = 0;
     r->place = limit_of(r, false, 1u - axis);
     if (cusp > 0)
         r->step = level_step(r);
-    return begin_line(r);
+    return LOFT_OK;
 }
 
-/* Find the step to the next line: the cusp goes about with the square of the step. */
+enum loft_status loft_raster_init(loft_raster *r, const loft_drop *d, const loft_box *area,
+                                  unsigned axis, loft_real cusp, loft_real step)
+{
+    const enum loft_status status = prepare(r, d, area, axis, cusp, step);
+
+    return status == LOFT_OK ? begin_line(r) : status;
+}
+
+/* Does the line lie at the upper end of what is left of a spiral? */
+static bool is_upper(const loft_raster *r) { return r->side == 1 || r->side == 2; }
+
+/* The step that should leave the wished cusp: it goes about with the square of the step. */
+static loft_real scale_step(const loft_raster *r, loft_real step, loft_real cusp)
+{
+    /* aim at 24/25 of the wish */
+    const loft_acc share = loft_acc_ratio(loft_to_acc(r->wish) * 24, 25);
+    const loft_real by = !(loft_to_acc(cusp) * 16 > share)
+                             ? LOFT_REAL(4)
+                             : loft_acc_sqrt(loft_to_acc(loft_acc_quot(share, loft_to_acc(cusp))));
+
+    return loft_mul(step, by < LOFT_REAL(0.25) ? LOFT_REAL(0.25) : by);
+}
+
+static loft_real within(loft_real x, loft_real least, loft_real most)
+{
+    return x < least ? least : x > most ? most : x;
+}
+
+/* Find the step to the next line, between the largest one that is known to be small enough and the
+ * smallest one that is not. */
 static loft_real find_step(loft_raster *r)
 {
-    const loft_real end = limit_of(r, true, 1u - r->axis), rest = end - r->place,
-                    least = level_step(r) / 16, most = 4 * level_step(r);
-    const loft_real from = limit_of(r, false, r->axis), to = limit_of(r, true, r->axis);
-    loft_real step = r->step < rest ? r->step : rest, cusp = 0;
+    const bool upper = is_upper(r);
+    const loft_real rest = limit_of(r, !upper, 1u - r->axis) - r->place,
+                    width = upper ? -rest : rest, from = limit_of(r, false, r->axis),
+                    to = limit_of(r, true, r->axis), most = within(width, 0, 4 * level_step(r)),
+                    least = within(level_step(r) / 64, 0, most);
+    loft_real step = within(r->step, least, most), low = 0, high = most, cusp = 0, left = 0;
 
     for (int round = 0; round < ROUNDS; round++) {
-        cusp = loft_raster_cusp(&r->fine, r->axis, r->place, step, from, to);
+        cusp = loft_raster_cusp(&r->fine, r->axis, upper ? r->place - step : r->place, step, from,
+                                to);
         const bool small = cusp <= r->wish;
-        if (small &&
-            (loft_to_acc(cusp) * 25 >= loft_to_acc(r->wish) * 23 || step >= rest || step >= most))
+        *(small ? &low : &high) = step;
+        if (small || !(low > 0))
+            left = cusp;
+        if (small ? loft_to_acc(cusp) * 25 >= loft_to_acc(r->wish) * 23 || step >= most
+                  : step <= least)
             break;
-        if (!small && step <= least)
-            break;
-        /* aim at 24/25 of the wish */
-        const loft_acc share = loft_acc_ratio(loft_to_acc(r->wish) * 24, 25);
-        loft_real by = !(loft_to_acc(cusp) * 16 > share)
-                           ? LOFT_REAL(4)
-                           : loft_acc_sqrt(loft_to_acc(loft_acc_quot(share, loft_to_acc(cusp))));
-        if (by < LOFT_REAL(0.25))
-            by = LOFT_REAL(0.25);
-        step = loft_mul(step, by);
-        step = step < least ? least : step > most ? most : step;
-        step = step > rest ? rest : step;
+        step = within(scale_step(r, step, cusp), least, most);
+        if (low > 0 && low < high && !(step > low && step < high))
+            step = low / 2 + high / 2;
     }
-    if (cusp > r->cusp)
-        r->cusp = cusp;
+    step = low > 0 ? low : step;
+    if (r->spiral)
+        left = loft_mul(left, LOFT_REAL(CORNER));
+    if (left > r->cusp)
+        r->cusp = left;
     r->step = step;
     return step;
 }
@@ -344,6 +451,59 @@ static bool begin_link(loft_raster *r)
     return go_on(r, &start, &to) == LOFT_OK;
 }
 
+
+/* A spiral
+ *
+ * Of four lines around a rectangle each begins where the one before ends. Whoever has walked one
+ * moves that side inward: the area is what is still to be walked. */
+
+/* The corner at which this side ends. */
+static loft_vec corner_of(const loft_raster *r)
+{
+    return point_of(r->axis, limit_of(r, r->side < 2, r->axis), r->place);
+}
+
+static enum loft_status begin_side(loft_raster *r, const loft_vec *start)
+{
+    const loft_vec end = corner_of(r);
+    const enum loft_status status = go_on(r, start, &end);
+
+    r->lines += status == LOFT_OK;
+    return status;
+}
+
+enum loft_status loft_raster_init_spiral(loft_raster *r, const loft_drop *d, const loft_box *area,
+                                         loft_real cusp, loft_real step)
+{
+    const enum loft_status status = prepare(r, d, area, 0, cusp, step);
+
+    if (status != LOFT_OK)
+        return status;
+    r->spiral = true;
+    r->wish = loft_div(cusp, LOFT_REAL(CORNER));
+    return begin_side(r, &area->min);
+}
+
+/* Move the side inward, and begin the next one. */
+static bool turn_corner(loft_raster *r)
+{
+    const loft_vec start = corner_of(r);
+    const bool upper = is_upper(r);
+    const unsigned across = 1u - r->axis;
+    const loft_real width = limit_of(r, true, across) - limit_of(r, false, across);
+
+    if (!(width > 0))
+        return false;
+    const loft_real wish = r->wish > 0 ? find_step(r) : r->step, step = wish < width ? wish : width,
+                    to = r->place + (upper ? -step : step);
+    loft_vec *const limit = upper ? &r->area.max : &r->area.min;
+    limit->axis[across < LOFT_AXES ? across : 0] = to;
+    r->side = (uint8_t)((r->side + 1) % 4);
+    r->axis = (uint8_t)across;
+    r->place = limit_of(r, is_upper(r), 1u - r->axis);
+    return begin_side(r, &start) == LOFT_OK;
+}
+
 bool loft_raster_next(loft_raster *r, loft_vec *out)
 {
     if (r->over)
@@ -354,7 +514,7 @@ bool loft_raster_next(loft_raster *r, loft_vec *out)
         return true;
     }
     while (!loft_pass_next(&r->pass, out))
-        if (r->linking ? begin_line(r) != LOFT_OK : !begin_link(r)) {
+        if (r->spiral ? !turn_corner(r) : r->linking ? begin_line(r) != LOFT_OK : !begin_link(r)) {
             r->over = true;
             return false;
         }

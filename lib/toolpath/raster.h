@@ -47,7 +47,8 @@ enum loft_status loft_pass_init(loft_pass *p, const loft_drop *d, const loft_vec
  */
 bool loft_pass_next(loft_pass *p, loft_vec *out);
 
-/* The height of the largest cusp that a ball leaves between two parallel lines, `step` apart.
+/* The height of the largest cusp that a ball leaves between two parallel lines, `step` apart. It
+ * is measured where the ball rests inside of a sheet: around a border it rolls without a cusp.
  *
  *   shape   axis 0: lines along x, at y = `at` and at + step, looked at from x = from to `to`;
  *           axis 1: exchanged
@@ -68,8 +69,8 @@ typedef struct {
     loft_real wish, step;       /* the cusp that is wanted, or 0 */
     loft_real place, cusp;      /* of this line; the largest cusp until now, as measured */
     uint32_t lines;             /* begun */
-    uint8_t axis;
-    bool back, linking, begun, over;
+    uint8_t axis, side;         /* side: of a spiral, from 0 to 3 around */
+    bool spiral, back, linking, begun, over;
 } loft_raster;
 
 /* Prepare lines along an axis: 0, x; 1, y; there and back again.
@@ -84,11 +85,23 @@ typedef struct {
 enum loft_status loft_raster_init(loft_raster *r, const loft_drop *d, const loft_box *area,
                                   unsigned axis, loft_real cusp, loft_real step) LOFT_CHECKED;
 
+/* Prepare a spiral of straight lines: around the area, to the left, and inward to its middle,
+ * without a link. Each side has a step of its own.
+ *
+ *   range   as above
+ *   error   `cusp` of the raster is what is measured between lines times 4 (2 - sqrt(2))^2, for
+ *           inside a corner the lines are so much farther: it is never too small where all bends
+ *           alike
+ *   cost    one loft_drop_height
+ */
+enum loft_status loft_raster_init_spiral(loft_raster *r, const loft_drop *d, const loft_box *area,
+                                         loft_real cusp, loft_real step) LOFT_CHECKED;
+
 /* Give the next point of the path, from the first to the last. Returns false, and leaves *out
  * alone, when it is over.
  *
  *   error   cusps are 92 to 100 % of what is asked where one step decides them; steps are never
- *           smaller than 1/16 of those over a level plane, so walls along a line have larger ones
+ *           smaller than 1/64 of those over a level plane, so walls along a line have larger ones
  *   cost    loft_pass_next; at the end of a line 2 to 6 loft_raster_cusp
  */
 bool loft_raster_next(loft_raster *r, loft_vec *out);

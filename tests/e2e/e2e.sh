@@ -1148,7 +1148,9 @@ case_mill() {
         says out "^# entries: .*[1-9] by a ${entry%%:*}"
     done
     one_line 64 'give straight, ramp:DEGREES' "$loft" mill --entry ramp:60 "$tmp/dome.loft"
-    one_line 64 'give raster or waterline' "$loft" mill --pattern spiral "$tmp/dome.loft"
+    run 0 "$loft" mill --tool ball:4 --pattern spiral --cusp 0.2 --tol 0.05 "$tmp/dome.loft"
+    says out '^# cusps: at most 0\.[01][0-9]*, asked 0.2$'
+    one_line 64 'give raster, spiral or waterline' "$loft" mill --pattern round "$tmp/dome.loft"
     printf 'octant 9\n' >"$tmp/octant.loft"
     run 0 "$loft" mill --tool flat:3 --step 3 --floor 4 "$tmp/octant.loft"
     says out '^# flat:3, 5 lines'

@@ -170,7 +170,7 @@ static void no_way_into_the_material_cuts(arb *a)
 {
     const double radius = 1.5, corner[3] = { 1.5, 0, 0.4 };
     const unsigned kind = arb_below(a, 3);
-    mill_order o = { .pattern = arb_below(a, 2) ? MILL_WATERLINE : MILL_RASTER,
+    mill_order o = { .pattern = arb_below(a, 3),
                      .radius  = radius,
                      .corner  = corner[kind],
                      .step    = 3,

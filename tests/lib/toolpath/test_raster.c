@@ -108,12 +108,14 @@ static void cusps_are_as_asked_and_nothing_is_cut(arb *a)
     gentle_hills(a, &h);
     CHECK(loft_cutter_init(&c, LOFT_REAL(2), LOFT_REAL(2)) == LOFT_OK);
     CHECK(loft_drop_init(&d, &h.sheet, 1, &c, LOFT_REAL(cusp / 25), -LOFT_REAL(20)) == LOFT_OK);
-    CHECK(loft_raster_init(&r, &d, &table, 0, LOFT_REAL(cusp), 0) == LOFT_OK);
+    const bool spiral = arb_below(a, 2) > 0;
+    CHECK((spiral ? loft_raster_init_spiral(&r, &d, &table, LOFT_REAL(cusp), 0)
+                  : loft_raster_init(&r, &d, &table, 0, LOFT_REAL(cusp), 0)) == LOFT_OK);
     walk_raster(&r);
     measure_left(&h, 2, 1, found);
     CHECK(found[0] >= BY_NUM(-0x1p-16L, -0x1p-19L, -1e-12L));
     CHECK(found[0] <= tol);
-    CHECK(found[1] <= cusp * 1.05L + tol && found[1] >= cusp * 0.8L);
+    CHECK(found[1] <= cusp * 1.05L + tol && found[1] >= cusp * (spiral ? 0.6L : 0.8L));
     CHECK(exact_of(r.cusp) <= cusp * 1.0001L && exact_of(r.cusp) > cusp * 0.9L);
 }
 
@@ -168,6 +170,44 @@ static void lines_follow_each_other(arb *a)
     CHECK(path[0][across] <= 0 && path[count - 1][across] > 7.999L && ends[0] && ends[1]);
 }
 
+/* A spiral over a flat sheet: all of the area comes within half a step of it, or (2 - sqrt(2)) of
+ * one at corners; it never turns to the right, and ends in the middle. */
+static void spirals_leave_nothing_out(arb *a)
+{
+    static hills h;
+    const long double step = 0.5L + 0.125L * arb_below(a, 8);
+    loft_cutter c;
+    loft_raster r;
+    loft_drop d;
+
+    gentle_hills(a, &h);
+    for (int k = 0; k < 16; k++)
+        h.p[k].axis[2] = 0;
+    CHECK(loft_tensor_init(&h.as.tensor, h.p, 3, 3) == LOFT_OK);
+    CHECK(loft_sheet_from_tensor(&h.sheet, &h.as.tensor) == LOFT_OK);
+    CHECK(loft_cutter_init(&c, LOFT_REAL(1), LOFT_REAL(1)) == LOFT_OK);
+    CHECK(loft_drop_init(&d, &h.sheet, 1, &c, LOFT_REAL(0.05), -LOFT_REAL(20)) == LOFT_OK);
+    CHECK(loft_raster_init_spiral(&r, &d, &table, 0, LOFT_REAL((double)step)) == LOFT_OK);
+    walk_raster(&r);
+    for (int i = 0; i <= 40; i++)
+        for (int j = 0; j <= 40; j++) {
+            long double least = 1e6L;
+            for (unsigned k = 0; k + 1 < count; k++) {
+                const long double *p = path[k], *q = path[k + 1];
+                const long double x = q[0] - p[0], y = q[1] - p[1], l2 = x * x + y * y,
+                                  to = (0.2L * i - p[0]) * x + (0.2L * j - p[1]) * y,
+                                  t = l2 > 0 ? fminl(1, fmaxl(0, to / l2)) : 0;
+                least = fminl(least, hypotl(p[0] + t * x - 0.2L * i, p[1] + t * y - 0.2L * j));
+            }
+            CHECK(least <= 0.5858L * step + 1e-4L);
+        }
+    for (unsigned k = 0; k + 2 < count; k++)
+        CHECK((path[k + 1][0] - path[k][0]) * (path[k + 2][1] - path[k + 1][1]) -
+                  (path[k + 1][1] - path[k][1]) * (path[k + 2][0] - path[k + 1][0]) >=
+              -1e-9L);
+    CHECK(hypotl(path[count - 1][0] - 4, path[count - 1][1] - 4) < 4);
+}
+
 static void wrong_rasters_are_refused(arb *a)
 {
     static hills h;
@@ -193,9 +233,10 @@ static void wrong_rasters_are_refused(arb *a)
 
 int main(void)
 {
-    PROPERTY(cusps_are_as_asked_and_nothing_is_cut, 2);
+    PROPERTY(cusps_are_as_asked_and_nothing_is_cut, 4);
     PROPERTY(no_path_cuts, 4);
     PROPERTY(lines_follow_each_other, 3);
+    PROPERTY(spirals_leave_nothing_out, 2);
     PROPERTY(wrong_rasters_are_refused, 1);
     return check_failures();
 }
