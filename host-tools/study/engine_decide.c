@@ -182,9 +182,11 @@ static int conic_of(void *context, const arc_piece *a, size_t number)
     loft_real axes[2];
     int status = LOFT_OK;
 
-    if (a->b.degree == 3)
+    if (a->b.degree == 3) {
         status = loft_conic_from_cubic(a->w, p);
-    else if (a->b.degree != 2)
+        if (status == LOFT_SINGULAR)        /* its middle weight may be 0 */
+            status = loft_conic_from_half_cubic(a->w, p);
+    } else if (a->b.degree != 2)
         return LOFT_ERR_ARG;
     for (unsigned k = 0; k < 3 && a->b.degree == 2; k++)
         p[k] = a->w[k];

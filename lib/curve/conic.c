@@ -247,32 +247,69 @@ static bool cubic_exact(const loft_weighted p[4])
     return true;
 }
 
-enum loft_status loft_conic_from_cubic(const loft_weighted p[4], loft_weighted out[3])
+/* An exact conic in numbers that can be exact? */
+static enum loft_status check_cubic(const loft_weighted p[4])
 {
-    const loft_sci three = loft_sci_from_int(3), two = loft_sci_from_int(2);
-    loft_weighted middle;
-
     if (!cubic_exact(p))
         return LOFT_ERR_RANGE;
     for (int axis = -1; axis < LOFT_AXES; axis++)
         if (!third_difference_zero(p, axis))
             return LOFT_SINGULAR;
-    const loft_sci w0 = loft_sci_from_real(p[0].w), w1 = loft_sci_from_real(p[1].w);
-    const loft_sci w = loft_sci_sub(loft_sci_mul(three, w1), w0);
+    return LOFT_OK;
+}
+
+/* The point (a h_i + b h_j) / by, h = (w x, w), w not 0. */
+static enum loft_status mix_points(const loft_weighted *first, int32_t a, const loft_weighted *last,
+                                   int32_t b, int32_t by, loft_weighted *out)
+{
+    const loft_sci u = loft_sci_mul(loft_sci_from_int(a), loft_sci_from_real(first->w)),
+                   v = loft_sci_mul(loft_sci_from_int(b), loft_sci_from_real(last->w)),
+                   w = loft_sci_add(u, v);
+
     if (loft_sci_sign(w) == 0)
         return LOFT_SINGULAR;
-    if (!round_real(loft_sci_div(w, two), &middle.w))
+    if (!round_real(loft_sci_div(w, loft_sci_from_int(by)), &out->w))
         return LOFT_ERR_RANGE;
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_sci h1 = loft_sci_mul(w1, loft_sci_from_real(p[1].p.axis[i])),
-                       h0 = loft_sci_mul(w0, loft_sci_from_real(p[0].p.axis[i]));
-        const loft_sci x = loft_sci_div(loft_sci_sub(loft_sci_mul(three, h1), h0), w);
-        if (!round_real(x, &middle.p.axis[i]))
+        const loft_sci x = loft_sci_mul(u, loft_sci_from_real(first->p.axis[i])),
+                       y = loft_sci_mul(v, loft_sci_from_real(last->p.axis[i]));
+        if (!round_real(loft_sci_div(loft_sci_add(x, y), w), &out->p.axis[i]))
             return LOFT_ERR_RANGE;
     }
+    return LOFT_OK;
+}
+
+enum loft_status loft_conic_from_cubic(const loft_weighted p[4], loft_weighted out[3])
+{
     const loft_weighted ends[2] = { p[0], p[3] };
+    loft_weighted middle;
+    enum loft_status status = check_cubic(p);
+
+    if (status == LOFT_OK)
+        status = mix_points(&p[1], 3, &p[0], -1, 2, &middle);
+    if (status != LOFT_OK)
+        return status;
     out[0] = ends[0];
     out[1] = middle;
     out[2] = ends[1];
+    return LOFT_OK;
+}
+
+/* With h_m = (3 h_1 - h_0) / 2 the half has (h_0 + h_m) / 2 and (h_0 + 2 h_m + h_3) / 4. */
+enum loft_status loft_conic_from_half_cubic(const loft_weighted p[4], loft_weighted out[3])
+{
+    const loft_weighted start = p[0];
+    loft_weighted half[2];
+    enum loft_status status = check_cubic(p);
+
+    if (status == LOFT_OK)
+        status = mix_points(&p[0], 1, &p[1], 3, 4, &half[0]);
+    if (status == LOFT_OK)
+        status = mix_points(&p[1], 3, &p[3], 1, 4, &half[1]);
+    if (status != LOFT_OK)
+        return status;
+    out[0] = start;
+    out[1] = half[0];
+    out[2] = half[1];
     return LOFT_OK;
 }

@@ -70,6 +70,18 @@ enum loft_status loft_conic_axes(const loft_weighted p[3], loft_vec *centre,
  */
 enum loft_status loft_conic_from_cubic(const loft_weighted p[4], loft_weighted out[3]) LOFT_CHECKED;
 
+/* The same for the first half of the cubic, t = 0..1/2: for a curve whose middle weight is 0, such
+ * as a half circle with the weights 3 1 1 3. The conic is the same one.
+ *
+ *   range   as above; LOFT_SINGULAR where w0 + 3 w1 or 3 w1 + w3 is 0
+ *   error   as above, for both points, times (|w0| + 3 |w1|) / |w0 + 3 w1| and (3 |w1| + |w3|) /
+ *           |3 w1 + w3|
+ *   cost    as above, with two quotients
+ *   see     as above
+ */
+enum loft_status loft_conic_from_half_cubic(const loft_weighted p[4],
+                                            loft_weighted out[3]) LOFT_CHECKED;
+
 LOFT_END_C
 
 #endif

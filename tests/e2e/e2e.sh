@@ -1201,6 +1201,9 @@ case_decide() {
         printf 'rational 2\n1 0 : 1\n1 1 : 1\n0 1 : 2\n' >"$tmp/conic.loft"
         run 0 "$loft" decide conic --num $num "$tmp/conic.loft"
         says out '^0 circle, ellipse'; says out '^centre 0 0'; says out '^axes 1 1'
+        printf 'rational 3\n3 0 : 3\n3 6 : 1\n-3 6 : 1\n-3 0 : 3\n' >"$tmp/half.loft"
+        run 0 "$loft" decide conic --num $num "$tmp/half.loft"
+        says out '^0 circle, ellipse'; says out '^centre 0 0'; says out '^axes 3 3'
         printf 'tensor 1 1\n0 0 0\n0 2 0\n2 0 0\n2 2 0\n' >"$tmp/plane.loft"
         run 0 "$loft" decide ray --num $num --of=1,0.5,5,0,0,-2 "$tmp/plane.loft"
         [ "$(cat "$tmp/out")" = "0 t 2.5 u 0.5 v 0.25" ] ||

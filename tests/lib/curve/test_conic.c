@@ -198,11 +198,43 @@ static void raised_conics_are_recognized(arb *a)
     CHECK(loft_conic_from_cubic(q, out) == LOFT_SINGULAR);
 }
 
+/* Half an ellipse with the weights 3 w, w, w, 3 w: its middle is at infinity. The half has the
+ * centre and the axes. */
+static void half_ellipses_have_a_half(arb *a)
+{
+    const loft_real w = whole(1 + (int32_t)arb_below(a, 3));
+    const int32_t r = 4 + 4 * (int32_t)arb_below(a, 20), high = 4 + 4 * (int32_t)arb_below(a, 20),
+                  x = arb_small(a, 50), y = arb_small(a, 50);
+    loft_weighted q[4] = { at(x - r, y, 3 * w), at(x - r, y + 2 * high, w),
+                           at(x + r, y + 2 * high, w), at(x + r, y, 3 * w) },
+                  out[3];
+    loft_real axes[2];
+    loft_vec centre;
+    loft_conic c;
+
+    CHECK(loft_conic_from_cubic(q, out) == LOFT_SINGULAR);
+    CHECK(loft_conic_from_half_cubic(q, out) == LOFT_OK);
+    CHECK(loft_conic_init(&c, out) == LOFT_OK && c.kind == LOFT_CONIC_ELLIPSE && c.finite);
+    CHECK(c.circle == (r == high));
+    CHECK_EXACT(exact_of(out[1].p.axis[0]), x - r, 1e-4L);
+    CHECK_EXACT(exact_of(out[1].p.axis[1]), y + high, 1e-4L);
+    CHECK_EXACT(exact_of(out[2].p.axis[0]), x, 1e-4L);
+    CHECK_EXACT(exact_of(out[2].p.axis[1]), y + high, 1e-4L);
+    CHECK(loft_conic_axes(out, &centre, axes) == LOFT_OK);
+    CHECK_EXACT(exact_of(centre.axis[0]), x, 1e-3L);
+    CHECK_EXACT(exact_of(centre.axis[1]), y, 1e-3L);
+    CHECK_EXACT(exact_of(axes[0]), r > high ? r : high, 1e-3L);
+    CHECK_EXACT(exact_of(axes[1]), r > high ? high : r, 1e-3L);
+    q[1].p.axis[0] = loft_real_from_raw(loft_raw_from_real(q[1].p.axis[0]) + BY_NUM(1, 8, 1));
+    CHECK(loft_conic_from_half_cubic(q, out) == LOFT_SINGULAR);
+}
+
 int main(void)
 {
     PROPERTY(kinds_are_those_of_integers,             3000);
     PROPERTY(quarters_with_exact_weights_are_circles,  300);
     PROPERTY(axes_are_those_of_the_curve,              500);
     PROPERTY(raised_conics_are_recognized,             500);
+    PROPERTY(half_ellipses_have_a_half,                300);
     return check_failures();
 }
