@@ -43,6 +43,12 @@
 #  define LOFT_MACHINE_TICK_PREPARES 1
 #endif
 
+/* 1: the slot obeys a hard stop. 0: the port calls loft_step_halt, as it drops slots that it has
+ * made ahead. */
+#ifndef LOFT_MACHINE_SLOT_HALTS
+#  define LOFT_MACHINE_SLOT_HALTS 1
+#endif
+
 /* When the override limit of a span is computed, by which an override above 100 percent keeps to
  * the limits of the axes.
  *   1: always when the span is queued: 6,000 cycles on an AVR with two axes that move

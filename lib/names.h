@@ -706,6 +706,7 @@
 #define loft_spot_turn             LOFT_NAME(loft_spot_turn)
 #define loft_spot_valid            LOFT_NAME(loft_spot_valid)
 #define loft_step_give             LOFT_NAME(loft_step_give)
+#define loft_step_halt             LOFT_NAME(loft_step_halt)
 #define loft_step_init             LOFT_NAME(loft_step_init)
 #define loft_step_load             LOFT_NAME(loft_step_load)
 #define loft_step_next             LOFT_NAME(loft_step_next)

@@ -147,8 +147,8 @@ void loft_drive_hold(loft_drive *d, bool hold);
 /* Slow down on the path and stop; the job is then over. */
 void loft_drive_abort(loft_drive *d);
 
-/* Stop at once: two ticks are given at most, and none is slower. The job is then over, and the
- * position is the sum of the pulses; but a motor that is fast may go on by itself. */
+/* Stop at once: from the next slot on there is no pulse; see LOFT_MACHINE_SLOT_HALTS. The job is
+ * then over, and the position is the sum of the pulses; but a fast motor may go on by itself. */
 void loft_drive_halt(loft_drive *d);
 
 /* Set the override: 1..200 percent of the plan, until the next job begins. Above 100 the machine

@@ -330,6 +330,8 @@ void loft_drive_next(loft_drive *d)
 {
     const bool ended = d->ended;        /* read first, so that no item before the end is missed */
 
+    if (d->abort & LOFT_DRIVE_HALTS)
+        d->running = d->prepared = NO_TICK;     /* the slot drops them */
     count_ticks(d);
     for (uint8_t looks = 0; looks < LOOKS; looks++) {
         const uint16_t ticks = d->kind == LOFT_POINTS ? loft_points_look(&d->points, &d->queue)
@@ -380,14 +382,28 @@ static void count_slots(loft_drive *d, uint8_t count)
     }
 }
 
+/* A tick that is prepared meanwhile is dropped by the next slot. A port that drops slots which it
+ * has made ahead drops the ticks as well. */
+static void obey_halt(loft_drive *d)
+{
+    int32_t at[LOFT_AXES];
+
+    if (!LOFT_MACHINE_SLOT_HALTS || !(d->abort & LOFT_DRIVE_HALTS) || loft_step_done(&d->step))
+        return;
+    loft_step_position(&d->step, at);
+    loft_step_halt(&d->step, at);
+}
+
 loft_pins loft_drive_slot(loft_drive *d)
 {
+    obey_halt(d);
     count_slots(d, 1);
     return loft_step_next(&d->step);
 }
 
 loft_step_tick *loft_drive_take(loft_drive *d, uint8_t *count, uint8_t *dir)
 {
+    obey_halt(d);
     loft_step_tick *taken = loft_step_take(&d->step, count, dir);
 
     count_slots(d, *count);

@@ -55,13 +55,10 @@ typedef uint64_t wide_phase;
 #endif
 #define PHASE_BITS (4 * sizeof(wide_phase))
 
-enum loft_status loft_step_place(loft_step *s, const int32_t position[LOFT_AXES])
+/* The running tick becomes one without slots that ends there. */
+static APART void stand_at(loft_step *s, const int32_t position[LOFT_AXES])
 {
     loft_step_tick *t = &s->tick[s->which];
-
-    for (int i = 0; i < LOFT_AXES; i++)
-        if (position[i] < -LOFT_STEP_REACH || position[i] > LOFT_STEP_REACH)
-            return LOFT_ERR_RANGE;
 
     for (int i = 0; i < LOFT_AXES; i++) {
         t->axis[i].from = position[i];
@@ -70,7 +67,22 @@ enum loft_status loft_step_place(loft_step *s, const int32_t position[LOFT_AXES]
     }
     t->slots = t->left = 0;
     t->first = 0;
+}
+
+enum loft_status loft_step_place(loft_step *s, const int32_t position[LOFT_AXES])
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (position[i] < -LOFT_STEP_REACH || position[i] > LOFT_STEP_REACH)
+            return LOFT_ERR_RANGE;
+    stand_at(s, position);
     return LOFT_OK;
+}
+
+void loft_step_halt(loft_step *s, const int32_t position[LOFT_AXES])
+{
+    stand_at(s, position);
+    s->changes++;
+    s->full = s->busy = 0;
 }
 
 enum loft_status loft_step_init(loft_step *s, const int32_t position[LOFT_AXES])

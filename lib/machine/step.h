@@ -67,6 +67,10 @@ enum loft_status loft_step_init(loft_step *s, const int32_t position[LOFT_AXES])
  *   range   |position| <= LOFT_STEP_REACH, otherwise LOFT_ERR_RANGE */
 enum loft_status loft_step_place(loft_step *s, const int32_t position[LOFT_AXES]) LOFT_CHECKED;
 
+/* Drop the rest of the running tick, and the prepared one: the motors stand at `position`, which is
+ * within reach. In the context of loft_step_next, or while nothing calls it. */
+void loft_step_halt(loft_step *s, const int32_t position[LOFT_AXES]);
+
 /* Prepare the tick after the running one: at least `slots` slots, with the position `target` at its
  * end.
  *

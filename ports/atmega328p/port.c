@@ -111,24 +111,48 @@ static uint16_t closed_inputs(void)
     return (uint16_t)((others & PROBE ? closed | LOFT_INPUT_PROBE : closed) ^ opens);
 }
 
-/* For a guard: the position at the pins is the one that is counted, without the pulses from
- * `changed_at` on, which are still in the ring. Its variables stay off the stack of its caller. */
-__attribute__((noinline)) static void sense_inputs(void)
+/* The position at the pins is the one that is counted, without the pulses from `from` on, which are
+ * still in the ring. Its variables stay off the stack of its caller. */
+__attribute__((noinline)) static void position_at(uint8_t from, int32_t at[LOFT_AXES])
 {
-    int32_t at[LOFT_AXES];
-
     loft_step_position(&machine.drive.step, at);
     for (uint8_t i = 0; i < LOFT_AXES; i++) {
         const uint8_t step = (uint8_t)(4 << i), dir = (uint8_t)(32 << i);
-        for (uint8_t k = changed_at; k != ring_head; k = (uint8_t)(k + 1) % RING) {
+        for (uint8_t k = from; k != ring_head; k = (uint8_t)(k + 1) % RING) {
             const uint8_t pins = ring[k] ^ LOFT_INVERT ^
                                  (uint8_t)(IN_FORCE(LOFT_WIRING_REVERSED) << 5);
             if (pins & step)
                 at[i] += pins & dir ? 1 : -1;
         }
     }
+}
+
+/* For a guard. */
+__attribute__((noinline)) static void sense_inputs(void)
+{
+    int32_t at[LOFT_AXES];
+
+    position_at(changed_at, at);
     changed_at = UNCHANGED;
     loft_latch_keep(&machine.latch, at);
+}
+
+/* A hard stop: what is in the ring is not given. While RING_WORK is 0, the interrupt makes no
+ * slots. */
+__attribute__((noinline)) static void drop_ring(void)
+{
+    int32_t at[LOFT_AXES];
+
+    if (!(machine.drive.abort & LOFT_DRIVE_HALTS) || !machine.drive.active)
+        return;
+    RING_WORK = 0;
+    cli();
+    RING_FILLED = 0;
+    const uint8_t from = RING_TAIL;
+    sei();
+    position_at(from, at);
+    ring_head = from;
+    loft_step_halt(&machine.drive.step, at);
 }
 
 /* Called with interrupts disabled. */
@@ -308,6 +332,7 @@ static void watch_switches(void)
         changed_at = UNCHANGED;
     sei();
     loft_machine_sample(&machine, closed);
+    drop_ring();
     if (loft_switches_steady(&switches, closed))
         loft_machine_inputs(&machine, closed);
 }

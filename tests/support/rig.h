@@ -2,7 +2,8 @@
  * by the test)
  * SPDX-License-Identifier: MIT
  *
- * Every slot goes through rig_slot, which checks the pulses against the plan.
+ * Every slot goes through rig_slot, which checks the pulses against the plan, and that a hard stop
+ * ends them.
  */
 #ifndef LOFT_TESTS_RIG_H
 #define LOFT_TESTS_RIG_H
@@ -216,6 +217,10 @@ static void rig_slot(void)
     for (int i = 0; i < LOFT_AXES; i++)
         if (pins.step & (1u << i))
             r.at[i] += pins.dir & (1u << i) ? -1 : 1;
+    if (r.drive->active && r.drive->abort & LOFT_DRIVE_HALTS) {     /* from now on nothing moves */
+        CHECK(pins.step == 0 && loft_step_done(&r.drive->step) && here(r.at));
+        return;
+    }
     if (!moving) {
         CHECK(pins.step == 0);
         if (r.law && r.pace > 0)

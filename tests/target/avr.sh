@@ -104,12 +104,12 @@ guarded "5 mm/s"                     1.25 400
 guarded "5 mm/s, bounces for 5 ms"   1.25 400,5
 guarded "160 mm/s"                   40 10001
 guarded "160 mm/s, bounces for 5 ms" 40 10001,5
-# The filter has 1 ms, the ring 1.6 and the two ticks 2. The rest is the main loop: at this rate the
-# interrupts leave it so little that it samples only every 2 to 4 ms.
+# A hard stop drops the ring and the ticks. The filter has two samples, and the interrupts leave the
+# main loop so little that it samples only every 1.0 to 1.7 ms.
 behind() { echo $(($(said position) - $(said latched))); }
 row "160 mm/s: it slows down behind the switch, in steps"   "$(behind)" ">=" 1000
 guarded "160 mm/s, at once"          40 10001 1!
-row "160 mm/s, at once: steps behind the switch"            "$(behind)" "<=" 560
+row "160 mm/s, at once: steps behind the switch"            "$(behind)" "<=" 200
 row "guards: RAM, data, bss and the deepest stack"          "$(ram)" "<=" 1988 bytes
 
 echo "-- loft home: the switch of x closes at -2000 steps, bounces for 5 ms, and opens again"

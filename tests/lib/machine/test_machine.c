@@ -582,8 +582,9 @@ static void a_guard_ends_the_job_and_tells_the_place_of_the_edge(arb *a)
     } while (++w.ms < LONG && w.sender.phase < LOFT_PHASE_DONE);
 
     CHECK(noted && w.sender.phase == LOFT_PHASE_ABORTED && w.sender.report.guarded);
-    CHECK(!hard || r.passed <= ended + 2);
-    CHECK(w.sender.report.ended_by == input && here(r.path[r.passed]) && r.passed < r.ticks);
+    CHECK(!hard || r.passed <= ended);
+    CHECK(w.sender.report.ended_by == input && r.passed < r.ticks);
+    CHECK(here(hard ? r.at : r.path[r.passed]));
     for (int i = 0; i < LOFT_AXES; i++)
         CHECK(w.sender.report.latched[i] == edge[i] && w.sender.report.position[i] == r.at[i]);
 
