@@ -236,6 +236,25 @@ build/sweep/harmonic: tests/lib/polygon/sweep_harmonic.c $(SOLVER_OBJ) build/q16
 sweep-harmonic: build/sweep/harmonic
 	@$<
 
+define swept_motion
+build/sweep/$(1)/motion: tests/bench/bench_motion_any.c $(2)
+	@mkdir -p $$(@D)
+	$$(SAY) "  LD  $$@"
+	$$(Q)$$(CC) $$(LDFLAGS) $$(INCLUDE) -Itests $(3) $$(STD) $$(filter %.c %.a %.o,$$^) -lm -o $$@
+endef
+$(foreach n,$(NUMS),$(eval $(call swept_motion,$(n),build/$(n)x$(AXES)/libloft.a,$$(BUILT) \
+    $(call num_flag,$(n)))))
+$(eval $(call swept_motion,effort,$(CHIP_SRC:%.c=build/effort/%.o),$$(TESTED) $$(SANITIZE) \
+    -DLOFT_NUM=LOFT_Q16 -DLOFT_PLAN_EFFORT=1))
+
+FIRST ?= 1
+LAST  ?= 100000
+## Plan random chains, limits, arrivals; override, hold and starve them   FIRST=1 LAST=100000 seeds
+.PHONY: sweep-motion
+sweep-motion: $(foreach n,$(NUMS) effort,build/sweep/$(n)/motion)
+	@for t in $^; do echo "echo '-- $$t'; $$t $(FIRST) $(LAST)"; done | \
+	    bash tests/house/beside.sh
+
 FUZZ_SECONDS ?= 60
 ## Fuzz the input from the line with libFuzzer for FUZZ_SECONDS (60)
 .PHONY: fuzz
