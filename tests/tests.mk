@@ -163,6 +163,11 @@ test-tools: $(patsubst %,build/test/tools/%,$(TOOL_TESTS))
 	@for t in $(TOOL_TESTS); do echo "echo '-- $$t'; build/test/tools/$$t"; done | \
 	    bash tests/house/beside.sh
 
+## Paths of a mill against 10 million points of surfaces (minutes)
+.PHONY: sweep-mill
+sweep-mill: build/test/tools/mill
+	@build/test/tools/mill 2500000
+
 # --- G-code beside LinuxCNC's interpreter, which is large: make deps-gcode ------------------------
 build/gcode/canon: tests/gcode/canon.c build/test/tools/libtools.a build/test/f64/libloft.a
 	@mkdir -p $(@D)

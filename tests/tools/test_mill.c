@@ -152,12 +152,41 @@ static void tell(void *context, double share)
 
 static double fresh(arb *a, double most) { return most * random_unit(a); }
 
-/* Hills on a table, or an octant. */
-static void arb_surfaces(arb *a, surfaces *all)
+static int say_bump(char *text, size_t size, int x, int y)
 {
-    char text[4096] = "octant 9\n";
+    const double fx = 0.5 * cos(x / 4.0) * cos(y / 5.0), fy = -0.4 * sin(x / 4.0) * sin(y / 5.0),
+                 length = sqrt(1 + fx * fx + fy * fy);
 
-    if (arb_below(a, 4) > 0) {
+    return snprintf(text, size, "%d %d %.6f : %.9f %.9f %.9f\n", x, y,
+                    2 * sin(x / 4.0) * cos(y / 5.0), -fx / length, -fy / length, 1 / length);
+}
+
+/* 32 triangles from the normals of a waved sheet. */
+static void say_mesh(char *text, size_t size)
+{
+    static const int corner[6][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 0 }, { 1, 1 }, { 0, 1 } };
+    int used = 0;
+
+    for (int k = 0; k < 16 * 6; k++) {
+        const int *const c = corner[k % 6];
+        if (k % 3 == 0)
+            used += snprintf(text + used, size - (size_t)used, "pn\n");
+        used += say_bump(text + used, size - (size_t)used, 4 * (k / 6 % 4 + c[0]),
+                         4 * (k / 24 + c[1]));
+        if (k % 3 == 2)
+            used += snprintf(text + used, size - (size_t)used, "\n");
+    }
+    CHECK((size_t)used < size);
+}
+
+/* Hills on a table, a mesh of triangles, or an octant. */
+static void arb_surfaces(arb *a, unsigned kind, surfaces *all)
+{
+    char text[16384] = "octant 9\n";
+
+    if (kind == 1)
+        say_mesh(text, sizeof text);
+    else if (kind > 1) {
         int used = snprintf(text, sizeof text, "tensor 3 3\n");
         for (int k = 0; k < 16; k++)
             used += snprintf(text + used, sizeof text - (size_t)used, "%d %d %.3f\n", k / 4 * 6,
@@ -168,6 +197,7 @@ static void arb_surfaces(arb *a, surfaces *all)
 
 static void no_way_into_the_material_cuts(arb *a)
 {
+    static unsigned turn;
     const double radius = 1.5, corner[3] = { 1.5, 0, 0.4 };
     const unsigned kind = arb_below(a, 3);
     mill_order o = { .pattern = arb_below(a, 3),
@@ -184,7 +214,7 @@ static void no_way_into_the_material_cuts(arb *a)
     mill_cuts path = { 0 };
     mill_report r;
 
-    arb_surfaces(a, &all);
+    arb_surfaces(a, turn++ % 4, &all);
     CHECK(engine_mill_f64(&all, &o, &path, &r) == 0);
     CHECK(path.count == 1 && path.cut[0].count > 10);
     CHECK(sweep(a, &all, &o, &path.cut[0]) > -1e-9);
