@@ -283,11 +283,12 @@ static bool has_stopped(run_state *r)
            now - r->stop_at > STOP;
 }
 
+/* The items that the machine has executed, as far as it has told. */
 static const char *where_text(const run_state *r, char text[64])
 {
     char of[32];
 
-    snprintf(text, 64, "at item %u%s ", (unsigned)r->t->sender.ack.next, job_of(r->j, of));
+    snprintf(text, 64, "at item %u%s ", (unsigned)r->t->sender.ack.executed, job_of(r->j, of));
     return text;
 }
 

@@ -755,6 +755,9 @@ case_port_vanishes() {
     { until_log lost " begun"; sleep 0.7; kill -9 "$machine"; } & children+=($!)
     one_line 74 'the port has vanished at item [0-9]* of' "$loft" stream "$tmp/small.csv" \
         --port "$tmp/lost" "${slowly[@]}"
+    # those that it had executed after 0.7 of 6 s; all of them had been sent
+    sed 's/.* item \([0-9]*\) of \([0-9]*\) .*/\1 \2/' "$tmp/err" | awk '{ exit !($1 * 2 < $2) }' ||
+        job_fails "not the items that were executed: $(cat "$tmp/err")"
 }
 case_machine_restarts_in_mid_job() {
     machine again --speed real
@@ -957,6 +960,23 @@ case_a_laser_in_holds_and_overrides() {
             is["worst"] <= 2 && is["standing"] == 0 && is["after"] == 0) }' "$tmp/energy" ||
         job_fails "$(tr '\n' ' ' <"$tmp/energy")"
     [ "$(grep -c ' held: ' "$tmp/m.log")" -ge 1 ] || job_fails 'it was not held'
+}
+
+# The commands of ports/README.md, sections 4 to 7, as they stand there, on a table with switches.
+# What opens in place of closing is set and set back.
+case_the_page_of_the_boards() {
+    awk '/^### 4 / { on = 1 } /^### Without/ { on = 0 }
+        on && /^```sh$/ { sh = 1; next } /^```$/ { sh = 0 } on && sh
+        on && sh && /limit=opens/ { sub(/limit=opens/, "limit=closes x.reversed=no"); print }' \
+        ports/README.md | sed "s|build/loft|\$loft|g; s|/dev/ttyACM0|$tmp/uno|g" >"$tmp/page.sh"
+    [ "$(grep -c '\$loft' "$tmp/page.sh")" -ge 13 ] || job_fails "the page has few commands"
+    machine uno --speed real --steps 80 --keep "$tmp/kept" --limits x-=-20,y-=-15,z+=8 \
+        --walls x-=-24,y-=-19,z+=12 --probe z-=-3
+    export loft=$(realpath "$loft")
+    (cd "$tmp" && run 0 bash -e page.sh; [ -z "$why" ] || echo "$why" >"$tmp/off")
+    [ ! -e "$tmp/off" ] || job_fails "$(cat "$tmp/off")"
+    says out 'drawn: 1 curve'; says out 'steps 1600 0 .*as commanded'; says out '^homed: '
+    says out 'touched'
 }
 
 # --- bad input ------------------------------------------------------------------------------------

@@ -158,9 +158,9 @@ guarded stm32f103 100 20001,5 8
 guarded stm32f405 5 700 8
 guarded stm32f405 100 20001,5 8
 row "stm32f405: it slows down behind the switch, in steps"  "$(behind)" ">=" 1000
-# two ticks, the ring of half a tick, the filter of one ms and the sample of the main loop
+# the ring of half a tick, the filter of two samples, and the sample of the main loop
 guarded stm32f405 100 20001 1!
-row "stm32f405, at once: steps behind the switch, 5 ms"     "$(behind)" "<=" 500
+row "stm32f405, at once: steps behind the switch, 3.5 ms"   "$(behind)" "<=" 350
 guarded stm32f405-fast 1000 200001 1!
 row "stm32f405-fast, at once: steps behind the switch, 5 ms" "$(behind)" "<=" 5000
 sum
