@@ -100,3 +100,10 @@ bench-machine: firmware-atmega328p $(TOOL_OUT)/loft build/e2e/pty \
 check-atmega328p: firmware-atmega328p build/target/chip build/target/rate $(TOOL_OUT)/loft
 	@bash tests/target/avr.sh $(AVR_DIR)/loft.elf $(TOOL_OUT)/loft build/target
 TARGET_BESIDE += check-atmega328p
+
+## Run the commands of ports/README.md on an emulated ATmega328P and on the simulated machine
+.PHONY: check-walk
+check-walk: firmware-atmega328p build/target/chip build/e2e/pty build/e2e/shim.so $(TOOL_OUT)/loft
+	@bash tests/target/walk.sh $(AVR_DIR)/loft.elf $(TOOL_OUT)/loft build/target
+	@bash tests/e2e/e2e.sh $(TOOL_OUT)/loft build/e2e the_page_of_the_boards
+TARGET_BESIDE += check-walk

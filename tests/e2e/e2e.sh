@@ -963,16 +963,12 @@ case_a_laser_in_holds_and_overrides() {
 }
 
 # The commands of ports/README.md, sections 4 to 7, as they stand there, on a table with switches.
-# What opens in place of closing is set and set back.
 case_the_page_of_the_boards() {
-    awk '/^### 4 / { on = 1 } /^### Without/ { on = 0 }
-        on && /^```sh$/ { sh = 1; next } /^```$/ { sh = 0 } on && sh
-        on && sh && /limit=opens/ { sub(/limit=opens/, "limit=closes x.reversed=no"); print }' \
-        ports/README.md | sed "s|build/loft|\$loft|g; s|/dev/ttyACM0|$tmp/uno|g" >"$tmp/page.sh"
-    [ "$(grep -c '\$loft' "$tmp/page.sh")" -ge 13 ] || job_fails "the page has few commands"
+    sh tests/e2e/page.sh 4 Without "$loft" "$tmp/uno" >"$tmp/page.sh"
+    [ "$(grep -c "$(realpath "$loft")" "$tmp/page.sh")" -ge 13 ] ||
+        job_fails "the page has few commands"
     machine uno --speed real --steps 80 --keep "$tmp/kept" --limits x-=-20,y-=-15,z+=8 \
         --walls x-=-24,y-=-19,z+=12 --probe z-=-3
-    export loft=$(realpath "$loft")
     (cd "$tmp" && run 0 bash -e page.sh; [ -z "$why" ] || echo "$why" >"$tmp/off")
     [ ! -e "$tmp/off" ] || job_fails "$(cat "$tmp/off")"
     says out 'drawn: 1 curve'; says out 'steps 1600 0 .*as commanded'; says out '^homed: '
