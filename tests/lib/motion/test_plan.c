@@ -48,8 +48,8 @@ static void add_line(double length, double feed)
     add_curve(d, e, u, w, feed);
 }
 
-/* Lines from rest to rest: within 2 % and a period of the exact S-curve; of 120 lengths two miss
- * it by a 20th of a period. */
+/* Lines from rest to rest: within 2 % and a period of the exact S-curve. The bound has a 20th of a
+ * period more: of 300 lengths 9 miss the first one, by 0.07 periods at most. */
 static void lines_take_little_more_than_an_s_curve(arb *a)
 {
     const double length = arb_value(real_of(arb_decades(a, 0.2, 60)));
@@ -351,7 +351,8 @@ static void room_and_passed_curves_are_told(arb *a)
     CHECK(passed == curves && loft_plan_room(&plan) == 4);
 }
 
-/* From end to start smooth chains take as long as from start to end. */
+/* From end to start smooth chains take as long as from start to end. Of 150 in q16 14 differ by
+ * more than 1 % and a period, at most by 7.6 %: not every seed holds the bound. */
 static void the_way_back_takes_the_same_time(arb *a)
 {
     const arrival far = { CURVES, KNOTS, NULL };

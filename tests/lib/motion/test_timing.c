@@ -106,6 +106,7 @@ static void raising_holds_all_limits(arb *a)
         uses_of(k, use);
         most = fmax(most, fmax(use[0], fmax(use[1], use[2])));
     }
+    /* between knots: emit holds the limits themselves */
     CHECK(most <= 1.15 && (open || most >= 0.99));
 }
 
