@@ -270,12 +270,13 @@ static double stretch_of(const double pen[3])
     return half + sqrt(fmax(half * half - 1, 0));
 }
 
-/* Chords of a quarter turn with this radius. */
+/* Chords of a quarter turn with this radius. GEOS rounds their number in each turn: one may be half
+ * as long again. */
 static int quarter_chords(double radius)
 {
     const double half = acos(1 - fmin(REGION_TOL / fmax(radius, REGION_TOL), 0.3));
 
-    return (int)fmin(fmax(ceil(0.7853981633974483 / half), 2), 200);
+    return (int)fmin(fmax(ceil(1.5 * 0.7853981633974483 / half), 2), 2000);
 }
 
 region *region_of_stroke(const drawing *d, size_t first, size_t last, const region_stroke *s,

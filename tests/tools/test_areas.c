@@ -156,6 +156,51 @@ static void dots_have_the_width_of_their_stroke(arb *a)
     drawing_free(&d);
 }
 
+/* The least distance of a place from a chain of points. */
+static double far_from(const double (*chain)[2], size_t count, const double at[2])
+{
+    double least = HUGE_VAL;
+
+    for (size_t i = 0; i + 1 < count; i++) {
+        const double x = chain[i + 1][0] - chain[i][0], y = chain[i + 1][1] - chain[i][1],
+                     u = at[0] - chain[i][0], v = at[1] - chain[i][1],
+                     t = fmin(fmax((u * x + v * y) / (x * x + y * y), 0), 1);
+        least = fmin(least, hypot(u - t * x, v - t * y));
+    }
+    return least;
+}
+
+/* GEOS leaves out vertices where a line bends in by less than 1 % of the distance: here by up to
+ * 0.4 mm. The outline keeps its distance all the same. */
+static void wide_strokes_keep_their_distance(arb *a)
+{
+    const double width = 20 + arb_below(a, 60), bend = width / 2 * arb_below(a, 100) / 10000;
+    const unsigned waves = 4 + arb_below(a, 60);
+    char inner[3500];
+    int used = snprintf(inner, sizeof inner,
+                        "<path fill='none' stroke='red' stroke-width='%g' "
+                        "stroke-linejoin='round' stroke-linecap='round' d='M",
+                        width);
+    double chain[64][2];
+    drawing d;
+
+    for (unsigned k = 0; k < waves; k++) {
+        chain[k][0] = 10 + 80.0 * k / (waves - 1);
+        chain[k][1] = 60 - 0.01 * k * k / 8 + (k % 2 ? bend : 0);
+        used += snprintf(inner + used, sizeof inner - (size_t)used, " %.9g %.9g", chain[k][0],
+                         100 - chain[k][1]);
+    }
+    snprintf(inner + used, sizeof inner - (size_t)used, "'/>");
+    CHECK(areas_of(inner, true, true, &d) && d.count >= 20);
+    for (size_t i = 0; i < d.count; i++)
+        for (int k = 0; k < 4; k++) {
+            double at[2];
+            drawing_eval(&d.curve[i], k / 4.0, at);
+            CHECK(fabs(far_from((const double (*)[2])chain, waves, at) - width / 2) < 0.0025);
+        }
+    drawing_free(&d);
+}
+
 static cairo_t *clip, *painted;
 static cairo_bool_t in_both(cairo_t *cairo, double x, double y)
 {
@@ -228,6 +273,7 @@ int main(void)
 {
     PROPERTY(strokes_become_areas, 60);
     PROPERTY(dots_have_the_width_of_their_stroke, 100);
+    PROPERTY(wide_strokes_keep_their_distance, 100);
     PROPERTY(painted_areas_are_clipped, 60);
     PROPERTY(clip_paths_add_up, 1);
     return check_failures();
