@@ -83,7 +83,7 @@ bench-drawings: tools
 	@bash tests/bench/bench_drawings.sh $(TOOL_OUT)/loft build/bench/drawings $(FILES) 120 $(PIECE)
 
 KNOWN ?= 60
-## Travel of 20 drawings after 10 s of work: at most 1.05 times the best known   KNOWN=seconds for it
+## Travel of 20 drawings after 10 s: at most 1.05 times the best known   KNOWN=seconds for it
 .PHONY: check-order
 check-order: build/bench/order
 	@bash tests/bench/bench_order.sh build/bench/order build/bench/drawings $(KNOWN)

@@ -27,7 +27,7 @@
 #define PAGE_MAX  6000.0        /* pixels; larger pages are not compared */
 #define PAGE_PX   800.0         /* of a drawing without a page */
 #define STEP      0.5           /* pixels along a curve */
-#define CHORD     0.2           /* pixels: cairo rounds places to 1/256, shorter ones turn by that */
+#define CHORD     0.2           /* pixels: cairo rounds places to 1/256, which turns shorter ones */
 #define FAINT     18u           /* of 255: cairo has 15 rows of samples in a pixel, thinner lines
                                  * show by chance */
 
