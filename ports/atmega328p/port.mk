@@ -12,7 +12,8 @@ AVR_FLAGS  = -mmcu=atmega328p -DF_CPU=16000000UL -std=c99 -ffreestanding -ffunct
              -fdata-sections -flto $(WARN) $(DEPS) -Ilib -Iports $(call num_flag,q16) \
              -DLOFT_MACHINE_TICK_PREPARES=0 -DLOFT_MACHINE_OVERRIDE_LIMITS=0 \
              -DLOFT_MACHINE_SLOT_HALTS=0 -DLOFT_FRAME_MAX=88 -DLOFT_MACHINE_OUTPUTS=$(AVR_OUTPUTS) \
-             -DLOFT_SERVO=$(AVR_SERVO) -DLOFT_BAUD=$(AVR_BAUD) -DLOFT_SLOTS=$(AVR_SLOTS) -DLOFT_TICK_HZ=$(AVR_TICK_HZ)
+             -DLOFT_SERVO=$(AVR_SERVO) -DLOFT_BAUD=$(AVR_BAUD) \
+             -DLOFT_SLOTS=$(AVR_SLOTS) -DLOFT_TICK_HZ=$(AVR_TICK_HZ)
 AVR_OPTIMIZE = -Os
 # all files are optimized as one: 2.2 kB less. Functions with much on the stack stay separate.
 AVR_STACK  = --param large-stack-frame=16 --param large-stack-frame-growth=0
