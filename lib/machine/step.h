@@ -32,7 +32,7 @@ typedef struct {
 typedef struct {
     unsigned phase, rate;
     uint16_t count;                     /* pulses, at most `slots` */
-    int32_t from;                       /* steps: the position at the beginning of the tick */
+    int32_t to;                         /* steps: the position at the end of the tick */
 } loft_step_axis;
 
 /* A tick. */
@@ -54,7 +54,7 @@ typedef struct {
     volatile uint8_t busy;                      /* the running tick has slots left */
     volatile uint8_t full;                      /* the other tick is prepared */
     volatile uint8_t changes;                   /* counts changes, for loft_step_position */
-    uint32_t inverse;                           /* 2^32 over the slots of the last short tick */
+    uint32_t share;                             /* of a step in the last tick prepared: step.c */
 } loft_step;
 
 /* Prepare at `position`, with no tick.
@@ -121,7 +121,10 @@ void loft_step_position(const loft_step *s, int32_t position[LOFT_AXES]);
  *
  *   range   |mm| <= 32768, 0 < steps_per_mm < 32768: the result is within +-LOFT_STEP_REACH
  *   error   q16: nearest, ties upward, exactly   f32, f64: of the product as a double */
-int32_t loft_steps_of(loft_real mm, loft_real steps_per_mm);
+static inline int32_t loft_steps_of(loft_real mm, loft_real steps_per_mm)
+{
+    return loft_prod_int(mm, steps_per_mm);
+}
 
 LOFT_END_C
 

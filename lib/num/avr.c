@@ -148,6 +148,20 @@ __asm__ (
     "brtc 3f\n jmp loft_avr_negate\n 3: ret\n"
     END_FUNCTION(loft_prod)
 
+    /* a as unsigned: if it is negative, b is too much in the upper half (T). Column 3 rounds. */
+    BEGIN_FUNCTION(loft_prod_int)
+    "bst r25, 7\n clr r27\n clr r30\n clr r31\n mul r18, r22\n mov r26, r1\n"
+    TERM(18, 23, 26, 27, 30) TERM(19, 22, 26, 27, 30) "clr r26\n"
+    TERM(18, 24, 27, 30, 26) TERM(19, 23, 27, 30, 26) TERM(20, 22, 27, 30, 26) "clr r27\n"
+    TERM(18, 25, 30, 26, 27) TERM(19, 24, 30, 26, 27) TERM(20, 23, 30, 26, 27)
+    TERM(21, 22, 30, 26, 27) "lsl r30\n adc r26, r31\n adc r27, r31\n clr r30\n"
+    TERM(19, 25, 26, 27, 30) TERM(20, 24, 26, 27, 30) TERM(21, 23, 26, 27, 30) BYTE(22, 26)
+    TERM(20, 25, 27, 30, 26) TERM(21, 24, 27, 30, 26) "mov r23, r27\n"
+    "mul r21, r25\n add r30, r0\n adc r26, r1\n mov r24, r30\n mov r25, r26\n"
+    "clr __zero_reg__\n brtc 1f\n"
+    "sub r22, r18\n sbc r23, r19\n sbc r24, r20\n sbc r25, r21\n 1: ret\n"
+    END_FUNCTION(loft_prod_int)
+
     OWN_SECTION(loft_avr_product)
     "sbrs r17, 7\n rjmp 1f\n"
     "call loft_avr_opposite\n call loft_avr_negate\n rcall 1f\n rjmp loft_avr_opposite\n"

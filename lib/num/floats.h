@@ -56,6 +56,10 @@ static inline int32_t   loft_acc_int(loft_acc x)
     const loft_acc rest = x - (loft_acc)i;
     return rest >= 0.5 ? i + 1 : rest < -0.5 ? i - 1 : i;
 }
+static inline int32_t loft_prod_int(loft_real a, loft_real b)
+{
+    return loft_acc_int(loft_prod(a, b));
+}
 
 /* error 1/2 ulp */
 static inline loft_real loft_mul(loft_real a, loft_real b)      { return a * b; }

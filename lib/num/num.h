@@ -30,7 +30,7 @@
  *   loft_acc_valid(x)   loft_acc_round(x)     does it fit a real? the nearest real
  *   loft_real_valid(a)                        is it a valid coordinate? always true in q16
  *   loft_acc_ulp(s)     loft_real_ulp(s)      the distance between neighbouring numbers of size s
- *   loft_acc_int(x)                           the nearest integer, ties upward
+ *   loft_acc_int(x)     loft_prod_int(a, b)   the nearest integer, ties upward
  *   loft_acc_sqrt(x)                          square root as real
  *   loft_acc_hypot(x, n)                      sqrt(x[0]^2 + .. + x[n-1]^2), without inner overflow
  *   loft_hypot_ulp(s)                         an upper bound of the error of a loft_acc_hypot of s

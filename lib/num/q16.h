@@ -140,6 +140,23 @@ static inline loft_real loft_acc_round(loft_acc x)          { return loft_acc_mi
 /* error 1/2; -2^31 <= x < 2^31 - 1/2 */
 static inline int32_t loft_acc_int(loft_acc x) { return loft_acc_high(x + 2147483648); }
 
+#if !defined(__AVR__)
+/* loft_acc_int(loft_prod(a, b)), b >= 0. No sum overflows: (2^15 - 1) (2^16 - 1) + (2^16 - 2) +
+ * 2^15 = 2^31 - 1. */
+static inline int32_t loft_prod_int(loft_real a, loft_real b)
+{
+#if defined(__ARM_ARCH_6M__)
+    const int32_t a0 = a & 0xffff, a1 = a >> 16, b0 = b & 0xffff, b1 = b >> 16;
+    const int32_t left = a1 * b0 + (int32_t)((uint32_t)a0 * (uint32_t)b0 >> 16) + 32768,
+                  right = a0 * b1 + (left & 0xffff);
+
+    return a1 * b1 + (left >> 16) + (right >> 16);
+#else
+    return loft_acc_int(loft_prod(a, b));
+#endif
+}
+#endif
+
 /* error 1/2 LSB; range loft_acc_valid(loft_prod(a, b)), that is -32768 <= a * b < 32768 - 2^-17 */
 static inline loft_real loft_mul(loft_real a, loft_real b)
 {

@@ -157,6 +157,13 @@ static inline void loft_state_step3(loft_state d[4])
     loft_state_add(d);
     loft_state_add(d + 1);
     loft_state_add(d + 2);
+#elif defined(__thumb2__) && defined(__ARMEL__) && LOFT_NUM == LOFT_Q16
+    __asm__ volatile("ldmia %0, {r0-r5}\n ldrd r6, r8, [%0, #24]\n"
+                     "adds r0, r2\n adcs r1, r3\n adds r2, r4\n adcs r3, r5\n"
+                     "adds r4, r6\n adc r5, r8\n stmia %0, {r0-r5}\n"
+                     :
+                     : "r"(d)
+                     : "r0", "r1", "r2", "r3", "r4", "r5", "r6", "r8", "cc", "memory");
 #elif defined(__thumb__) && defined(__ARMEL__) && LOFT_NUM == LOFT_Q16
     __asm__ volatile(".syntax unified\n"
                      "ldmia %0!, {r0-r5}\n"

@@ -55,6 +55,8 @@ static void check_product(int32_t a, int32_t b)
 
     CHECK(loft_prod(a, b) == exact);
     CHECK(loft_acc_int(loft_prod(a, b)) == round_quotient(exact, (wide)1 << 32));
+    if (b >= 0)
+        CHECK(loft_prod_int(a, b) == round_quotient(exact, (wide)1 << 32));
     if (want >= INT32_MIN && want <= INT32_MAX)
         CHECK(loft_mul(a, b) == want);
     CHECK(loft_acc_valid(loft_prod(a, b)) == (want >= INT32_MIN && want <= INT32_MAX));

@@ -118,6 +118,7 @@ static void slots_of(uint16_t slots, bool batches)
 static void ticks(void)
 {
     int32_t target[LOFT_AXES] = { 0 }, position[LOFT_AXES];
+    volatile loft_real gear = LOFT_REAL(250);           /* read, as a setting is */
     volatile int32_t steps;
 
     for (unsigned n = 0; n < TICKS; n++) {
@@ -138,7 +139,7 @@ static void ticks(void)
         took(POSITION, begin);
         const loft_real mm = (loft_real)any();
         begin = now();
-        steps = loft_steps_of(mm, LOFT_REAL(250));
+        steps = loft_steps_of(mm, gear);
         took(STEPS, begin);
         (void)steps;
     }

@@ -122,6 +122,11 @@ static void print_sums(int rounds)
         add_number(loft_acc_int(random_number(62)));
     say_sum("acc_int");
     for (int n = 0; n < rounds; n++) {
+        const int32_t a = (int32_t)random_number(31), b = (int32_t)random_number(31);
+        add_number(loft_prod_int(a, b & INT32_MAX));
+    }
+    say_sum("prod_int");
+    for (int n = 0; n < rounds; n++) {
         const int32_t a = (int32_t)random_number(24), b = (int32_t)random_number(31);
         if (b / 256 != 0)
             add_number(loft_div(a, b));
