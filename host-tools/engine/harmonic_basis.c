@@ -189,29 +189,93 @@ static bool is_seen(const harmonic_shape *h, unsigned at, harmonic_point p, unsi
     return true;
 }
 
+static harmonic_point edge_of(const harmonic_shape *h, unsigned e)
+{
+    return h->v[(e + 1) % h->sides] - h->v[e];
+}
+
+/* Where the perpendicular from p meets the line of an edge: 0 at its start, 1 at its end. */
+static long double share_of(const harmonic_shape *h, harmonic_point p, unsigned e)
+{
+    const harmonic_point d = edge_of(h, e);
+
+    return creall(conjl(d) * (p - h->v[e])) / creall(conjl(d) * d);
+}
+
+static bool is_before(const harmonic_shape *h, harmonic_point p, unsigned e)
+{
+    return cross(edge_of(h, e), p - h->v[e]) > 0;
+}
+
+/* Add the image of p in an edge, `share` of the edge along. */
+static void add_image(harmonic_shape *h, harmonic_point p, unsigned e, long double share)
+{
+    const harmonic_point a = h->v[e], d = edge_of(h, e), foot = a + share * d;
+
+    h->foot[h->feet++] = (harmonic_foot){
+        e, share * cabsl(d), cabsl(p - foot), foot, 2 * (a + share_of(h, p, e) * d) - p, false
+    };
+}
+
 /* An edge that the vertex is before. Its mirror image in the edge's line is there too when the
  * perpendicular misses the edge. */
 static void find_foot(harmonic_shape *h, unsigned at, unsigned e)
 {
-    const harmonic_point a = h->v[e], d = h->v[(e + 1) % h->sides] - a;
-    const long double t = creall(conjl(d) * (h->v[at] - a)) / creall(conjl(d) * d),
-                      share = fminl(fmaxl(t, 0), 1);
-    const harmonic_point at_line = a + t * d, foot = a + share * d;
+    const long double share = fminl(fmaxl(share_of(h, h->v[at], e), 0), 1);
 
-    if (cross(d, h->v[at] - a) <= 0 || !is_seen(h, at, foot, e))
-        return;
-    h->foot[h->feet++] = (harmonic_foot){ e, share * cabsl(d), cabsl(h->v[at] - foot), foot,
-                                          2 * at_line - h->v[at] };
+    if (is_before(h, h->v[at], e) && is_seen(h, at, h->v[e] + share * edge_of(h, e), e))
+        add_image(h, h->v[at], e, share);
+}
+
+/* Whether the way from an image comes in by the edge of its own and then meets edge e alone. */
+static bool is_seen_through(const harmonic_shape *h, const harmonic_foot *f, harmonic_point at,
+                            unsigned e)
+{
+    for (unsigned k = 0; k < h->sides; k++)
+        if (k != e && (k == f->edge) != (meets(h, f->image, at - f->image, k) < 0.999L))
+            return false;
+    return true;
+}
+
+/* The image, in another edge, of an image: what makes a channel narrow has one after the other. */
+static void find_second_image(harmonic_shape *h, const harmonic_foot *f, unsigned e)
+{
+    const long double share = share_of(h, f->image, e);
+
+    if (share >= 0 && share <= 1 && is_before(h, f->image, e) &&
+        is_seen_through(h, f, h->v[e] + share * edge_of(h, e), e))
+        add_image(h, f->image, e, share);
+}
+
+/* A corner behind an edge that other edges hide: terms of that corner go on through them, and what
+ * cancels them along this edge is singular there too. */
+static void find_hidden(harmonic_shape *h, unsigned at, unsigned e)
+{
+    const harmonic_point v = h->v[at], d = edge_of(h, e);
+    const long double share = share_of(h, v, e);
+    const harmonic_point foot = h->v[e] + share * d;
+
+    if (share >= 0 && share <= 1 && cross(d, v - h->v[e]) < 0 && !is_seen(h, at, foot, e))
+        h->foot[h->feet++] = (harmonic_foot){ e, share * cabsl(d), cabsl(v - foot), foot, v, true };
 }
 
 static void find_rooms(harmonic_shape *h)
 {
+    const unsigned n = h->sides;
+
     h->feet = 0;
-    for (unsigned i = 0; i < h->sides; i++)
+    for (unsigned i = 0; i < n; i++)
         h->room[i] = corner_room(h, i);
-    for (unsigned i = 0; i < h->sides; i++)
-        for (unsigned k = 1; k + 1 < h->sides; k++)
-            find_foot(h, i, (i + k) % h->sides);
+    for (unsigned i = 0; i < n; i++)
+        for (unsigned k = 1; k + 1 < n; k++)
+            find_foot(h, i, (i + k) % n);
+    const unsigned images = h->feet;
+    for (unsigned i = 0; i < n; i++)
+        for (unsigned k = 1; k + 1 < n; k++)
+            find_hidden(h, i, (i + k) % n);
+    for (unsigned i = 0; i < images; i++)
+        for (unsigned k = 1; k < n; k++)
+            find_second_image(h, &h->foot[i], (h->foot[i].edge + k) % n);
 }
 
 /* The scale of what happens at a place of an edge: the distance from the nearest vertex or foot, or
@@ -223,7 +287,7 @@ static long double place_scale(const harmonic_shape *h, unsigned e, harmonic_poi
     for (unsigned i = 0; i < h->sides; i++)
         least = fminl(least, fmaxl(cabsl(z - h->v[i]), h->room[i] * 0x1p-9L));
     for (unsigned i = 0; i < h->feet; i++)
-        if (h->foot[i].edge == e)
+        if (h->foot[i].edge == e && !h->foot[i].hidden)
             least = fminl(least, fmaxl(cabsl(z - h->foot[i].at), h->foot[i].room / 2));
     return least;
 }

@@ -13,13 +13,18 @@
 
 typedef long double complex harmonic_point;
 
-/* A vertex before an edge: the point of the edge that is nearest to it, how far along, how near,
- * and the vertex's mirror image in the edge's line. */
+/* What the solution, continued over an edge, is singular at: the point of the edge that is nearest
+ * to it, how far along, how near, and where it is. Mostly this is the mirror image, in the edge's
+ * line, of a vertex or of such an image; or it is a vertex that is hidden behind other edges. */
 typedef struct {
     unsigned edge;
     long double along, room;
     harmonic_point at, image;
+    bool hidden;
 } harmonic_foot;
+
+/* Vertices before or behind an edge, and images of images in the other edges. */
+#define HARMONIC_FEET (HARMONIC_SIDES * HARMONIC_SIDES * (HARMONIC_SIDES - 2))
 
 /* A polygon as the terms see it. */
 typedef struct {
@@ -32,7 +37,7 @@ typedef struct {
     long double turn[HARMONIC_SIDES]
                     [HARMONIC_SIDES]; /* as in loft_harmonic_corner                           */
     long double room[HARMONIC_SIDES]; /* of a corner: how near the next edge is */
-    harmonic_foot foot[HARMONIC_SIDES * HARMONIC_SIDES];
+    harmonic_foot foot[HARMONIC_FEET];
     unsigned feet;
 } harmonic_shape;
 

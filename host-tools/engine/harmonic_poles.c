@@ -3,10 +3,15 @@
  *
  * A pole lies in the plane of z, or in that of a corner's root of z - v, where the corner is half
  * as wide: there a slit that ends at it is open. What the solution, continued over an edge, is
- * singular at needs a chain of poles that leads away from it: a corner, and the mirror image of a
- * vertex in an edge that it is before. Each chain takes the plane in which the polygon leaves it
- * the most room, so that its poles are few, and are not near a part of the polygon that has nothing
- * to do with them.
+ * singular at needs a chain of poles that leads away from it: a corner, the mirror image of a
+ * vertex in an edge that it is before, and the image of such an image in another edge. Each chain
+ * takes the plane in which the polygon leaves it the most room, so that its poles are few, and are
+ * not near a part of the polygon that has nothing to do with them.
+ *
+ * A slit too narrow for poles keeps nothing out: a corner's terms are as large on its other side,
+ * where other terms have to cancel them. So no chain lies around a slit, but in the plane in which
+ * that is open; and what a corner's powers need on the other side is a chain behind the edge there,
+ * from the corner on, in a plane in which the way to it is outside.
  *
  * A corner's chain begins near the corner: a solution like r^a, a = pi over the angle, needs poles
  * from r = e^(-DIGITS / a) on, in distances that grow where fewer digits are left to find. Each
@@ -97,6 +102,23 @@ static unsigned arcs(const harmonic_planes *p, unsigned plane, harmonic_point ce
     return count;
 }
 
+/* How many arcs of a circle are outside, however narrow. */
+static unsigned arc_count(const harmonic_planes *p, unsigned plane, harmonic_point centre,
+                          long double radius)
+{
+    const harmonic_root *root = p->root[plane];
+    const double x = (double)creall(centre), y = (double)cimagl(centre),
+                 square = (double)(radius * radius);
+    unsigned crossings = 0;
+
+    for (size_t k = 0; k < p->count; k++) {
+        const double dx = root[k].x - x, dy = root[k].y - y, ex = dx + root[k].dx,
+                     ey = dy + root[k].dy;
+        crossings += (dx * dx + dy * dy < square) != (ex * ex + ey * ey < square);
+    }
+    return crossings / 2;
+}
+
 /* A chain around a corner in a plane: its centre, the radii of its circles, and the distance there
  * that is one of z beside the corner; 0 in the corner's own plane. */
 typedef struct {
@@ -124,7 +146,8 @@ static chain chain_of(const harmonic_shape *h, unsigned i, unsigned plane)
     return c;
 }
 
-/* About how many poles it needs, by the narrowest arc of each circle. */
+/* About how many poles it needs, by the narrowest arc of each circle. One that was not found is too
+ * narrow for a pole. */
 static long double chain_cost(const harmonic_planes *p, const chain *c)
 {
     const long double step = 1.25L;
@@ -136,6 +159,8 @@ static long double chain_cost(const harmonic_planes *p, const chain *c)
         long double narrow = INFINITY;
         for (unsigned k = 0; k < count; k++)
             narrow = fminl(narrow, arc[k].room);
+        if (arc_count(p, c->plane, c->centre, r) > count)
+            narrow = CLEAR * r;
         cost += fminl(r / narrow, 1 / CLEAR) * (step - 1);
     }
     return cost * (c->plane == c->corner ? OWN : 1);
@@ -198,6 +223,17 @@ static harmonic_point behind(const harmonic_shape *h, unsigned plane, const harm
     return cexpl(l / 2);
 }
 
+/* Whether the way from an edge to what is behind it is outside, in a plane. */
+static bool is_open(const harmonic_planes *p, const harmonic_foot *foot, unsigned plane)
+{
+    const harmonic_point way = foot->image - foot->at;
+
+    for (long double share = 1; share > 0.01L; share /= 1.1L)
+        if (!(clearance(p, plane, behind(p->h, plane, foot, foot->at + share * way)) > 0))
+            return false;
+    return true;
+}
+
 /* Where it gets narrow, the chain ends. Gives about how many poles it needs. */
 static long double foot_cuts(harmonic_planes *p, const harmonic_foot *foot, unsigned plane,
                              bool put)
@@ -220,23 +256,30 @@ static long double foot_cuts(harmonic_planes *p, const harmonic_foot *foot, unsi
     return cost;
 }
 
-/* The plane of z, or that of a corner that is not the foot itself. */
-static unsigned foot_plane(harmonic_planes *p, const harmonic_foot *foot)
+static long double foot_cost(harmonic_planes *p, const harmonic_foot *foot, unsigned plane)
+{
+    return foot->hidden && !is_open(p, foot, plane) ? INFINITY : foot_cuts(p, foot, plane, false);
+}
+
+/* In the plane of z, or that of a corner that is not the foot itself. A hidden corner has no chain
+ * where no plane is open. */
+static void put_foot(harmonic_planes *p, const harmonic_foot *foot)
 {
     const harmonic_shape *h = p->h;
     unsigned best = h->sides;
-    long double least = FLAT * foot_cuts(p, foot, best, false);
+    long double least = FLAT * foot_cost(p, foot, best);
 
     for (unsigned j = 0; j < h->sides; j++) {
         if (!is_opening(h, j) || cabsl(foot->at - h->v[j]) < 1e-6L * foot->room)
             continue;
-        const long double cost = foot_cuts(p, foot, j, false);
+        const long double cost = foot_cost(p, foot, j);
         if (cost < least) {
             least = cost;
             best = j;
         }
     }
-    return best;
+    if (least < INFINITY)
+        foot_cuts(p, foot, best, true);
 }
 
 
@@ -276,7 +319,7 @@ void harmonic_planes_of(const harmonic_shape *h, const harmonic_place place[], s
     for (unsigned i = 0; i < h->sides; i++)
         corner_cuts(p, i);
     for (unsigned i = 0; i < h->feet; i++)
-        foot_cuts(p, &h->foot[i], foot_plane(p, &h->foot[i]), true);
+        put_foot(p, &h->foot[i]);
 }
 
 void harmonic_planes_free(harmonic_planes *p)
