@@ -838,7 +838,6 @@
 #define loft_unit_to_acc           LOFT_NAME(loft_unit_to_acc)
 #define loft_unpacker_init         LOFT_NAME(loft_unpacker_init)
 #define loft_unpacker_next         LOFT_NAME(loft_unpacker_next)
-#define loft_v2_packed             LOFT_NAME(loft_v2_packed)
 #define loft_vec_exact_cross       LOFT_NAME(loft_vec_exact_cross)
 #define loft_vec_exact_dot         LOFT_NAME(loft_vec_exact_dot)
 #define loft_vec_exact_sub         LOFT_NAME(loft_vec_exact_sub)

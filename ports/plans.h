@@ -3,7 +3,7 @@
  *
  * Include it after `CELLS`, the size of the queue, is defined. Call loft_port_plans before the
  * configuration is returned. Half of the curves should be longer than the braking distance. Cost:
- * about 15 kB of RAM, 48 bytes of them for each knot, 52 more bytes for each curve, and 33 to 37 kB
+ * about 15 kB of RAM, 52 bytes of them for each knot, 52 more bytes for each curve, and 33 to 37 kB
  * of flash on a Cortex-M.
  */
 #ifndef LOFT_PLANS_H

@@ -82,7 +82,7 @@ static int32_t even_at(const loft_timing *t, unsigned k)
     int32_t most = LOFT_V2_MAX / 2;
 
     for (unsigned n = k > 4 ? k - 4 : 1; n <= k + 2 && n < t->end; n++)
-        most = least(most, loft_v2_of(t->knot[n].goal));
+        most = least(most, t->knot[n].goal);
     return most;
 }
 

@@ -210,7 +210,7 @@ static bool add_interval(const problem *p, unsigned k, column *at)
         return false;
     const int64_t time = x[1].time, m = (p->share * time >> 16) + 1;
     for (int n = 0; n < 2; n++) {
-        const int32_t v = speed_part(x[n].b, loft_v2_of(knot->top));
+        const int32_t v = speed_part(x[n].b, knot->top);
         if (v >= ONE)
             return false;
         if (at) {

@@ -300,8 +300,7 @@ static bool is_far(const int32_t v2[3], const int32_t add[3])
 int32_t loft_bump_part(const loft_period *period, const loft_knot knot[], unsigned k, int share,
                        const int32_t add[3])
 {
-    const int32_t v2[3] = { knot[k].v2, knot[k + 1].v2, knot[k + 2].v2 },
-                  top = loft_v2_of(knot[k].top);
+    const int32_t v2[3] = { knot[k].v2, knot[k + 1].v2, knot[k + 2].v2 }, top = knot[k].top;
     int32_t pace[3], more[3], some[3], part = LOFT_BUMP_ONE;
 
     set_pace(v2, pace);

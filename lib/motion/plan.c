@@ -49,8 +49,7 @@ static void append(loft_plan *plan, const loft_path_place *p)
     loft_knot *k = &plan->knot[plan->count++];
     k->on = *p;
     k->point = p->at;
-    k->v2 = 0;
-    k->goal = 0;
+    k->v2 = k->goal = 0;
 }
 
 /* Control points of three knots are at the start, and at the end. The third place is near it. */
@@ -362,7 +361,7 @@ static bool has_spare(const loft_plan *plan)
     for (int i = 0; i < LOFT_AXES; i++)
         p.jerk[i] = 0;
     for (unsigned k = 1; k < plan->sure && has; k++)
-        has = plan->knot[k + 1].v2 < loft_v2_of(plan->knot[k].top) / 8 * 7 &&
+        has = plan->knot[k + 1].v2 < plan->knot[k].top - plan->knot[k].top / 8 &&
               loft_timing_holds(&p, plan->knot, k, 60);
     return has;
 }

@@ -61,20 +61,11 @@ static int32_t top_of(const loft_period *p, const loft_knot knot[], unsigned k)
     return (int32_t)(root * root);
 }
 
-uint16_t loft_v2_packed(int32_t v2)
-{
-    int shift = 0;
-
-    while (v2 >> shift >= 4096)
-        shift++;
-    return (uint16_t)(v2 < 2048 ? v2 : ((shift + 1) << 11) | (v2 >> shift & 2047));
-}
-
 void loft_timing_load(const loft_period *period, loft_knot knot[], unsigned from, unsigned to)
 {
     for (unsigned k = from; k < to; k++) {
-        knot[k].top  = loft_v2_packed(top_of(period, knot, k));
-        knot[k].goal = loft_v2_packed(loft_timing_even(period, knot, k));
+        knot[k].top  = top_of(period, knot, k);
+        knot[k].goal = loft_timing_even(period, knot, k);
     }
 }
 
@@ -130,8 +121,7 @@ static void set_pace(int32_t x, int32_t y, int32_t z, pace at[3])
 bool loft_timing_holds(const loft_period *period, const loft_knot knot[], unsigned k, int share)
 {
     pace at[3];
-    const int32_t curve = knot[k].v2 - 2 * knot[k + 1].v2 + knot[k + 2].v2,
-                  top = loft_v2_of(knot[k].top);
+    const int32_t curve = knot[k].v2 - 2 * knot[k + 1].v2 + knot[k + 2].v2, top = knot[k].top;
 
     set_pace(knot[k].v2, knot[k + 1].v2, knot[k + 2].v2, at);
     if (at[0].b > top || at[1].b > top || at[2].b > top)
@@ -146,7 +136,7 @@ bool loft_timing_holds(const loft_period *period, const loft_knot knot[], unsign
  *      = 2^14 (part^2)^(1/3) = 2^7 (part^2 2^21)^(1/3) */
 int32_t loft_timing_even(const loft_period *period, const loft_knot knot[], unsigned k)
 {
-    int64_t b = loft_v2_of(knot[k].top);
+    int64_t b = knot[k].top;
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const legs e = legs_of(knot, k, i);
@@ -175,7 +165,7 @@ int32_t loft_timing_least(const loft_knot knot[], unsigned count)
     int32_t b = LOFT_V2_ONE;
 
     for (unsigned k = 1; k + 2 < count; k++)
-        b = loft_v2_of(knot[k].goal) < b ? loft_v2_of(knot[k].goal) : b;
+        b = knot[k].goal < b ? knot[k].goal : b;
     return b;
 }
 
@@ -233,7 +223,7 @@ static bool raise(bump *b)
 {
     const loft_timing *t = b->t;
     loft_knot *q = &t->knot[b->at];
-    const int32_t fine = q->v2 / FINE, rise = loft_v2_of(q[-1].goal) - q->v2;
+    const int32_t fine = q->v2 / FINE, rise = q[-1].goal - q->v2;
     const unsigned from = b->at > t->from + b->width ? b->at - b->width : t->from,
                    first = from > 3 ? from - 2 : 1, last = b->at + b->width + 1,
                    to = last < t->to ? last : t->to, end = to < t->end ? to : t->end;

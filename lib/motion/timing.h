@@ -17,19 +17,6 @@ LOFT_BEGIN_C
 #define LOFT_V2_MIN   ((int32_t)1 << 10)
 #define LOFT_V2_MAX   ((int32_t)1 << 29)
 
-/* A bound of v2 in 16 bits: 11 of them and a shift.
- *
- *   range   0 <= v2 <= LOFT_V2_MAX
- *   error   it is less by 2^-11 of itself at most
- */
-uint16_t loft_v2_packed(int32_t v2);
-
-static inline int32_t loft_v2_of(uint16_t packed)
-{
-    const int shift = packed >> 11;
-    return shift > 0 ? (int32_t)(2048 | (packed & 2047)) << (shift - 1) : packed;
-}
-
 /* Set the most that speed allows between knots from..to - 1 and the next ones. */
 void loft_timing_load(const loft_period *period, loft_knot knot[], unsigned from, unsigned to);
 

@@ -20,8 +20,8 @@ typedef struct {
         int32_t     aim;    /* then: what v2 is moved to, at first, aim.h */
     } work;
     int32_t         v2;     /* control value of the squared pace, 2^-24: timing.h */
-    uint16_t        top;    /* loft_v2_packed: the most that speed allows it to be, up to the */
-    uint16_t        goal;   /* next knot; and that all limits allow an even one */
+    int32_t         top;    /* the most that speed allows it to be, up to the next knot */
+    int32_t         goal;   /* the most that all limits allow an even one, up to the next knot */
 } loft_knot;
 
 /* Put the control points from..to - 1 where the path through the knots has them.
