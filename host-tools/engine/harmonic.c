@@ -8,8 +8,8 @@
 #include "engine/harmonic_poles.h"
 #include "base/least.h"          /* least_squares, least_room */
 
-#define PLACES 4000 /* of a boundary sample, at most     */
-#define TERMS  1500 /* of a series                       */
+#define PLACES 5000 /* of a boundary sample, at most     */
+#define TERMS  1900 /* of a series                       */
 
 #define WIDE 1e-10L    /* what errs less is fitted in long double */
 #define WIDE_TERMS 500 /* .. unless it has more terms             */
@@ -194,12 +194,14 @@ static void sample_error(const problem *p, harmonic_series *s)
     s->bound = most;
 }
 
+#define FINE 20 /* powers: poles with so many are tried after all others */
+
 static const recipe recipes[] = {
     { 2, 2, 0 },     { 3, 3, 0 },       { 3, 9, 0 },       { 4, 4, 0 },   { 4, 12, 0 },
     { 6, 6, 0 },     { 6, 18, 0 },      { 8, 8, 0 },       { 8, 24, 0 },  { 11, 11, 0 },
     { 11, 33, 0 }, { 15, 15, 0 },   { 15, 45, 0 },     { 6, 10, 3 },      { 6, 12, 2.4L },
     { 8, 14, 2 },  { 9, 14, 1.6L }, { 10, 16, 1.35L }, { 10, 16, 1.25L }, { 20, 20, 0 },
-    { 20, 60, 0 }, { 15, 80, 0 },   { 20, 100, 0 }
+    { 20, 60, 0 }, { 15, 80, 0 },   { 20, 100, 0 },    { FINE, 40, 2.4L }
 };
 
 static void start(double v[][2], unsigned sides, harmonic_target target, problem *p)
@@ -241,14 +243,15 @@ static bool is_reached(const harmonic_series *s, harmonic_target target)
     return s->bound <= target.error && s->weight * HARMONIC_ROUNDING <= target.rounding;
 }
 
-/* Powers alone that err less than this converge quickly: no poles are tried. */
+/* Powers alone that err less than this converge quickly: poles are tried at last only. */
 #define NO_POLES 1e-9L
 
 /* Whether the kind of series, with poles or without, is not the one for this polygon. Once poles
  * are best, it is too narrow for powers alone. */
 static bool is_wrong_kind(const harmonic_series *best, recipe r)
 {
-    return r.ratio > 0 ? best->pole_count == 0 && best->bound < NO_POLES : best->pole_count > 0;
+    return r.ratio > 0 ? best->pole_count == 0 && best->bound < NO_POLES && r.powers < FINE
+                       : best->pole_count > 0;
 }
 
 /* A series that errs 1000 times as much as wanted is far from the goal: the next one is left

@@ -17,7 +17,7 @@
 #include <stdio.h>
 
 #define HARMONIC_SIDES 8
-#define HARMONIC_POLES 600
+#define HARMONIC_POLES 800
 
 typedef struct {
     long double error;      /* to be reached on the boundary                            */

@@ -73,7 +73,8 @@ static void add(harmonic_planes *p, harmonic_cut cut)
 // Around corners
 // --------------
 
-/* The arcs of a circle that are outside: the place of each with the most room. Gives how many.
+/* The arcs of a circle that are outside: the place of each with the most room. Gives how many. No
+ * direction is that of a corner's own edge in its plane, where within and outside are rounding.
  *
  *   shape   out[directions] */
 static unsigned arcs(const harmonic_planes *p, unsigned plane, harmonic_point centre,
@@ -85,7 +86,7 @@ static unsigned arcs(const harmonic_planes *p, unsigned plane, harmonic_point ce
     bool open = false;
 
     for (unsigned k = 0; k < directions; k++) {
-        at[k] = centre + radius * cexpl(I * (2 * HARMONIC_PI * k / directions));
+        at[k] = centre + radius * cexpl(I * (2 * HARMONIC_PI * (k + 0.5L) / directions));
         room[k] = clearance(p, plane, at[k]);
         if (!(room[k] > 0))
             start = k;

@@ -91,10 +91,10 @@ enum loft_status loft_harmonic_init(loft_harmonic *h, const loft_domain *domain,
  *   error   the table's bound, and for rounding 2^-48 of the sum of its coefficients for one
  *           coordinate: the host prints the sum of both. Bounds of polygons with 4 to 8 sides
  *           that are nowhere narrower than 1/10: q16: 2^-22 with 5..125 terms   f32: 2^-30
- *           f64: 6e-14 with 5..361, but 1e-12 for a star of 8 sides and 2e-12 for a spiral.
- *           Narrow polygons, as channels of 1:1000 that turn by 10 degrees, slits of 1:5000 and
- *           corners of 1 degree, have at most 3e-7 with 150 to 1300 terms in q16. The
- *           host refuses what is above 1e-6, after some 15 s at most.
+ *           f64: 6e-13 with 5..650, a star of 8 sides with 890 and a spiral with 1230.
+ *           Narrow polygons, as channels of 1:1000 that turn by 10 degrees, slits of 1:5000,
+ *           necks beside slits and corners of 1 degree, have at most 5e-7 with 150 to 1800 terms
+ *           in q16. The host refuses what is above 1e-6, after some 30 s at most.
  *           On edges and at vertices as loft_domain_edge. Inside, none is below 2^-48 or above 1
  *   cost    per corner an angle, a sine, a cosine, a logarithm and an exponential, twice where it
  *           has poles; per term a product of complex numbers and one per coordinate, per pole an
