@@ -72,7 +72,7 @@ typedef struct {
     size_t count, room;
     drawing *to;
     const char *file;
-    unsigned line, tool;        /* of the shape */
+    const drawing_curve *of;    /* the first one of the shape */
 } filling;
 
 
@@ -148,15 +148,16 @@ static int draw_line(filling *g, double level, double x0, double x1, unsigned fi
     if (g->to->count >= DRAWING_CURVES_MAX)
         return tool_error(EX_DATAERR,
                           "%s:%u: --fill: more than %u curves: give lines further apart", g->file,
-                          g->line, DRAWING_CURVES_MAX);
+                          g->of->line, DRAWING_CURVES_MAX);
     for (int k = 0; k < 2; k++) {
         ends[k][0] = g->c * at[k] - g->s * y;
         ends[k][1] = g->s * at[k] + g->c * y;
     }
     set_line(p, ends[0], ends[1]);
-    drawing_add(g->to, p, true, g->line);
+    drawing_add(g->to, p, true, g->of->line);
     g->to->curve[g->to->count - 1].fill = fill & ~(DRAWING_FILLED | DRAWING_HIDDEN);
-    g->to->curve[g->to->count - 1].tool = g->tool;
+    g->to->curve[g->to->count - 1].tool  = g->of->tool;
+    g->to->curve[g->to->count - 1].layer = g->of->layer;
     return 0;
 }
 
@@ -201,8 +202,7 @@ static int hatch_shape(filling *g, const drawing *d, size_t first, size_t last, 
     g->c     = exact ? sine[(q + 1) % 4] : cos(degrees * DEGREE);
     g->s     = exact ? sine[q] : sin(degrees * DEGREE);
     g->count = 0;
-    g->line  = d->curve[first].line;
-    g->tool  = d->curve[first].tool;
+    g->of    = &d->curve[first];
     for (size_t i = first, begin = first; i < last; i++) {
         const drawing_curve *c = &d->curve[i];
         cross_curve(g, c->p);
@@ -219,9 +219,12 @@ static int hatch_shape(filling *g, const drawing *d, size_t first, size_t last, 
 static int draw_contours(filling *g, const drawing *d, size_t first, size_t last)
 {
     const contour_options o = { .distance = g->f->distance, .spiral = g->f->spiral };
-    drawing_curve like      = { .line = d->curve[first].line, .tool = d->curve[first].tool };
+    const drawing_curve *of = &d->curve[first];
+    const drawing_curve like = { .line  = of->line,
+                                 .tool  = of->tool,
+                                 .layer = of->layer,
+                                 .fill  = of->fill & ~(DRAWING_FILLED | DRAWING_HIDDEN) };
 
-    like.fill = d->curve[first].fill & ~(DRAWING_FILLED | DRAWING_HIDDEN);
     return contour_fill(&o, d, first, last, &like, g->to, g->file);
 }
 

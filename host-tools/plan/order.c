@@ -241,20 +241,20 @@ static void join_runs(runs *r, double within)
 // Chains
 // ------
 
-/* A line over the gap to the next curve, if there is one. */
-static void bridge_gap(drawing *out, const double to[2], double z, unsigned line)
+/* A line over the gap to the next curve, if there is one, drawn as that is. */
+static void bridge_gap(drawing *out, const drawing_curve *next)
 {
     const drawing_curve *last = &out->curve[out->count - 1];
-    drawing_curve c           = { .line = line };
+    drawing_curve c           = *next;
 
-    if (apart(last->p[3], to) <= SAME)
+    if (apart(last->p[3], next->p[0]) <= SAME)
         return;
     for (int k = 0; k < 4; k++) {
         for (int i = 0; i < 2; i++)
-            c.p[k][i] = last->p[3][i] + (to[i] - last->p[3][i]) * k / 3;
-        c.z[k] = z;
+            c.p[k][i] = last->p[3][i] + (next->p[0][i] - last->p[3][i]) * k / 3;
+        c.z[k] = next->z[0];
     }
-    memcpy(c.p[3], to, sizeof c.p[3]);
+    memcpy(c.p[3], next->p[0], sizeof c.p[3]);
     drawing_add_like(out, &c, false);
 }
 
@@ -272,14 +272,14 @@ static bool draw_chain(const runs *r, size_t end, drawing *out)
             if (e % 2 == 1)
                 turn_curve(&c);
             if (out->count > begin && i == of->first)
-                bridge_gap(out, c.p[0], c.z[0], c.line);
+                bridge_gap(out, &c);
             drawing_add_like(out, &c, out->count == begin);
         }
     }
     const drawing_curve first = out->curve[begin];
     const bool closed         = r->all[end / 2].partner[end % 2] != NONE;
     if (closed)
-        bridge_gap(out, first.p[0], first.z[0], first.line);
+        bridge_gap(out, &first);
     return closed;
 }
 
@@ -456,8 +456,8 @@ int order_apply(const order_options *o, drawing *d, const double from[2], bool r
 
     if (code != 0 || o->how == NULL || strcmp(o->how, "file") == 0)
         return code;
-    if (strcmp(o->how, "best") != 0)
-        return tool_error(EX_USAGE, "--order %s: give file or best", o->how);
+    if (strcmp(o->how, "best") != 0 && strcmp(o->how, "layer") != 0)
+        return tool_error(EX_USAGE, "--order %s: give file, layer or best", o->how);
     if (d->program)
         return tool_error(EX_USAGE,
                           "%s: is a program, which says every motion: its order is that of the "

@@ -12,7 +12,7 @@
 #include "read/drawing.h"   /* drawing */
 
 typedef struct {
-    const char *how;            /* "file" or "best"; NULL: file */
+    const char *how;            /* "file", "layer" or "best"; NULL: file */
     double effort;              /* seconds, as in tour.h */
     double join;                /* mm */
     const char *seam;           /* "any", "corner" or "X,Y"; NULL: any */
@@ -24,21 +24,20 @@ typedef struct {
 
 /* Rows of a table of options. */
 #define ORDER_OPTIONS(o)                                                                           \
-    TOOL_TEXT("order", "file|best", &(o)->how,                                                     \
-              "of the paths: as in the file, or with the least travel (file)"),                    \
+    TOOL_TEXT("order", "file|layer|best", &(o)->how,                                               \
+              "of the paths: as in the file, or with the least travel: within each layer of "      \
+              "Inkscape, or in all. What follows is for these two (file)"),                        \
         TOOL_NUMBER("order-time", "S", &(o)->effort, 0, 3600,                                      \
-                    "for --order best: work of about S seconds. It is counted, so that the same "  \
-                    "command gives the same order (2)"),                                           \
+                    "work of about S seconds. It is counted, so that the same command gives the "  \
+                    "same order (2)"),                                                             \
         TOOL_NUMBER("join", "MM", &(o)->join, 0, 10,                                               \
-                    "for --order best: ends this close are joined by a line (0.005)"),             \
+                    "ends this close are joined by a line (0.005)"),                               \
         TOOL_TEXT("seam", "WHERE", &(o)->seam,                                                     \
-                  "for --order best, where closed paths begin: any, corner, or X,Y: near to it "   \
-                  "(any)"),                                                                        \
-        TOOL_SWITCH("doubles", &(o)->doubles,                                                      \
-                    "for --order best: draw twice what the drawing has twice")
+                  "where closed paths begin: any, corner, or X,Y: near to it (any)"),              \
+        TOOL_SWITCH("doubles", &(o)->doubles, "draw twice what the drawing has twice")
 
-/* Put the drawing in order, for a tool that begins at `from` and, if it `returns`, ends there.
- * Returns 0, or an exit code after printing one line. */
+/* Put the drawing in order, all of it also with "layer" (tools.h), for a tool that begins at `from`
+ * and, if it `returns`, ends there. Returns 0, or an exit code after printing one line. */
 int order_apply(const order_options *o, drawing *d, const double from[2], bool returns,
                 const char *file);
 

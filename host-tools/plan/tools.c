@@ -3,6 +3,7 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/source.h"            /* source_name */
@@ -95,6 +96,51 @@ static size_t part_end(const drawing *d, size_t first)
     return last;
 }
 
+static size_t layer_end(const drawing *d, size_t first)
+{
+    size_t last = first;
+
+    while (last < d->count && d->curve[last].tool == d->curve[first].tool &&
+           d->curve[last].layer == d->curve[first].layer)
+        last++;
+    return last;
+}
+
+static int compare_layers(const void *a, const void *b)
+{
+    const drawing_curve *x = *(const drawing_curve *const *)a,
+                        *y = *(const drawing_curve *const *)b;
+
+    if (x->tool != y->tool)
+        return x->tool > y->tool ? 1 : -1;
+    if (x->layer != y->layer)
+        return x->layer > y->layer ? 1 : -1;
+    return (x > y) - (x < y);
+}
+
+/* Bring together what each layer has: copies of a drawing and layers in layers part it. */
+static void sort_layers(drawing *d, const char *file)
+{
+    const drawing_curve **all = tool_grow(NULL, d->count * sizeof(drawing_curve *));
+    drawing sorted            = { .width = d->width, .height = d->height };
+    bool any                  = false;
+
+    for (size_t i = 0; i < d->count; i++) {
+        all[i] = &d->curve[i];
+        any    = any || all[i]->layer > 0;
+    }
+    if (!any)
+        (void)tool_error(EX_OK, "%s: it has no layers of Inkscape: --order best orders all of it",
+                         source_name(file));
+    qsort(all, d->count, sizeof *all, compare_layers);
+    for (size_t i = 0; i < d->count; i++)
+        drawing_add_like(&sorted, all[i],
+                         i == 0 || all[i] != all[i - 1] + 1 || all[i]->path != all[i - 1]->path);
+    free(all);
+    drawing_free(d);
+    *d = sorted;
+}
+
 static void append(drawing *to, const drawing *from)
 {
     for (size_t i = 0; i < from->count; i++)
@@ -105,15 +151,19 @@ static void append(drawing *to, const drawing *from)
 int tools_order(const order_options *o, drawing *d, const double from[2], bool returns,
                 const char *file)
 {
+    const bool layers = o->how != NULL && strcmp(o->how, "layer") == 0;
+    size_t (*end)(const drawing *, size_t) = layers ? layer_end : part_end;
     drawing ordered = { .width = d->width, .height = d->height };
     double at[2]    = { from[0], from[1] };
     int code        = 0;
 
-    if (d->program || part_end(d, 0) == d->count)
+    if (layers && !d->program && d->count > 0)
+        sort_layers(d, file);
+    if (d->program || end(d, 0) == d->count)
         return order_apply(o, d, from, returns, file);
     for (size_t first = 0, last; first < d->count && code == 0; first = last) {
         drawing part = { .count = 0 };
-        last         = part_end(d, first);
+        last         = end(d, first);
         for (size_t i = first; i < last; i++)
             drawing_add_like(&part, &d->curve[i],
                              i > first && d->curve[i].path != d->curve[i - 1].path);

@@ -16,7 +16,7 @@
  * line. */
 int tools_apply(const machine_tools *t, drawing *d, const char *file);
 
-/* Put the part of each tool in order (order.h). Results as above. */
+/* Put the part of each tool in order (order.h), or of each layer of each tool. Results as above. */
 int tools_order(const order_options *o, drawing *d, const double from[2], bool returns,
                 const char *file);
 

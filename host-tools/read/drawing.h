@@ -25,6 +25,8 @@ typedef struct {
     unsigned path;          /* 0, 1, 2 ..: curves of one path follow each other and are connected */
     unsigned line;          /* its line in the file */
     unsigned tool;          /* of the machine: its number in the table of tools, from 1; 0: none */
+    unsigned layer;         /* of SVG: which layer of Inkscape it is in, from 1 in the order of the
+                             * file; 0: in none */
     float width, mitre;     /* of SVG: of its stroke, mm, 0: none is known; length over width */
     float pen[3];           /* of SVG: its stroke is as wide as an ellipse: xx, xy, yy of the matrix
                              * of determinant 1 that makes it of a circle; all 0: a circle */

@@ -367,12 +367,14 @@ static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const
     const bool chosen = svg_layer_chosen(r, node);
     if (!svg_layer_drawn(r, node))
         return true;
-    const unsigned tool = r->layer_tool;
+    const unsigned tool = r->layer_tool, layer = r->layer;
     r->layer_tool = svg_layer_tool(r, node);
+    r->layer      = svg_layer_number(r, node);
     r->depth++;
     r->chosen += chosen;
     const bool good = draw_in_space(r, node, space, chain);
     r->layer_tool = tool;
+    r->layer      = layer;
     r->chosen -= chosen;
     r->depth--;
     return good;

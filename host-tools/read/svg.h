@@ -83,6 +83,7 @@ typedef struct {
     float width, mitre, pen[3];
     unsigned char cap, join;
     unsigned layer_tool;        /* of the layers around the current element; 0: none */
+    unsigned layer, layers;     /* the innermost of them, see drawing.h; those that were entered */
     bool clipping;              /* what is drawn now is a clip path */
     bool masking, plain;        /* or a mask; it is white, as a clip path would do */
     unsigned long long compared;/* pairs of curves, to stop a flood of them */
@@ -542,6 +543,9 @@ bool svg_layer_chosen(const svg_reader *r, const xmlNode *node);
 /* The number of the tool that draws this layer, or what is in it; that of the layers around it
  * otherwise. */
 unsigned svg_layer_tool(const svg_reader *r, const xmlNode *node);
+
+/* The number of the layer that draws what is in the element, 0: none; a layer gets the next one. */
+unsigned svg_layer_number(svg_reader *r, const xmlNode *node);
 
 /* AxiDraw leaves out layers whose names begin with %, and reads numbers in others. */
 bool svg_layer_drawn(svg_reader *r, const xmlNode *node);

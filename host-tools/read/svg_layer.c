@@ -71,6 +71,15 @@ unsigned svg_layer_tool(const svg_reader *r, const xmlNode *node)
     return found;
 }
 
+unsigned svg_layer_number(svg_reader *r, const xmlNode *node)
+{
+    char *name           = layer_name(node);
+    const unsigned found = name != NULL ? ++r->layers : r->layer;
+
+    xmlFree(name);
+    return found;
+}
+
 /* Look for a layer in the file; its names are added to `names`. */
 static bool has_layer(const xmlNode *node, const char *word, size_t length, char names[200])
 {

@@ -90,6 +90,7 @@ bool svg_cubic(svg_pen *pen, double x1, double y1, double x2, double y2, double 
     drawing_curve *c = &d->curve[d->count - 1];
     c->fill  = pen->r->fill;
     c->tool  = pen->r->tool;
+    c->layer = pen->r->layer;
     c->width = pen->r->width;
     c->mitre = pen->r->mitre;
     c->cap   = pen->r->cap;

@@ -225,7 +225,8 @@ static void what_cannot_be_is_refused(arb *a)
     (void)a;
     add_line(&d, 5, 5, 6, 6, true);
     add_line(&d, 1, 1, 2, 2, true);
-    CHECK(apply(&d, &bad) == EX_USAGE && strstr(caught, "--order wild: give") != NULL);
+    CHECK(apply(&d, &bad) == EX_USAGE &&
+          strstr(caught, "--order wild: give file, layer or best") != NULL);
     CHECK(apply(&d, &seam) == EX_USAGE && strstr(caught, "--seam left: give") != NULL);
     CHECK(apply(&d, &best) == EX_USAGE && strstr(caught, "is a program") != NULL);
     CHECK(apply(&d, &file) == 0 && d.curve[0].p[0][0] == 5);

@@ -151,6 +151,71 @@ static void the_order_stays_within_a_tool(arb *a)
     drawing_free(&d);
 }
 
+/* Copies bring the layers twice; a layer goes on behind the one in it. */
+static void the_order_stays_within_a_layer(arb *a)
+{
+    static const char text[] = PAGE(
+        LAYER("1", STROKE(9, "red") LAYER("2", STROKE(3, "red")) STROKE(1, "red")) STROKE(7, "red")
+            LAYER("3", STROKE(2, "red") STROKE(5, "blue")));
+    const order_options layer = { .how = "layer", .effort = 0.01, .join = 0.005 };
+    const char *const none[] = { NULL }, *const lines[] = { "tool.a.colours = red",
+                                                            "tool.b.colours = blue", NULL };
+    const double zero[2] = { 0, 100 };
+    char got[2000];
+    machine_tools t;
+    drawing d;
+
+    (void)a;
+    CHECK(read_lines(&t, none) == 0 && sorted(&t, text, &d) == 0);
+    for (size_t i = 0, count = d.count; i < count; i++) {
+        drawing_add_like(&d, &d.curve[i], true);
+        for (int k = 0; k < 4; k++)
+            d.curve[d.count - 1].p[k][1] += 20;
+    }
+    CHECK(tools_order(&layer, &d, zero, false, "test.svg") == 0 && caught[0] == '\0');
+    put_drawing(got, sizeof got, &d, 100);
+    CHECK(strcmp(got, "M 7 10 L 7 0 M 7 -10 L 7 -20 M 9 -20 L 9 -10 M 9 0 L 9 10 M 1 10 L 1 0"
+                      " M 1 -10 L 1 -20 M 3 -20 L 3 -10 M 3 0 L 3 10 M 2 10 L 2 0 M 2 -10 L 2 -20"
+                      " M 5 -20 L 5 -10 M 5 0 L 5 10") == 0);
+    drawing_free(&d);
+
+    CHECK(read_lines(&t, lines) == 0 && sorted(&t, text, &d) == 0);
+    CHECK(tools_order(&layer, &d, zero, false, "test.svg") == 0);
+    put_drawing(got, sizeof got, &d, 100);
+    CHECK(strcmp(got, "M 7 0 L 7 10 M 9 10 L 9 0 M 1 0 L 1 10 M 3 10 L 3 0 M 2 0 L 2 10"
+                      " M 5 10 L 5 0") == 0);
+    CHECK(d.curve[5].tool == 2 && d.curve[4].tool == 1);
+    drawing_free(&d);
+
+    CHECK(sorted(&t, PAGE(STROKE(9, "red") STROKE(1, "red")), &d) == 0);
+    CHECK(tools_order(&layer, &d, zero, false, "test.svg") == 0);
+    CHECK(strstr(caught, "test.svg: it has no layers of Inkscape") != NULL);
+    drawing_free(&d);
+}
+
+/* A line over a gap belongs to the tool, the layer and the heights of its path. */
+static void a_gap_is_drawn_by_the_tool(arb *a)
+{
+    const char *const lines[] = { "tool.a.colours = red", "tool.a.feed = 9", "tool.a.pen_down = -1",
+                                  NULL };
+    const order_options best  = { .how = "best", .effort = 0.01, .join = 0.5 };
+    const double zero[2]      = { 0, 100 };
+    tools_part part[TOOLS_PARTS];
+    machine_tools t;
+    drawing d;
+
+    (void)a;
+    CHECK(read_lines(&t, lines) == 0);
+    CHECK(sorted(&t, PAGE(LAYER("1", "<path d='M1 0V5M1 5.25V10' stroke='red'/>")), &d) == 0);
+    CHECK(tools_order(&best, &d, zero, false, "test.svg") == 0 && d.count == 3);
+    CHECK(tools_split(&t, &d, &d, part) == 1);
+    for (size_t i = 0; i < d.count; i++) {
+        CHECK(d.curve[i].tool == 1 && d.curve[i].layer == 1 && d.curve[i].path == 0);
+        CHECK(d.curve[i].feed > 8.9 && d.curve[i].z[1] < -0.9);
+    }
+    drawing_free(&d);
+}
+
 static void without_tools_nothing_changes(arb *a)
 {
     const machine_tools none = { .count = 0 };
@@ -230,6 +295,8 @@ int main(void)
     PROPERTY(bad_lines_are_refused, 1);
     PROPERTY(drawings_are_sorted, 1);
     PROPERTY(the_order_stays_within_a_tool, 1);
+    PROPERTY(the_order_stays_within_a_layer, 1);
+    PROPERTY(a_gap_is_drawn_by_the_tool, 1);
     PROPERTY(without_tools_nothing_changes, 1);
     PROPERTY(a_pen_cannot_be_lifted_downwards, 1);
     PROPERTY(a_program_changes_tools, 1);
