@@ -2,17 +2,18 @@
 # SPDX-License-Identifier: MIT
 
 CORTEX_M0  = -mcpu=cortex-m0
+CORTEX_M0P = -mcpu=cortex-m0plus
 CORTEX_M3  = -mcpu=cortex-m3
 CORTEX_M4F = -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard
 CORTEX_M7  = -mcpu=cortex-m7 -mfpu=fpv5-d16 -mfloat-abi=hard
 CORTEX_M33 = -mcpu=cortex-m33 -mfpu=fpv5-sp-d16 -mfloat-abi=hard
 
-# cortex BOARD, core, memory (flash, its size, RAM, its size), flags, source
+# cortex BOARD, core, memory (flash, its size, RAM, its size), flags, source, script if not its own
 cortex_memory = -DFLASH=$(word 1,$(1)) -DFLASH_SIZE=$(word 2,$(1)) \
                 -DRAM=$(word 3,$(1)) -DRAM_SIZE=$(word 4,$(1))
 cortex_gcc = arm-none-eabi-gcc -mthumb $(1) $(call cortex_memory,$(2)) $(3)
 cortex = $(eval $(call firmware,$(1),$(call cortex_gcc,$(2),$(3),$(4)),arm-none-eabi,$(strip \
-    ports/cortex-m/start.c $(5)),ports/cortex-m/cortex.ld.in))
+    ports/cortex-m/start.c $(5)),$(or $(6),ports/cortex-m/cortex.ld.in)))
 
 STM32F405 = -DCORTEX_IRQS=82 -DCORTEX_LINE_IRQ=37 -DCORTEX_STREAM_IRQ=68 -DSTREAM_AHEAD=1 \
             -DSTREAM_OUTPUTS=2
@@ -41,6 +42,30 @@ $(call cortex,mps2-an385,$(CORTEX_M3),0x00000000 4M 0x20000000 4M,$(MPS2),$(MPS2
 $(call cortex,mps2-an386,$(CORTEX_M4F),0x00000000 4M 0x20000000 4M,$(MPS2),$(MPS2_PORT))
 $(call cortex,mps2-an500,$(CORTEX_M7),0x00000000 4M 0x20000000 4M,$(MPS2),$(MPS2_PORT))
 $(call cortex,mps2-an505,$(CORTEX_M33),0x10000000 4M 0x38000000 4M,$(MPS2_33),$(MPS2_PORT))
+
+# --- the RP2040: its program lies in a file of blocks, with a checksum ----------------------------
+RP2040 = -DCORTEX_IRQS=26 -DCORTEX_LINE_IRQ=20 -DCORTEX_STREAM_IRQ=11 -DSTREAM_LAG=5
+RP2040_SRC = $(strip ports/rp2040/boot.S ports/rp2040/port.c ports/cortex-m/stream.c \
+    $(NO_OUTPUTS))
+RP2040_AT  = 0x10000000 2M 0x20000000 256K
+RP2040_LD  = ports/rp2040/rp2040.ld.in
+$(call cortex,rp2040,$(CORTEX_M0P),$(RP2040_AT),$(RP2040) -DLOFT_SLOTS=250,$(strip \
+    $(RP2040_SRC)),$(RP2040_LD))
+$(call cortex,rp2040-fast,$(CORTEX_M0P),$(RP2040_AT),$(RP2040) -DLOFT_SLOTS=1000,$(strip \
+    $(RP2040_SRC)),$(RP2040_LD))
+build/firmware/%/loft.uf2: build/firmware/%/loft.elf ports/rp2040/image.py
+	$(SAY) "  UF2 $@"
+	$(Q)arm-none-eabi-objcopy -O binary $< $(@:.uf2=.bin)
+	$(Q)python3 ports/rp2040/image.py $(@:.uf2=.bin) $@
+firmware-rp2040 firmware-rp2040-fast: firmware-%: build/firmware/%/loft.uf2
+
+## Write it to a Raspberry Pi Pico that was plugged in with BOOTSEL held: RP2040_DRIVE is its drive
+RP2040_DRIVE ?= /media/$(USER)/RPI-RP2
+.PHONY: flash-rp2040 flash-rp2040-fast
+flash-rp2040 flash-rp2040-fast: flash-%: firmware-%
+	@test -d "$(RP2040_DRIVE)" || { echo "$(RP2040_DRIVE) is not there: plug the board in with" \
+	    "BOOTSEL held, and name its drive: RP2040_DRIVE=/path"; exit 1; }
+	cp build/firmware/$*/loft.uf2 "$(RP2040_DRIVE)"
 
 # --- flashing: the usual tool, or a clear word when it is missing ---------------------------------
 flash_tool = @command -v $(1) >/dev/null || { echo "$(1) is missing: apt install $(2)"; exit 1; }

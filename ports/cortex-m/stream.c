@@ -17,6 +17,10 @@ static volatile bool waits;                 /* the timer stands: the next half i
 static volatile bool changed;
 static uint32_t changed_word;
 static uint8_t changed_half;
+static int32_t changed_ahead[LOFT_AXES];    /* steps of the words that waited then */
+#if STREAM_LAG > 0
+static uint32_t waiting[STREAM_LAG];        /* the last ones of the half before */
+#endif
 
 uint32_t *cortex_ring(void) { return ring; }
 
@@ -59,16 +63,54 @@ static void give_outputs(uint8_t half, bool stands)
 // Slots
 // -----
 
+static void count_word(uint32_t word, int32_t steps[LOFT_AXES])
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (word & 1u << i)
+            steps[i] += word & 1u << (STREAM_DIR_AT + i) ? -1 : 1;
+}
+
+/* The last words of a half, before it is made anew. */
+static void keep_waiting(uint8_t half)
+{
+#if STREAM_LAG > 0
+    for (uint32_t k = 0; k < STREAM_LAG; k++)
+        waiting[k] = ring[(half & 1u) * STREAM_HALF + STREAM_HALF - STREAM_LAG + k];
+#else
+    (void)half;
+#endif
+}
+
 void cortex_block(void)
 {
     cortex_acknowledge();
+    keep_waiting(given);
     given++;
-    if (given == made) {
-        cortex_run(false);
-        waits = true;
-    }
+    waits = given == made;
+    cortex_run(!waits);
     give_outputs(given, waits);
     cortex_later();
+}
+
+/* The words that wait are the last ones before those that are not taken. The half before may be
+ * made anew already, unless its interrupt waits. */
+static void count_waiting(uint8_t half, uint32_t word, bool uncounted)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        changed_ahead[i] = 0;
+#if STREAM_LAG > 0
+    const uint32_t *const here = &ring[(half & 1u) * STREAM_HALF],
+                          *const before = uncounted
+                                              ? &ring[(~half & 1u) * STREAM_HALF + STREAM_HALF]
+                                              : waiting + STREAM_LAG;
+
+    for (uint32_t k = cortex_waiting(); k > 0; k--)
+        count_word(k > word ? *(before - (k - word)) : here[word - k], changed_ahead);
+#else
+    (void)half;
+    (void)word;
+    (void)uncounted;
+#endif
 }
 
 /* A half that has just been given may not be counted yet: its interrupt waits. */
@@ -78,9 +120,11 @@ void cortex_sample(void)
         return;
     const uint32_t word = cortex_given();
     const uint8_t half = given;
+    const bool uncounted = (word / STREAM_HALF ^ half) & 1u;
 
-    changed_half = (uint8_t)(half + ((word / STREAM_HALF ^ half) & 1u));
+    changed_half = (uint8_t)(half + uncounted);
     changed_word = word % STREAM_HALF;
+    count_waiting(changed_half, changed_word, uncounted);
     LOFT_BARRIER();
     changed = true;
 }
@@ -92,16 +136,12 @@ static void latch(void)
     const uint32_t left = (uint8_t)(made - changed_half) * STREAM_HALF + STREAM_AHEAD -
                           changed_word;
     uint32_t at = (changed_half & 1u) * STREAM_HALF + changed_word;
-    int32_t ahead[LOFT_AXES] = { 0 };
 
     for (uint32_t k = 0; k < left && k < STREAM_WORDS; k++) {
-        const uint32_t word = ring[at];
-        for (int i = 0; i < LOFT_AXES; i++)
-            if (word & 1u << i)
-                ahead[i] += word & 1u << (STREAM_DIR_AT + i) ? -1 : 1;
+        count_word(ring[at], changed_ahead);
         at = at + 1 == STREAM_WORDS ? 0 : at + 1;
     }
-    loft_port_latch(ahead);
+    loft_port_latch(changed_ahead);
     LOFT_BARRIER();
     changed = false;
 }

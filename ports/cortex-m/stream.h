@@ -14,6 +14,8 @@
  * An output changes where the half begins in which its tick does: 0.25 ms before it, at most. While
  * the timer stands all are off.
  *
+ * On an RP2040 DMA feeds a state machine instead of the pins: rp2040/port.c.
+ *
  * If a half is not made in time the timer stops until it is: no word is given twice.
  */
 #ifndef LOFT_CORTEX_STREAM_H
@@ -29,6 +31,11 @@
  * half is made with the half before, so that it is there. */
 #ifndef STREAM_AHEAD
 #  define STREAM_AHEAD 0
+#endif
+
+/* Words that the transfer has taken, at most, and that wait for their slots behind it. */
+#ifndef STREAM_LAG
+#  define STREAM_LAG 0
 #endif
 
 /* The outputs that the port has. */
@@ -49,12 +56,14 @@ static inline uint32_t stream_dir(uint8_t dir)
 /* The ring, for the transfer. */
 uint32_t *cortex_ring(void);
 
-/* OF THE PORT: set up timer and transfer, and return the clock of the core in Hz; let the timer run
- * or stand; the number of words of this turn of the ring that are given; the transfer's interrupt
- * is acknowledged; set an output, from 1, if it has any. */
+/* OF THE PORT: set up timer and transfer, and return the clock of the core in Hz; let the timer
+ * run, also at the begin of each half, or stand; the number of words of this turn of the ring that
+ * the transfer has taken, and, with a STREAM_LAG, of those that wait; the transfer's interrupt is
+ * acknowledged; set an output, from 1, if it has any. */
 uint32_t cortex_stream(uint32_t slot_hz);
 void     cortex_run(bool run);
 uint32_t cortex_given(void);
+uint32_t cortex_waiting(void);
 void     cortex_acknowledge(void);
 void     cortex_output(int output, uint16_t level);
 

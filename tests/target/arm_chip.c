@@ -7,32 +7,19 @@
  * --late: once, in mid-job, the interrupt that makes slots is held for US microseconds.
  *
  * It ends when N jobs, or one, have been drawn and closed, and prints lines `name value`.
- * Registers: RM0090 (stm32f405), RM0008 (stm32f103).
  */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sysexits.h>
 
-#include "arm_stream.h"
-#include "chip_line.h"
+#include "arm_chip.h"
 
 #define SETTLE  20                      /* ms after the last byte, time to answer it */
 
-/* What differs between the chips. Addresses: RCC's clock control; the pins of the slots, the
- * port of the switches and x in it; timer 1; its transfers; USART 1; the outputs. */
-struct kind {
-    const char *name;
-    int model;
-    bool fpu, streams;
-    struct arm_memory memory;
-    uint32_t hz, bus;                   /* of the core; of USART 1 */
-    unsigned irq_line, irq_stream, x_switch;
-    uint32_t rcc, bsrr, idr, timer, dma, usart, random;
-    uint32_t power, outputs;            /* timer 4 and its port, or 0 */
-};
 static const struct kind kinds[] = {
     { .name = "stm32f405",
+      .family = &arm_stm32,
       .model = UC_CPU_ARM_CORTEX_M4,
       .fpu = true,
       .streams = true,
@@ -51,6 +38,7 @@ static const struct kind kinds[] = {
       .power = 0x40000800,
       .outputs = 0x40020400 },
     { .name = "stm32f103",
+      .family = &arm_stm32,
       .model = UC_CPU_ARM_CORTEX_M3,
       .streams = false,
       .memory = { 0x08000000, 0x10000, 0x20000000, 0x5000 },
@@ -65,37 +53,20 @@ static const struct kind kinds[] = {
       .timer = 0x40012C00,
       .dma = 0x40020000,
       .usart = 0x40013800 },
+    { .name = "rp2040",
+      .family = &arm_rp2040,
+      .model = UC_CPU_ARM_CORTEX_M0,
+      .memory = { 0x10000000, 0x200000, 0x20000000, 0x42000, 0x10000100 },
+      .hz = 125000000,
+      .irq_line = 20,
+      .irq_stream = 11,
+      .x_switch = 6 },
 };
 
-struct chip {
-    const struct kind *kind;
-    struct arm_core core;
-    struct arm_stream stream;
-    struct chip_line line;
-    uint32_t plain[0x20000];            /* registers without an effect: 0x40000000.. */
-    uint8_t in[65536];                  /* to the chip; indices wrap */
-    uint16_t in_head, in_tail;
-    uint16_t switched;                  /* pins of the port of the outputs */
-    bool came;                          /* RXNE */
-    uint8_t data;
-    uint64_t came_at, sent_at, heard, received, overruns;
-    int32_t x, touch;                   /* steps of x at the pins; where its switch closes, or 0 */
-    uint64_t bounce, settled;           /* cycles */
-    bool closed;
-    uint64_t late;                      /* cycles; 0: no more */
-    uint32_t jobs;
-};
 
 
 // The line
 // --------
-
-static uint64_t byte_cycles(const struct chip *c)
-{
-    const uint32_t divider = c->plain[(c->kind->usart + 8 - 0x40000000) / 4];
-
-    return 10ull * (divider ? divider : 1) * (c->kind->hz / c->kind->bus);
-}
 
 static void byte_in(void *context, uint8_t byte)
 {
@@ -107,25 +78,33 @@ static void byte_in(void *context, uint8_t byte)
     c->heard = c->core.now;
 }
 
-/* CR1: an interrupt when a byte can be sent. */
-static bool asks_to_send(const struct chip *c)
-{
-    return c->plain[(c->kind->usart + 0x0C - 0x40000000) / 4] >> 7 & 1;
-}
-
 /* A byte is there after ten bits. */
 static void receive(struct chip *c, uint64_t now)
 {
-    while (c->in_head != c->in_tail && c->came_at + byte_cycles(c) <= now) {
-        c->came_at += byte_cycles(c);
+    while (c->in_head != c->in_tail && c->came_at + c->kind->family->byte_cycles(c) <= now) {
+        c->came_at += c->kind->family->byte_cycles(c);
         c->overruns += c->came;
         c->data = c->in[c->in_tail++];
         c->came = true;
         c->received++;
         c->heard = now;
     }
-    if (c->came || (asks_to_send(c) && c->sent_at <= now))
+    if (c->came || (c->kind->family->asks_to_send(c) && c->sent_at <= now))
         arm_core_raise(&c->core, c->kind->irq_line);
+}
+
+/* It asks as long as it is set. */
+uint8_t chip_take(struct chip *c)
+{
+    c->came = c->core.pending[16 + c->kind->irq_line] = false;
+    return c->data;
+}
+
+void chip_send(struct chip *c, uint8_t byte)
+{
+    chip_line_out(&c->line, byte);
+    c->heard = c->core.now;
+    c->sent_at = c->core.now + c->kind->family->byte_cycles(c);
 }
 
 
@@ -148,7 +127,7 @@ static void x_pulse(void *context)
 
 /* Of the switches. A contact that bounces is first as it will be, then changes each 64 us or later,
  * by a pattern without a period. */
-static uint32_t inputs(const struct chip *c)
+uint32_t chip_inputs(const struct chip *c)
 {
     const uint64_t now = c->core.now, part = c->kind->hz / 1000000 * 64;
     bool closed = c->closed;
@@ -163,153 +142,25 @@ static uint32_t inputs(const struct chip *c)
 static uint32_t read_register(void *context, uint32_t address)
 {
     struct chip *c = context;
-    const struct kind *k = c->kind;
-    const struct arm_stream *s = &c->stream;
-    const uint32_t plain = address - 0x40000000 < sizeof c->plain
-                               ? c->plain[(address - 0x40000000) / 4]
-                               : 0;
+    const bool low = address - 0x40000000 < sizeof c->plain;
 
-    if (address == k->rcc)                      /* clocks that are on are ready */
-        return plain | (plain & 0x01010001) << 1;
-    if (address == k->rcc + 4 && !k->streams)   /* the clock that is chosen is used */
-        return plain | (plain & 3) << 2;
-    if (address == k->idr)
-        return inputs(c);
-    if (address == k->usart)
-        return (uint32_t)c->came << 5 | (uint32_t)(c->core.now >= c->sent_at) << 7;
-    if (address == k->usart + 4) {
-        c->came = c->core.pending[16 + k->irq_line] = false;    /* it asks as long as it is set */
-        return c->data;
-    }
-    if (k->random && address == k->random + 4)
-        return 1;
-    if (k->random && address == k->random + 8)
-        return 20260101;
-    if (address == k->dma + (k->streams ? 0x10 + 0x18 * 5 + 4 : 8 + 20 * 4 + 4))
-        return s->transfer[UPDATE].left;
-    return plain;
-}
-
-/* A stream: CR, NDTR, PAR, M0AR. Only what the firmware must set right. */
-static void write_stream(struct arm_stream *s, int which, uint32_t offset, uint32_t value)
-{
-    struct arm_transfer *t = &s->transfer[which];
-    const uint32_t wanted = 6u << 25 | 2u << 13 | 2u << 11 | 1u << 8 | 1u << 6;
-
-    switch (offset) {
-    case 0x00:
-        t->increments = value >> 10 & 1;
-        t->half_asks  = value >> 3 & 1;
-        t->end_asks   = value >> 4 & 1;
-        arm_stream_enable(s, which, (value & 1) && (value & (7u << 25 | 0x7800 | 0x1C0)) == wanted);
-        break;
-    case 0x04: t->count = value & 0xFFFF; break;
-    case 0x08: t->to = value; break;
-    case 0x0C: t->from = value; break;
-    default: break;
-    }
-}
-
-/* A channel: CCR, CNDTR, CPAR, CMAR. */
-static void write_channel(struct arm_stream *s, int which, uint32_t offset, uint32_t value)
-{
-    struct arm_transfer *t = &s->transfer[which];
-    const uint32_t wanted = 2u << 10 | 2u << 8 | 1u << 5 | 1u << 4;
-
-    switch (offset) {
-    case 0x00:
-        t->increments = value >> 7 & 1;
-        t->half_asks  = value >> 2 & 1;
-        t->end_asks   = value >> 1 & 1;
-        arm_stream_enable(s, which, (value & 1) && (value & (0xF00 | 1u << 5 | 1u << 4)) == wanted);
-        break;
-    case 0x04: t->count = value & 0xFFFF; break;
-    case 0x08: t->to = value; break;
-    case 0x0C: t->from = value; break;
-    default: break;
-    }
-}
-
-static void write_timer(struct arm_stream *s, uint32_t offset, uint32_t value)
-{
-    switch (offset) {
-    case 0x00: arm_stream_run(s, value & 1, s->core->now); break;
-    case 0x0C: s->requests = (value >> 8 & 1) << UPDATE | (value >> 9 & 1) << COMPARE; break;
-    case 0x2C: s->reload = value; break;
-    case 0x34: s->compare = value; break;
-    default: break;
-    }
-}
-
-static const uint32_t *plain(const struct chip *c, uint32_t address)
-{
-    return &c->plain[(address - 0x40000000) / 4];
-}
-
-/* Output 1 is the part of the time that pin 8 is high, as channel 3 of its timer gives it, while
- * pin 9 is high; output 2 is pin 10. A pin that is no output is off. */
-static void watch_outputs(struct chip *c)
-{
-    const uint32_t *t = plain(c, c->kind->power), *b = plain(c, c->kind->outputs),
-                   *clocks = plain(c, c->kind->rcc);
-    const uint32_t mode = b[0];
-    const bool on = clocks[0x30 / 4] >> 1 & clocks[0x40 / 4] >> 2 & 1,
-               pwm = t[0] & 1 && (t[0x1C / 4] & 0x73) == 0x60 && t[0x20 / 4] >> 8 & 1 &&
-                     (mode >> 16 & 3) == 2 && (b[9] & 15) == 2,
-               allowed = (mode >> 18 & 3) == 1 && c->switched >> 9 & 1,
-               second = (mode >> 20 & 3) == 1 && c->switched >> 10 & 1;
-    const uint64_t part = on && pwm && allowed ? 65536ull * t[0x3C / 4] / (t[0x2C / 4] + 1ull) : 0;
-    struct host_record *r = &c->stream.pins.record;
-
-    host_record_output(r, c->core.now, 1, (uint16_t)(part > 65535 ? 65535 : part));
-    host_record_output(r, c->core.now, 2, on && second ? 65535 : 0);
-}
-
-static void write_output(struct chip *c, uint32_t offset, uint32_t value)
-{
-    if (offset == 0x18)
-        c->switched = (uint16_t)((c->switched & ~(value >> 16)) | (value & 0xFFFF));
-    watch_outputs(c);
+    return c->kind->family->read(c, address, low ? *plain_register(c, address) : 0);
 }
 
 static void write_register(void *context, uint32_t address, uint32_t value)
 {
     struct chip *c = context;
-    const struct kind *k = c->kind;
-    struct arm_stream *s = &c->stream;
 
     if (address - 0x40000000 < sizeof c->plain)
         c->plain[(address - 0x40000000) / 4] = value;
-    if (address == k->bsrr)
-        arm_pins_write(s, value, c->core.now);
-    else if (address - k->timer < 0x80)
-        write_timer(s, address - k->timer, value);
-    else if (k->streams && address - (k->dma + 0x10 + 0x18 * 5) < 0x18)
-        write_stream(s, UPDATE, address - (k->dma + 0x10 + 0x18 * 5), value);
-    else if (k->streams && address - (k->dma + 0x10 + 0x18 * 1) < 0x18)
-        write_stream(s, COMPARE, address - (k->dma + 0x10 + 0x18 * 1), value);
-    else if (!k->streams && address - (k->dma + 8 + 20 * 4) < 20)       /* channel 5: TIM1_UP */
-        write_channel(s, UPDATE, address - (k->dma + 8 + 20 * 4), value);
-    else if (!k->streams && address - (k->dma + 8 + 20 * 1) < 20)       /* channel 2: TIM1_CH1 */
-        write_channel(s, COMPARE, address - (k->dma + 8 + 20 * 1), value);
-    else if (k->power && address - k->power < 0x80)
-        watch_outputs(c);
-    else if (k->outputs && address - k->outputs < 0x80)
-        write_output(c, address - k->outputs, value);
-    else if (address == k->usart + 0x0C)
-        c->core.pending[16 + k->irq_line] = c->came;
-    else if (address == k->usart + 4) {
-        chip_line_out(&c->line, (uint8_t)value);
-        c->heard = c->core.now;
-        c->sent_at = c->core.now + byte_cycles(c);
-    }
+    c->kind->family->write(c, address, value);
 }
 
 static void advance(void *context, uint64_t now)
 {
     struct chip *c = context;
 
-    arm_stream_advance(&c->stream, now);
+    c->kind->family->advance(c, now);
     receive(c, now);
     if (c->late && c->stream.pins.pulses[0] > 2000) {
         c->core.hold_irq = 14;
@@ -321,11 +172,12 @@ static void advance(void *context, uint64_t now)
 static uint64_t next(void *context)
 {
     struct chip *c = context;
-    const uint64_t half = arm_stream_next(&c->stream),
-                   byte = c->in_head == c->in_tail ? ARM_NEVER : c->came_at + byte_cycles(c);
+    const uint64_t half = c->kind->family->next(c),
+                   byte = c->in_head == c->in_tail ? ARM_NEVER
+                                                   : c->came_at + c->kind->family->byte_cycles(c);
 
     const uint64_t first = half < byte ? half : byte;
-    return asks_to_send(c) && c->sent_at < first ? c->sent_at : first;
+    return c->kind->family->asks_to_send(c) && c->sent_at < first ? c->sent_at : first;
 }
 
 
@@ -459,6 +311,8 @@ int main(int argc, char **argv)
     c.stream.context = &c;
     arm_stream_init(&c.stream, &c.core);
     int code = arm_core_start(&c.core, argv[2], c.kind->model, c.kind->fpu);
+    if (code == 0 && c.kind->family->boot)
+        code = c.kind->family->boot(&c);
     if (code == 0)
         code = host_record_open(&c.stream.pins.record, &o);
     if (code == 0)

@@ -14,6 +14,7 @@
 #define THREAD   256                    /* priority of no handler */
 #define PENDSV   14
 #define SYSTICK  15
+#define UF2_BEGIN 0x0A324655u
 
 
 // Memory
@@ -30,12 +31,11 @@ uint32_t arm_core_word(const struct arm_core *c, uint32_t address)
     return word;
 }
 
-static int load_elf(struct arm_core *c, const char *file)
+static bool load_elf(struct arm_core *c, FILE *f)
 {
-    FILE *f = fopen(file, "rb");
     Elf32_Ehdr head;
     Elf32_Phdr part;
-    bool good = f && fread(&head, sizeof head, 1, f) == 1 && head.e_machine == EM_ARM;
+    bool good = fread(&head, sizeof head, 1, f) == 1 && head.e_machine == EM_ARM;
 
     for (unsigned k = 0; good && k < head.e_phnum; k++) {
         good = fseek(f, (long)(head.e_phoff + k * sizeof part), SEEK_SET) == 0 &&
@@ -46,6 +46,32 @@ static int load_elf(struct arm_core *c, const char *file)
         good = at < c->memory.flash_size && fseek(f, (long)part.p_offset, SEEK_SET) == 0 &&
                fread(c->flash_bytes + at, 1, part.p_filesz, f) == part.p_filesz;
     }
+    return good;
+}
+
+/* Blocks of 512 bytes: two words, flags, address, size, number, count, what it is for, data, and a
+ * word at the end (github.com/microsoft/uf2). */
+static bool load_uf2(struct arm_core *c, FILE *f)
+{
+    uint32_t block[128], count = 0;
+
+    for (; fread(block, sizeof block, 1, f) == 1; count++) {
+        const uint32_t at = block[3] - c->memory.flash;
+        if (block[0] != UF2_BEGIN || block[1] != 0x9E5D5157 || block[127] != 0x0AB16F30 ||
+            block[5] != count || block[4] > 476 || at > c->memory.flash_size - block[4])
+            return false;
+        memcpy(c->flash_bytes + at, &block[8], block[4]);
+    }
+    return count > 0 && block[6] == count;
+}
+
+static int load_file(struct arm_core *c, const char *file)
+{
+    FILE *f = fopen(file, "rb");
+    uint32_t word = 0;
+    bool good = f && fread(&word, 4, 1, f) == 1 && fseek(f, 0, SEEK_SET) == 0;
+
+    good = good && (word == UF2_BEGIN ? load_uf2(c, f) : load_elf(c, f));
     if (f)
         fclose(f);
     if (!good)
@@ -98,6 +124,8 @@ static void write_core(uc_engine *uc, uint64_t offset, unsigned size, uint64_t v
             c->priority[16 + (offset - 0xE400) + k] = (uint8_t)(value >> 8 * k);
     } else if (offset == 0xED04) {
         c->pending[PENDSV] |= value >> 28 & 1;
+    } else if (offset == 0xED08) {
+        c->vectors = (uint32_t)value;
     } else if (offset == 0xED20) {
         c->priority[PENDSV] = (uint8_t)(value >> 16);
         c->priority[SYSTICK] = (uint8_t)(value >> 24);
@@ -105,59 +133,73 @@ static void write_core(uc_engine *uc, uint64_t offset, unsigned size, uint64_t v
     c->due = c->now;
 }
 
-static uint64_t read_chip(uc_engine *uc, uint64_t offset, unsigned size, void *context)
+static uint64_t read_chip(struct arm_core *c, uint32_t address, unsigned size)
 {
-    struct arm_core *c = context;
-
-    (void)uc;
     c->advance(c->chip, c->now);
-    const uint32_t word = c->read(c->chip, 0x40000000u + ((uint32_t)offset & ~3u));
-    return size == 4 ? word : word >> 8 * (offset & 3) & (size == 2 ? 0xFFFFu : 0xFFu);
+    const uint32_t word = c->read(c->chip, address & ~3u);
+    return size == 4 ? word : word >> 8 * (address & 3) & (size == 2 ? 0xFFFFu : 0xFFu);
 }
 
-static void write_chip(uc_engine *uc, uint64_t offset, unsigned size, uint64_t value, void *context)
+static void write_chip(struct arm_core *c, uint32_t address, uint32_t value)
 {
-    struct arm_core *c = context;
-
-    (void)uc;
-    (void)size;
     c->advance(c->chip, c->now);
-    c->write(c->chip, 0x40000000u + (uint32_t)offset, (uint32_t)value);
+    c->write(c->chip, address, value);
     c->due = c->now;
 }
+
+/* Unicorn tells the offset in a region, not the region. */
+#define REGION(name, base)                                                                         \
+    static uint64_t read_##name(uc_engine *uc, uint64_t offset, unsigned size, void *context)      \
+    {                                                                                              \
+        (void)uc;                                                                                  \
+        return read_chip(context, (base) + (uint32_t)offset, size);                                \
+    }                                                                                              \
+    static void write_##name(uc_engine *uc, uint64_t offset, unsigned size, uint64_t value,        \
+                             void *context)                                                        \
+    {                                                                                              \
+        (void)uc;                                                                                  \
+        (void)size;                                                                                \
+        write_chip(context, (base) + (uint32_t)offset, (uint32_t)value);                           \
+    }
+
+REGION(flash_port, 0x18000000u)     /* of an RP2040: its flash, */
+REGION(buses, 0x40000000u)
+REGION(core_port, 0xD0000000u)      /* and the pins of its cores */
 
 
 // Running
 // -------
 
 /* Thumb: an instruction whose first five bits are 11101, 11110 or 11111 has two half words. */
-static unsigned count_instructions(const struct arm_core *c, uint32_t at, uint32_t size)
+static unsigned count_instructions(const uint8_t *block, uint32_t size)
 {
     unsigned count = 0;
 
     for (uint32_t k = 0; k < size; count++)
-        k += c->flash_bytes[at + k + 1] >> 3 >= 0x1D ? 4 : 2;
+        k += block[k + 1] >> 3 >= 0x1D ? 4 : 2;
     return count;
 }
 
 static void on_block(uc_engine *uc, uint64_t address, uint32_t size, void *context)
 {
     struct arm_core *c = context;
-    const uint32_t at = (uint32_t)address - c->memory.flash;
+    const bool in_ram = (uint32_t)address - c->memory.flash >= c->memory.flash_size;
+    const uint32_t at = (uint32_t)address - (in_ram ? c->memory.ram : c->memory.flash);
 
     if (c->now >= c->due) {
         c->stopped_at = (uint32_t)address;
         uc_emu_stop(uc);
         return;
     }
-    if (at >= c->memory.flash_size)
+    if (in_ram && at >= c->memory.ram_size)
         return;
-    if (c->counts[at / 2] == 0)
-        c->counts[at / 2] = (uint8_t)count_instructions(c, at, size);
+    uint8_t *const count = &c->counts[in_ram][at / 2];
+    if (*count == 0)
+        *count = (uint8_t)count_instructions((in_ram ? c->ram_bytes : c->flash_bytes) + at, size);
     const unsigned exception = c->depth ? c->nest[c->depth - 1].exception : 0;
-    c->now += c->counts[at / 2];
-    c->ran += c->counts[at / 2];
-    c->ran_in[exception] += c->counts[at / 2];
+    c->now += *count;
+    c->ran += *count;
+    c->ran_in[exception] += *count;
 }
 
 static void on_sleep(uc_engine *uc, uint64_t address, uint32_t size, void *context)
@@ -181,37 +223,54 @@ static uc_err add_hook(struct arm_core *c, int type,
     return uc_hook_add(c->uc, &hook, type, data, c, from, to);
 }
 
-int arm_core_start(struct arm_core *c, const char *elf, int model, bool fpu)
+void arm_core_jump(struct arm_core *c, uint32_t pc, uint32_t sp)
+{
+    uc_reg_write(c->uc, UC_ARM_REG_SP, &sp);
+    uc_reg_write(c->uc, UC_ARM_REG_PC, &pc);
+}
+
+static void find_sleep(struct arm_core *c)
 {
     static const uint8_t sleep[2] = { 0x30, 0xBF };
+    const struct arm_memory *m = &c->memory;
+    const uint32_t runs = m->image ? m->ram - (m->image - m->flash) : m->flash;
+
+    for (uint32_t at = 0; at + 2 <= m->flash_size; at += 2)
+        if (memcmp(c->flash_bytes + at, sleep, 2) == 0)
+            (void)add_hook(c, UC_HOOK_CODE, on_sleep, runs + at, runs + at);
+}
+
+int arm_core_start(struct arm_core *c, const char *file, int model, bool fpu)
+{
     const struct arm_memory *m = &c->memory;
 
     c->fpu = fpu;
     c->flash_bytes = calloc(1, m->flash_size);
     c->ram_bytes = calloc(1, m->ram_size);
-    c->counts = calloc(1, m->flash_size / 2);
-    const int code = load_elf(c, elf);
+    c->counts[0] = calloc(1, m->flash_size / 2);
+    c->counts[1] = calloc(1, m->ram_size / 2);
+    c->vectors = m->flash;
+    const int code = load_file(c, file);
     if (code != 0)
         return code;
     if (uc_open(UC_ARCH_ARM, UC_MODE_THUMB | UC_MODE_MCLASS, &c->uc) != UC_ERR_OK ||
         uc_ctl_set_cpu_model(c->uc, model) != UC_ERR_OK ||
         uc_mem_map_ptr(c->uc, m->flash, m->flash_size, UC_PROT_READ | UC_PROT_EXEC,
                        c->flash_bytes) != UC_ERR_OK ||
-        uc_mem_map_ptr(c->uc, m->ram, m->ram_size, UC_PROT_READ | UC_PROT_WRITE, c->ram_bytes) !=
-            UC_ERR_OK ||
+        uc_mem_map_ptr(c->uc, m->ram, m->ram_size, UC_PROT_ALL, c->ram_bytes) != UC_ERR_OK ||
         uc_mem_map(c->uc, RETURN & ~0xFFFu, 0x1000, UC_PROT_READ | UC_PROT_EXEC) != UC_ERR_OK ||
-        uc_mmio_map(c->uc, 0x40000000, 0x20000000, read_chip, c, write_chip, c) != UC_ERR_OK ||
+        uc_mmio_map(c->uc, 0x18000000, 0x1000, read_flash_port, c, write_flash_port, c) !=
+            UC_ERR_OK ||
+        uc_mmio_map(c->uc, 0x40000000, 0x20000000, read_buses, c, write_buses, c) != UC_ERR_OK ||
+        uc_mmio_map(c->uc, 0xD0000000, 0x1000, read_core_port, c, write_core_port, c) !=
+            UC_ERR_OK ||
         uc_mmio_map(c->uc, PPB, 0x100000, read_core, c, write_core, c) != UC_ERR_OK ||
         add_hook(c, UC_HOOK_BLOCK, on_block, 1, 0) != UC_ERR_OK) {
         fprintf(stderr, "unicorn: cannot make the chip\n");
         return EX_SOFTWARE;
     }
-    for (uint32_t at = 0; at + 2 <= m->flash_size; at += 2)
-        if (memcmp(c->flash_bytes + at, sleep, 2) == 0)
-            (void)add_hook(c, UC_HOOK_CODE, on_sleep, m->flash + at, m->flash + at);
-    const uint32_t sp = arm_core_word(c, m->flash), pc = arm_core_word(c, m->flash + 4);
-    uc_reg_write(c->uc, UC_ARM_REG_SP, &sp);
-    uc_reg_write(c->uc, UC_ARM_REG_PC, &pc);
+    find_sleep(c);
+    arm_core_jump(c, arm_core_word(c, m->flash + 4), arm_core_word(c, m->flash));
     return 0;
 }
 
@@ -248,7 +307,7 @@ static void enter(struct arm_core *c, unsigned exception)
     word[6] |= 1;
     sp -= 32;
     uc_mem_write(c->uc, sp, word, sizeof word);
-    const uint32_t pc = arm_core_word(c, c->memory.flash + 4 * exception),
+    const uint32_t pc = arm_core_word(c, c->vectors + 4 * exception),
                    state = word[7] & ~0x0600FC00u;      /* not in an IT block */
     uc_reg_write(c->uc, UC_ARM_REG_XPSR, &state);
     uc_reg_write(c->uc, UC_ARM_REG_SP, &sp);

@@ -19,6 +19,8 @@
 
 struct arm_memory {
     uint32_t flash, flash_size, ram, ram_size;
+    uint32_t image;                     /* the program runs in RAM, and is a copy of flash from this
+                                         * address; or 0 */
 };
 
 struct arm_frame {
@@ -32,7 +34,8 @@ struct arm_core {
     uc_engine *uc;
     struct arm_memory memory;
     uint8_t *flash_bytes, *ram_bytes;
-    uint8_t *counts;                    /* instructions of the block at each half word of flash */
+    uint8_t *counts[2];                 /* instructions of the block at a half word; of RAM */
+    uint32_t vectors;                   /* address of the table */
     uint64_t now, due;                  /* cycles */
     uint32_t stopped_at;                /* the block or instruction that is next; or 0 */
     uint64_t ran, ran_in[16 + ARM_IRQS];    /* instructions; of each exception, 0: the main loop */
@@ -54,8 +57,12 @@ struct arm_core {
     void *chip;
 };
 
-/* Load the firmware and reset. Returns 0, or an exit code after one line on standard error. */
-int arm_core_start(struct arm_core *c, const char *elf, int model, bool fpu);
+/* Load the firmware, an ELF file or blocks of UF2, and reset. Returns 0, or an exit code after one
+ * line on standard error. */
+int arm_core_start(struct arm_core *c, const char *file, int model, bool fpu);
+
+/* Begin at `pc` with that stack. */
+void arm_core_jump(struct arm_core *c, uint32_t pc, uint32_t sp);
 
 /* Run until that cycle. Returns false if the firmware has failed. */
 bool arm_core_run(struct arm_core *c, uint64_t until);

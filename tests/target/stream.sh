@@ -10,12 +10,20 @@ tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
 result=$tmp/result
 . tests/target/rows.sh
 
+# image_of BOARD: the file that is flashed
+image_of() {
+    case $1 in
+    rp2040*) echo "$firmware/$1/loft.uf2" ;;
+    *)       echo "$firmware/$1/loft.elf" ;;
+    esac
+}
+
 # on_arm BOARD OPTIONS COMMAND..: the board behind $tmp/port; as on_chip of rows.sh
 on_arm() {
     local board=$1 options=$2 child
     shift 2
     # shellcheck disable=SC2086
-    "$helpers/arm_chip" "$board" "$firmware/$board/loft.elf" --link "$tmp/port" \
+    "$helpers/arm_chip" "$board" "$(image_of "$board")" --link "$tmp/port" \
         --record "$tmp/chip.csv" $options >"$tmp/chip" 2>"$tmp/chip.err" &
     child=$!
     for _ in $(seq 3000); do [ -e "$tmp/port" ] && break; sleep 0.02; done
@@ -146,16 +154,25 @@ levels() { awk -v n="$1" '/^# output/ && $3 == n { printf "%s%d", c, ($5 + 1) / 
 
 burns stm32f405
 rates stm32f405-fast 1000 168 0.10 84
+rates rp2040-fast   1000 125 0.20 60
+rates rp2040         250 500 0.15 240
 rates stm32f405      250  672 0.10 336
 rates stm32f103-fast 500  144 0.15 72
 draws stm32f103 250 288
 draws stm32f405 250 672
 draws stm32f405-fast 1000 168
 draws stm32f405 250 672 600
+draws rp2040 250 500
+draws rp2040-fast 1000 125
+draws rp2040 250 500 600
+late rp2040-fast 1000 125 600
 late stm32f405-fast 1000 168 600
 late stm32f103-fast 500 144 600
 guarded stm32f103 100 20001,5 8
 guarded stm32f405 5 700 8
+guarded rp2040 100 20001,5 8
+guarded rp2040-fast 5 700 8
+guarded rp2040-fast 1000 200001 8
 guarded stm32f405 100 20001,5 8
 row "stm32f405: it slows down behind the switch, in steps"  "$(behind)" ">=" 1000
 # the ring of half a tick, the filter of two samples, and the sample of the main loop
