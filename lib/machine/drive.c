@@ -45,7 +45,7 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
     d->share = (uint16_t)(share < UINT16_MAX ? share : UINT16_MAX);
     d->gain = (uint16_t)(UINT16_MAX / (config->ramp / 2u + config->ramp % 2u));
     d->percent = 100;
-    d->active = d->hold = d->abort = d->ended = 0;
+    d->active = d->hold = d->abort = d->halt = d->ended = 0;
     d->state = LOFT_STATE_IDLE;
     d->executed = d->ticks = d->slowed = d->elapsed = 0;
     d->starved = 0;
@@ -83,7 +83,7 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind,
     d->slot = 0;
     d->starved = 1;                     /* the queue is empty */
     d->fresh = true;
-    d->hold = d->abort = d->ended = 0;
+    d->hold = d->abort = d->halt = d->ended = 0;
     d->state = LOFT_STATE_RUNNING;
     d->active = 1;
     return LOFT_OK;
@@ -185,8 +185,8 @@ enum loft_status loft_drive_push(loft_drive *d, const loft_item *item)
 
 void loft_drive_end(loft_drive *d)              { d->ended = 1; }
 void loft_drive_hold(loft_drive *d, bool hold)  { d->hold = hold; }
-void loft_drive_abort(loft_drive *d)            { d->abort |= 1; }
-void loft_drive_halt(loft_drive *d)             { d->abort = LOFT_DRIVE_HALTS; }
+void loft_drive_abort(loft_drive *d)            { d->abort = 1; }
+void loft_drive_halt(loft_drive *d)             { d->halt = d->abort = 1; }
 
 void loft_drive_override(loft_drive *d, unsigned percent)
 {

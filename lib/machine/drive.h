@@ -30,7 +30,6 @@
 LOFT_BEGIN_C
 
 #define LOFT_DRIVE_MARGIN 2     /* ticks */
-#define LOFT_DRIVE_HALTS  2     /* bit of `abort`: at once */
 
 typedef struct {
     const loft_axis_config *axis;       /* LOFT_AXES of them, borrowed; they may change while no
@@ -90,6 +89,7 @@ typedef struct {
 
     volatile uint8_t active;            /* main loop sets it: a job is under way; tick clears it */
     volatile uint8_t hold, abort, ended, percent;
+    volatile uint8_t halt;              /* the abort is one at once */
     uint8_t  kind;
     bool     fresh;                     /* main loop: nothing is pushed yet */
     int32_t  end[LOFT_AXES];            /* main loop: the end of the last pushed item */
@@ -148,7 +148,8 @@ void loft_drive_hold(loft_drive *d, bool hold);
 void loft_drive_abort(loft_drive *d);
 
 /* Stop at once: from the next slot on there is no pulse; see LOFT_MACHINE_SLOT_HALTS. The job is
- * then over, and the position is the sum of the pulses; but a fast motor may go on by itself. */
+ * then over, and the position is the sum of the pulses; but a fast motor may go on by itself. The
+ * tick may call it too, and loft_drive_abort. */
 void loft_drive_halt(loft_drive *d);
 
 /* Set the override: 1..200 percent of the plan, until the next job begins. Above 100 the machine

@@ -18,21 +18,30 @@ enum { NO_TICK = 0, TICK = 1, LAST_TICK = 2 };     /* LAST_TICK: of its item */
 // Tick
 // ----
 
+static void run_prepared(loft_drive *d)
+{
+    loft_outputs_run(&d->outputs);
+    d->running = d->prepared;
+    d->prepared = NO_TICK;
+}
+
+static void count_running(loft_drive *d)
+{
+    d->ticks += d->running != NO_TICK;
+    d->executed += d->running == LAST_TICK;
+}
+
 /* The step module holds two ticks: the running one and the prepared one. When there is room again,
  * the prepared tick runs, so the tick before it is over. When all is done, the running tick is over
- * as well. */
+ * as well: then the next one that is prepared runs with the next slot. */
 static void count_ticks(loft_drive *d)
 {
     if (d->prepared) {
-        loft_outputs_run(&d->outputs);
-        d->ticks += d->running != NO_TICK;
-        d->executed += d->running == LAST_TICK;
-        d->running = d->prepared;
-        d->prepared = NO_TICK;
+        count_running(d);
+        run_prepared(d);
     }
     if (loft_step_done(&d->step)) {
-        d->ticks += d->running != NO_TICK;
-        d->executed += d->running == LAST_TICK;
+        count_running(d);
         d->running = NO_TICK;
     }
 }
@@ -330,7 +339,7 @@ void loft_drive_next(loft_drive *d)
 {
     const bool ended = d->ended;        /* read first, so that no item before the end is missed */
 
-    if (d->abort & LOFT_DRIVE_HALTS)
+    if (d->halt)
         d->running = d->prepared = NO_TICK;     /* the slot drops them */
     count_ticks(d);
     for (uint8_t looks = 0; looks < LOOKS; looks++) {
@@ -349,8 +358,7 @@ void loft_drive_next(loft_drive *d)
         return;
     }
 
-    const uint16_t slots = d->ahead && !(d->abort & LOFT_DRIVE_HALTS) ? loft_pace_next(&d->pace)
-                                                                      : 0;
+    const uint16_t slots = d->ahead && !d->halt ? loft_pace_next(&d->pace) : 0;
     if (slots == 0) {
         stand_still(d, ended);
         return;
@@ -359,11 +367,14 @@ void loft_drive_next(loft_drive *d)
         finish_job(d, LOFT_STATE_FAULT);    /* never with items that loft_drive_push took */
         return;
     }
+    const bool next = loft_step_done(&d->step);
     const uint16_t lasts = loft_step_load(&d->step, d->target, slots);
     if (lasts > slots)
         d->slowed++;
     loft_outputs_prepare(&d->outputs, d->slots, lasts);
     d->prepared = d->left ? TICK : LAST_TICK;
+    if (next)
+        run_prepared(d);
     d->state = d->abort ? LOFT_STATE_STOPPING : d->hold ? LOFT_STATE_HOLDING : LOFT_STATE_RUNNING;
 }
 
@@ -388,7 +399,7 @@ static void obey_halt(loft_drive *d)
 {
     int32_t at[LOFT_AXES];
 
-    if (!LOFT_MACHINE_SLOT_HALTS || !(d->abort & LOFT_DRIVE_HALTS) || loft_step_done(&d->step))
+    if (!LOFT_MACHINE_SLOT_HALTS || !d->halt || loft_step_done(&d->step))
         return;
     loft_step_position(&d->step, at);
     loft_step_halt(&d->step, at);

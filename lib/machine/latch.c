@@ -22,13 +22,13 @@ void loft_latch_arm(loft_latch *l, const loft_guard *guard)
     l->like = l->unlike = 0;
     for (int i = 0; i < LOFT_AXES; i++)
         l->place[i] = 0;
+    LOFT_BARRIER();
     l->armed = guard->inputs != 0;
     LOFT_BARRIER();
     l->waits = l->armed && !(guard->how & LOFT_GUARD_EDGE);
 }
 
 void loft_latch_rest(loft_latch *l) { l->waits = l->seen = l->armed = 0; }
-
 
 
 static uint8_t count_up(uint8_t count) { return count < UINT8_MAX ? (uint8_t)(count + 1) : count; }
@@ -38,6 +38,9 @@ uint16_t loft_latch_sample(loft_latch *l, uint16_t inputs)
     const uint16_t wanted = loft_latch_wanted(l, inputs);
     const uint8_t waited  = l->waits;   /* read first: the slot clears it last, maybe below */
 
+    if (!l->armed)
+        return 0;
+
     if (l->seen == FRESH) {             /* count from the change on */
         l->seen = KNOWN;
         l->like = l->unlike = 0;
@@ -45,7 +48,7 @@ uint16_t loft_latch_sample(loft_latch *l, uint16_t inputs)
     const bool lasts = l->like >= l->guard.filter, back = l->unlike >= l->guard.filter;
     l->like = wanted ? count_up(l->like) : 0;
     l->unlike = wanted ? 0 : count_up(l->unlike);
-    if (!l->armed || waited)            /* a change that came meanwhile is newer than `inputs` */
+    if (waited)                         /* a change that came meanwhile is newer than `inputs` */
         return 0;
     if (l->seen && wanted && lasts) {
         l->armed = 0;

@@ -5,7 +5,7 @@
  * the input has then stayed so for `filter` samples more. A change that does not last is forgotten,
  * with its place, once the input has been back for as many samples.
  *
- *     main loop   loft_latch_arm when the job begins; loft_latch_sample each ms
+ *     main loop   loft_latch_arm when the job begins; loft_latch_sample each ms, here or with ticks
  *     slot        loft_latch_keep, while loft_latch_waits, where inputs are loft_latch_wanted
  *
  * A guard of LOFT_GUARD_EDGE first waits until the input has been otherwise for as many samples.

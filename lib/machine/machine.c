@@ -155,6 +155,7 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
     m->job.kind = LOFT_SPANS;
     m->job.id = m->job.away = 0;
     m->closed = m->ended_by = 0;
+    m->told = 0;
     loft_latch_init(&m->latch);
     enum loft_status status = init_planner(m, config);
     if (status == LOFT_OK)
@@ -162,11 +163,23 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
     return status == LOFT_OK ? loft_drive_init(&m->drive, &drive) : status;
 }
 
+/* An input ends the job. */
+static void note_end(loft_machine *m, uint16_t why)
+{
+    m->ended_by = why;
+    loft_receiver_answer(&m->receiver, NULL, LOFT_REFUSAL_INPUT);
+}
+
+/* A guard that came true was noted before the drive could stop. */
 static loft_snapshot snapshot_of(loft_machine *m)
 {
     const loft_drive_report r = loft_drive_poll(&m->drive);
     loft_snapshot now;
 
+    if (m->told) {
+        m->told = 0;
+        note_end(m, m->guarded);
+    }
     now.executed = r.executed;
     now.ticks = r.ticks;
     now.elapsed = r.elapsed;
@@ -204,6 +217,7 @@ static void begin_job(loft_machine *m, const loft_job *job)
         loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_LIMITS);
         return;
     }
+    loft_latch_rest(&m->latch);             /* that of the last job ends nothing any more */
     switch (
         loft_drive_begin(&m->drive, curves ? LOFT_SPANS : (enum loft_kind)job->kind, job->start)) {
     case LOFT_OK:
@@ -247,14 +261,6 @@ void loft_machine_control(loft_machine *m, enum loft_verb verb)
     }
 }
 
-/* An input ends the job. */
-static void end_by_input(loft_machine *m, uint16_t why)
-{
-    m->ended_by = why;
-    loft_drive_abort(&m->drive);
-    loft_receiver_answer(&m->receiver, NULL, LOFT_REFUSAL_INPUT);
-}
-
 void loft_machine_sample(loft_machine *m, uint16_t inputs)
 {
     if (!m->drive.active) {
@@ -262,11 +268,16 @@ void loft_machine_sample(loft_machine *m, uint16_t inputs)
         return;
     }
     const uint16_t why = loft_latch_sample(&m->latch, inputs);
-    if (why && !m->ended_by) {
-        end_by_input(m, why);
-        if (m->latch.guard.how & LOFT_GUARD_HARD)
-            loft_drive_halt(&m->drive);
-    }
+    if (!why || m->ended_by)
+        return;
+    m->guarded = why;
+    LOFT_BARRIER();
+    m->told = 1;
+    LOFT_BARRIER();
+    if (m->latch.guard.how & LOFT_GUARD_HARD)
+        loft_drive_halt(&m->drive);
+    else
+        loft_drive_abort(&m->drive);
 }
 
 void loft_machine_inputs(loft_machine *m, uint16_t closed)
@@ -277,7 +288,8 @@ void loft_machine_inputs(loft_machine *m, uint16_t closed)
     m->job.away = (uint16_t)(m->job.away & closed);
     const uint16_t why = ending_inputs(m, m->job.away, &m->latch.guard);
     if (why && m->drive.active && !m->ended_by) {
-        end_by_input(m, why);
+        note_end(m, why);
+        loft_drive_abort(&m->drive);
     } else if (fresh & LOFT_INPUT_HOLD) {
         loft_machine_control(m, LOFT_HOLD);
     } else if (fresh & LOFT_INPUT_RESUME) {

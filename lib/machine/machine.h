@@ -7,7 +7,8 @@
  *     loft_machine_push       in the main loop, with the received bytes
  *     loft_machine_poll       in the main loop, for the next frame to send, when the line is free
  *     loft_machine_inputs     in the main loop, with the closed inputs
- *     loft_machine_sample     in the main loop, each ms, with the inputs as they are, and
+ *     loft_machine_sample     in the main loop or with the ticks, each ms, with the inputs as they
+ *                             are, and
  *     loft_machine_sense      in each slot: for guards
  *     loft_machine_slot       in a timer interrupt, tick_hz * slots times per second, for the pins
  *     loft_machine_tick       at least once per tick, interruptible by the slots
@@ -64,6 +65,8 @@ typedef struct {
     loft_planner *planner;
 #endif
     uint16_t      closed, ended_by;     /* closed inputs; inputs that have ended the job */
+    uint16_t      guarded;              /* inputs that have made the guard true, */
+    volatile uint8_t told;              /* which the main loop must still be told of */
 } loft_machine;
 
 /* Prepare, idle and listening.
@@ -101,8 +104,8 @@ bool loft_machine_plan(loft_machine *m);
 void loft_machine_inputs(loft_machine *m, uint16_t closed);
 
 /* Sample the inputs for a guard: `inputs` are those that are closed in this moment, as they bounce.
- * Call it about once per millisecond. The job ends, on its path, when its guard has come true: see
- * latch.h. */
+ * Call it about once per millisecond, in the main loop or in the context of loft_machine_tick. The
+ * job ends, on its path or at once, when its guard has come true: see latch.h. */
 void loft_machine_sample(loft_machine *m, uint16_t inputs);
 
 /* The action of a button on the machine, as if the host had sent it. */

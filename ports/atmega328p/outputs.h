@@ -7,8 +7,8 @@
  *     output 2   A3 (PC3), high while its level is above 0
  *     servo      D11: settings.wiring names it, and then output 1 has D13 alone
  *
- * Slots wait in the ring for 1.0 to 1.6 ms, and so do the levels of their ticks. Output 1 takes the
- * level of a tick 0.3 ms before its first pins to 0.3 ms behind them. A chip in reset has no
+ * The slots of a tick are made when fewer than LOW slots are left in the ring. Outputs take the
+ * levels of that tick then, 0.2 to 0.8 ms before its first pins. A chip in reset has no
  * outputs: pins float, so a laser and a spindle need a resistor to ground.
  */
 #ifndef LOFT_ATMEGA328P_OUTPUTS_H
@@ -20,8 +20,9 @@
 #include "machine/machine.h"    /* loft_machine */
 #include "slots.h"              /* RING_TAIL */
 
-#define LOW     80              /* slots left in the ring when work begins: enough for the longest
-                                 * tick, and half as many again */
+#define LOW     64              /* slots left in the ring when work begins: enough for the longest
+                                 * tick and for its first slots, */
+#define PORTION 40              /* which are made at once */
 #define POWER   (1 << 3)        /* of PORTB */
 #define ENABLED (1 << 5)        /* of PORTB */
 #define COOLANT (1 << 3)        /* of PORTC */
@@ -70,17 +71,6 @@ static void set_coolant(bool on)
         PORTC &= (uint8_t)~COOLANT;
 }
 
-/* Levels that wait for their slots, the oldest first. A tick has 80 slots at least, and the ring
- * room for 127: two are enough, and the third is for a level that falls to 0 at once. */
-#define WAITING 3
-#define NEAR    24              /* slots: half of a portion */
-
-static struct {
-    uint16_t level;
-    uint8_t  at;                /* the first slot of its tick */
-} waiting[WAITING];
-static uint8_t waits;
-
 static void give_level(uint16_t level)
 {
     static uint8_t rest;        /* what was not given yet, 1/65536 */
@@ -89,32 +79,18 @@ static void give_level(uint16_t level)
     set_power(level == UINT16_MAX ? 256 : (uint16_t)((level >> 8) + (rest < (uint8_t)level)));
 }
 
-/* After a portion of slots was put into the ring at `begun`, and the next tick was prepared. A
- * portion begins where fewer than 80 slots are left: what is farther away has been given. */
-static void follow_outputs(const loft_drive *d, uint8_t begun)
+/* The running tick has put its first slots into the ring: fewer than LOW are before them. */
+static void follow_outputs(const loft_drive *d)
 {
     static uint16_t last;
     static uint8_t tick;
     const uint16_t power = loft_drive_output(d, 1);
-    const uint8_t now    = d->outputs.runs;
 
     set_coolant(loft_drive_output(d, 2) != 0);
-    if ((tick != now || power != last) && waits < WAITING) {
-        waiting[waits].level = power;
-        waiting[waits].at    = begun;
-        waits++;
-        last = power;
-        tick = now;
-    }
-    while (waits) {
-        const uint8_t away = (uint8_t)(waiting[0].at - RING_TAIL) % RING;
-        if (away > NEAR && away <= LOW)
-            return;
-        give_level(waiting[0].level);
-        waits--;
-        for (uint8_t k = 0; k < waits; k++)
-            waiting[k] = waiting[k + 1];
-    }
+    if (tick != d->outputs.runs || power != last)
+        give_level(power);
+    last = power;
+    tick = d->outputs.runs;
 }
 
 /* After a job. */
@@ -123,7 +99,6 @@ static void end_outputs(void)
     if (!(PORTB & ENABLED || PORTC & COOLANT))
         return;
     cli();
-    waits = 0;
     set_power(0);
     set_coolant(false);
     sei();
@@ -132,11 +107,7 @@ static void end_outputs(void)
 #else
 
 static void begin_outputs(void)                     { TCCR2A = 0; }
-static void follow_outputs(const loft_drive *d, uint8_t begun)
-{
-    (void)d;
-    (void)begun;
-}
+static void follow_outputs(const loft_drive *d)     { (void)d; }
 static void end_outputs(void)                       {}
 
 #endif

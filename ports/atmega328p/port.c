@@ -10,8 +10,8 @@
  *
  * The timer interrupt takes the pins of a slot from a ring, so the edges do not depend on computing
  * time. When the ring runs low, the interrupt continues with interrupts enabled and makes the next
- * slots, many at once. Slots interrupt that and the tick. Pulses are counted when they are made, at
- * most 1.6 ms before they are given.
+ * slots: those of a tick, just before they are due. Slots interrupt that and the tick. Pulses are
+ * counted when they are made, at most 1.6 ms before they are given.
  */
 #include <avr/interrupt.h>
 #include <avr/io.h>
@@ -97,6 +97,8 @@ static uint8_t ring_head;                   /* where the next slot is put */
 /* An input of a guard has changed before this slot of the ring; UNCHANGED: none has. */
 #define UNCHANGED 255
 static volatile uint8_t changed_at = UNCHANGED;
+static volatile uint8_t sampled;            /* when the inputs were sampled for it, in 64 us */
+#define MS 16u                              /* of these */
 
 /* Inputs that are closed now, as they bounce. */
 static uint16_t closed_inputs(void)
@@ -112,23 +114,29 @@ static uint16_t closed_inputs(void)
 }
 
 /* The position at the pins is the one that is counted, without the pulses from `from` on, which are
- * still in the ring. Its variables stay off the stack of its caller. */
+ * still in the ring. Its variables stay off the stack of its caller. 20 cycles a slot. */
 __attribute__((noinline)) static void position_at(uint8_t from, int32_t at[LOFT_AXES])
 {
-    loft_step_position(&machine.drive.step, at);
-    for (uint8_t i = 0; i < LOFT_AXES; i++) {
-        const uint8_t step = (uint8_t)(4 << i), dir = (uint8_t)(32 << i);
-        for (uint8_t k = from; k != ring_head; k = (uint8_t)(k + 1) % RING) {
-            const uint8_t pins = ring[k] ^ LOFT_INVERT ^
-                                 (uint8_t)(IN_FORCE(LOFT_WIRING_REVERSED) << 5);
-            if (pins & step)
-                at[i] += pins & dir ? 1 : -1;
-        }
+    const uint8_t turn = (uint8_t)(LOFT_INVERT ^ IN_FORCE(LOFT_WIRING_REVERSED) << 5);
+    const uint8_t head = ring_head;
+    int8_t x = 0, y = 0, z = 0;
+
+    for (uint8_t k = from; k != head; k = (uint8_t)(k + 1) % RING) {
+        const uint8_t pins = ring[k] ^ turn;
+        if (pins & 4)
+            x = (int8_t)(pins & 32 ? x + 1 : x - 1);
+        if (pins & 8)
+            y = (int8_t)(pins & 64 ? y + 1 : y - 1);
+        if (pins & 16)
+            z = (int8_t)(pins & 128 ? z + 1 : z - 1);
     }
+    loft_step_position(&machine.drive.step, at);
+    at[0] += x;
+    at[1] += y;
+    at[2] += z;
 }
 
-/* For a guard. */
-__attribute__((noinline)) static void sense_inputs(void)
+__attribute__((noinline)) static void keep_place(void)
 {
     int32_t at[LOFT_AXES];
 
@@ -137,15 +145,18 @@ __attribute__((noinline)) static void sense_inputs(void)
     loft_latch_keep(&machine.latch, at);
 }
 
-/* A hard stop: what is in the ring is not given. While RING_WORK is 0, the interrupt makes no
- * slots. */
+/* An input of a guard has changed: the first sample that counts. */
+__attribute__((noinline)) static void sense_inputs(void)
+{
+    keep_place();
+    loft_machine_sample(&machine, closed_inputs());
+}
+
+/* A hard stop: what is in the ring is not given. */
 __attribute__((noinline)) static void drop_ring(void)
 {
     int32_t at[LOFT_AXES];
 
-    if (!(machine.drive.abort & LOFT_DRIVE_HALTS) || !machine.drive.active)
-        return;
-    RING_WORK = 0;
     cli();
     RING_FILLED = 0;
     const uint8_t from = RING_TAIL;
@@ -162,21 +173,25 @@ static inline void note_change(void)
         !loft_latch_wanted(&machine.latch, closed_inputs()))
         return;
     changed_at = RING_TAIL;
+    sampled    = TCNT0;
 }
 
 ISR(PCINT0_vect) { note_change(); }
 ISR(PCINT1_vect) { note_change(); }
 
-/* Make as many slots as there is room for, up to the end of the ring or of a tick. Its variables
- * stay off the stack of the tick. */
+/* Make a portion of slots, as far as there is room, up to the end of the ring or of a tick. Its
+ * variables stay off the stack of the tick. A change of an input that came before the room was read
+ * needs slots which would be overwritten. */
 static __attribute__((noinline)) void make_slots(void)
 {
-    if (changed_at != UNCHANGED)
-        sense_inputs();
     const uint8_t head = ring_head, room = (uint8_t)(RING - 1 - RING_FILLED),
                   end = (uint8_t)(RING - head);
     uint8_t count = room < end ? room : end, dir;
 
+    if (changed_at != UNCHANGED)
+        sense_inputs();
+    if (count > PORTION)
+        count = PORTION;
     if (count == 0)
         return;
     loft_step_tick *taken = loft_drive_take(&machine.drive, &count, &dir);
@@ -186,6 +201,22 @@ static __attribute__((noinline)) void make_slots(void)
     cli();
     RING_FILLED = (uint8_t)(RING_FILLED + count);
     sei();
+}
+
+/* Further samples for a guard, 1.0 to 1.6 ms apart. */
+static void watch_guard(void)
+{
+    if (changed_at != UNCHANGED) {
+        sense_inputs();
+    } else if ((uint8_t)(TCNT0 - sampled) >= MS) {
+        sampled = TCNT0;
+        cli();
+        note_change();                      /* one that is like that from the start */
+        sei();
+        loft_machine_sample(&machine, closed_inputs());
+    }
+    if (machine.drive.halt)
+        drop_ring();
 }
 
 /* Work begins when this many slots are left. While the machine rests there is none. */
@@ -198,10 +229,11 @@ __attribute__((used)) uint8_t loft_port_work(void);
 uint8_t loft_port_work(void)
 {
     do {
-        const uint8_t begun = ring_head;
+        watch_guard();
+        if (loft_step_done(&machine.drive.step))
+            loft_machine_tick(&machine);
         make_slots();
-        loft_machine_tick(&machine);
-        follow_outputs(&machine.drive, begun);
+        follow_outputs(&machine.drive);
     } while (RING_FILLED < LOW && !loft_step_done(&machine.drive.step));
     return work_wanted();
 }
@@ -316,23 +348,20 @@ static void watch_motors(uint8_t now)
 static void watch_switches(void)
 {
     static loft_switches switches;
-    static uint8_t sampled;
+    static uint8_t watched;
 
-    if ((uint8_t)(TCNT0 - sampled) < 16)
+    if ((uint8_t)(TCNT0 - watched) < 16)
         return;
-    sampled = TCNT0;
-    watch_motors(sampled);
+    watched = TCNT0;
+    watch_motors(watched);
     watch_servo(&machine.drive, IN_FORCE(LOFT_WIRING_SERVO),
                 IN_FORCE(LOFT_WIRING_REVERSED) & 1 << 2);
     const uint16_t closed = closed_inputs();
 
-    cli();
-    note_change();                          /* one that is like that from the start */
-    if (!machine.drive.active)
+    if (!machine.drive.active) {
         changed_at = UNCHANGED;
-    sei();
-    loft_machine_sample(&machine, closed);
-    drop_ring();
+        loft_machine_sample(&machine, closed);
+    }
     if (loft_switches_steady(&switches, closed))
         loft_machine_inputs(&machine, closed);
 }

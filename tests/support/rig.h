@@ -217,7 +217,7 @@ static void rig_slot(void)
     for (int i = 0; i < LOFT_AXES; i++)
         if (pins.step & (1u << i))
             r.at[i] += pins.dir & (1u << i) ? -1 : 1;
-    if (r.drive->active && r.drive->abort & LOFT_DRIVE_HALTS) {     /* from now on nothing moves */
+    if (r.drive->active && r.drive->halt) {     /* from now on nothing moves */
         CHECK(pins.step == 0 && loft_step_done(&r.drive->step) && here(r.at));
         return;
     }
