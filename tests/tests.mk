@@ -272,20 +272,22 @@ fuzz: lib/names.h
 	build/fuzz/wire_fuzz -max_len=1200 -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 \
 	    build/fuzz/wire
 
-FUZZED = $(INCLUDE) -O1 -g $(filter-out -MMD -MP,$(TOOL_STD)) -fsanitize=address,undefined \
+FUZZED = $(INCLUDE) -O1 -g $(TOOL_STD) -fsanitize=address,undefined \
          -fno-sanitize-recover=all -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3 -DDRAWING_CURVES_MAX=200000u
 build/fuzz/tools/%.o: %.c | lib/names.h
 	@mkdir -p $(@D)
 	$(SAY) "  CC  $@"
 	$(Q)clang $(FUZZED) -fsanitize=fuzzer-no-link -c $< -o $@
-build/fuzz/tools.a: $(patsubst %.c,build/fuzz/tools/%.o,$(TOOL_TESTED) $(LIB_SRC))
+FUZZED_OBJ = $(patsubst %.c,build/fuzz/tools/%.o,$(TOOL_TESTED) $(LIB_SRC))
+-include $(FUZZED_OBJ:.o=.d)
+build/fuzz/tools.a: $(FUZZED_OBJ)
 	$(SAY) "  AR  $@"
 	$(Q)rm -f $@; $(AR) rcs $@ $^
 
 # fuzz_reader NAME, folder, seeds: build its program and feed it, beginning with the seeds
 define fuzz_reader
 	@mkdir -p build/fuzz/$(1)
-	clang $(FUZZED) -Itests -fsanitize=fuzzer tests/$(2)/fuzz_$(1).c $< \
+	clang $(filter-out -MMD -MP,$(FUZZED)) -Itests -fsanitize=fuzzer tests/$(2)/fuzz_$(1).c $< \
 	    $(shell pkg-config --libs libxml-2.0 zlib pangocairo) -lm -o build/fuzz/$(1)_fuzz
 	LSAN_OPTIONS=suppressions=tests/tools/fuzz.supp \
 	build/fuzz/$(1)_fuzz -max_len=4000 -timeout=20 -max_total_time=$(FUZZ_SECONDS) \

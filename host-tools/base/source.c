@@ -55,9 +55,22 @@ static char *slurp_stream(gzFile stream, size_t *size)
     return NULL;
 }
 
+/* A file that is larger than it may be, packed or not, need not be read to know it. */
+static bool is_too_large(int handle)
+{
+    struct stat is = { .st_size = 0 };
+
+    return handle >= 0 && fstat(handle, &is) == 0 && is.st_size > (off_t)FILE_MAX;
+}
+
 /* Read everything from `handle`, and close it. */
 static char *slurp(int handle, size_t *size)
 {
+    if (is_too_large(handle)) {
+        close(handle);
+        errno = EFBIG;
+        return NULL;
+    }
     gzFile stream = handle < 0 ? NULL : gzdopen(handle, "rb");
     char *text = stream ? slurp_stream(stream, size) : NULL;
     const int why = errno;
@@ -130,6 +143,7 @@ int source_open(source *s, const char *file)
     if (stream == NULL)
         return unreadable(s->file);
     (void)fstat(handle, &is);
+    s->large = is.st_size > (off_t)FILE_MAX;
     progress_start(&s->bar, (double)is.st_size);
     s->buffer    = tool_grow(NULL, PART + 1);
     s->room      = PART;
@@ -205,6 +219,16 @@ static int cut_part(source *s, bool first)
     return tool_error(EX_DATAERR, "%s: is not text: there is a 0 in it", s->file);
 }
 
+static unsigned long lines_of(const char *text, size_t size)
+{
+    unsigned long count = 0;
+
+    for (const char *at = text, *end = text + size;
+         (at = memchr(at, '\n', (size_t)(end - at))) != NULL; at++)
+        count++;
+    return count;
+}
+
 int source_part(source *s)
 {
     const bool first = s->used == 0;
@@ -217,13 +241,14 @@ int source_part(source *s)
     if (!first && s->stream != NULL && s->bar.total > 0)
         progress_show(&s->bar, (double)gzoffset(s->stream), "reading");
     s->buffer[s->size] = s->held;
+    s->lines += lines_of(s->buffer, s->size);
     s->used -= s->size;
     memmove(s->buffer, s->buffer + s->size, s->used);
     code = fill(s);
     while (code == 0 && s->stream != NULL && memrchr(s->buffer, '\n', s->used) == NULL) {
         if (s->room >= LINE_MOST && !first)
-            return tool_error(EX_DATAERR, "%s: a line of more than %d MB: split it", s->file,
-                              LINE_MOST >> 20);
+            return tool_error(EX_DATAERR, "%s:%lu: a line of more than %d MB: split it", s->file,
+                              s->lines + 1, LINE_MOST >> 20);
         if (s->room >= LINE_MOST)
             break;
         widen(s);
@@ -237,11 +262,11 @@ int source_rest(source *s)
     int code = 0;
 
     s->buffer[s->size] = s->held;
-    while (code == 0 && s->stream != NULL && s->used <= FILE_MAX) {
+    while (code == 0 && s->stream != NULL && s->used <= FILE_MAX && !s->large) {
         widen(s);
         code = fill(s);
     }
-    if (code == 0 && s->used > FILE_MAX) {
+    if (code == 0 && (s->used > FILE_MAX || s->large)) {
         errno = EFBIG;
         return unreadable(s->file);
     }

@@ -24,6 +24,8 @@ typedef struct source {
     void *stream;               /* NULL: all is read */
     char *buffer, held;         /* the character that the 0 stands for */
     size_t room, used;
+    bool large;                 /* all of it together would be refused */
+    unsigned long lines;        /* before the buffer */
     progress bar;               /* of its bytes */
 } source;
 

@@ -44,7 +44,7 @@ static int read_parts(drawing *d, const char *file, source *s)
         return tool_error(
             EX_DATAERR, "%s: is not text: a drawing is expected, SVG, G-code, CSV or .loft", file);
     if (s->stream != NULL && text[size - 1] != '\n')
-        return tool_error(EX_DATAERR, "%s: a line of more than 1 MB: split it", file);
+        return tool_error(EX_DATAERR, "%s:1: a line of more than 1 MB: split it", file);
     if (curves_is_text(file, text))
         return drawing_read_curves(d, file, text);
     if (gcode_is_text(file, text))

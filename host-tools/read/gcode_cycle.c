@@ -114,7 +114,8 @@ int gcode_drill(gcode_program *g)
     if (code != 0)
         return code;
     if (!(times >= 0 && times <= HOLES_MOST) || times > floor(times))
-        return gcode_fails(g, "L of drilling is its number of holes", "give a whole number");
+        return gcode_fails(g, "L of drilling is its number of holes",
+                           "give a whole number up to 100000");
     const double top = first_height(g), r = g->incremental ? top + g->cycle.r : g->cycle.r,
                  bottom = g->incremental ? r + g->cycle.z : g->cycle.z,
                  clear = g->retract_to_r ? r : fmax(top, r);

@@ -147,7 +147,8 @@ static int move_arc(gcode_program *g)
     const double p   = has_p ? gcode_value(&g->b, 'P') : 1;
 
     if (!(p >= 1 && p <= 4096) || p > floor(p))
-        return gcode_fails(g, "P of an arc is its number of turns", "give a whole number from 1");
+        return gcode_fails(g, "P of an arc is its number of turns",
+                           "give a whole number from 1 to 4096");
     e.turns = turn * (int)p;
     gcode_target(g, e.to);
     memcpy(e.centre, g->at, sizeof e.centre);

@@ -152,9 +152,16 @@ static void keep_first_error(void *context, xmlErrorPtr error)
     if (r->message[0] != '\0' || error->level < XML_ERR_ERROR ||
         error->domain == XML_FROM_NAMESPACE)
         return;
-    snprintf(r->message, sizeof r->message, "broken XML: %s",
-             error->message ? error->message : "unknown");
-    r->message[strcspn(r->message, "\n")] = '\0';
+    const char *text = error->message ? error->message : "unknown";
+
+    if (error->code == XML_ERR_INVALID_ENCODING || error->domain == XML_FROM_I18N ||
+        strncmp(text, "Input is not proper UTF-8", 25) == 0)
+        snprintf(r->message, sizeof r->message,
+                 "broken XML: characters that are not UTF-8: save it as UTF-8, or say its encoding "
+                 "in its first line");
+    else
+        snprintf(r->message, sizeof r->message, "broken XML: %.*s: save it again, or mend it there",
+                 (int)strcspn(text, "\n"), text);
     r->line = error->line;
 }
 

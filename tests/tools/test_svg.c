@@ -766,6 +766,7 @@ static void broken_documents_are_refused(arb *a)
                   "test.svg:3: broken XML: Opening and ending tag mismatch", __FILE__, __LINE__);
     check_refuses("<svg", "broken XML", __FILE__, __LINE__);
     check_refuses("<", "broken XML", __FILE__, __LINE__);
+    REFUSES("<text>\xff\xfe</text>", "characters that are not UTF-8: save it as UTF-8");
     REFUSES("<path d='&nothing;'/>", "broken XML: Entity 'nothing' not defined");
 }
 
