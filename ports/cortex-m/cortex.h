@@ -3,9 +3,8 @@
  *
  * A port is compiled with the number of interrupts, CORTEX_IRQS, and the number of its line's
  * interrupt, CORTEX_LINE_IRQ. cortex_line is called when a byte is received. SysTick gives the
- * slots; with CORTEX_SLOT_IRQ that interrupt does, through cortex_slot. loft_port_tick runs in the
- * interrupt of lowest priority, after cortex_later. With CORTEX_STREAM_IRQ slots are made ahead:
- * see stream.h.
+ * slots. loft_port_tick runs in the interrupt of lowest priority, after cortex_later. With
+ * CORTEX_STREAM_IRQ slots are made ahead: see stream.h.
  */
 #ifndef LOFT_CORTEX_H
 #define LOFT_CORTEX_H
@@ -28,6 +27,7 @@ void cortex_slot(void);
 void cortex_block(void);
 void cortex_fill(void);
 void cortex_sample(void);
+void cortex_sampler(void);
 
 /* Enable interrupt `irq` at a priority above the tick and below the slots; with `first` at that of
  * the slots. */
@@ -39,8 +39,13 @@ static inline void cortex_enable(unsigned irq, int first)
     NVIC_ISER[irq / 32] = 1u << irq % 32;
 }
 
-/* Slots have the highest priority, the tick (PendSV) the lowest. */
+/* Slots have the highest priority, the tick (PendSV) the lowest. Where an interrupt of its own
+ * gives the slots, SysTick is below it. */
+#ifdef STREAM_BY_CORE
+static inline void cortex_priorities(void)      { SCB_SHPR3 = 0x80C00000; }
+#else
 static inline void cortex_priorities(void)      { SCB_SHPR3 = 0x00C00000; }
+#endif
 
 /* Call cortex_slot every `cycles` of the core clock, at most 2^24, from now on. */
 static inline void cortex_systick(uint32_t cycles)

@@ -19,9 +19,14 @@ STM32F405 = -DCORTEX_IRQS=82 -DCORTEX_LINE_IRQ=37 -DCORTEX_STREAM_IRQ=68 -DSTREA
             -DSTREAM_OUTPUTS=2
 STM32F103 = -DCORTEX_IRQS=43 -DCORTEX_LINE_IRQ=37 -DCORTEX_STREAM_IRQ=15 -DLOFT_MACHINE_PLANS=0
 NO_OUTPUTS = ports/bare/no_outputs.c
-NRF51_PORT = ports/nrf51/port.c $(NO_OUTPUTS)
+NRF51_PORT = ports/nrf51/port.c ports/cortex-m/stream.c $(NO_OUTPUTS)
 MPS2_PORT  = ports/mps2/port.c $(NO_OUTPUTS)
-NRF51     = -DCORTEX_IRQS=32 -DCORTEX_LINE_IRQ=2 -DCORTEX_SLOT_IRQ=8 -DLOFT_MACHINE_PLANS=0
+NRF51     = -DCORTEX_IRQS=32 -DCORTEX_LINE_IRQ=2 -DCORTEX_STREAM_IRQ=8 -DCORTEX_SAMPLE_IRQ=9 \
+            -DSTREAM_BY_CORE -DSTREAM_SAMPLES=20000u '-DSTREAM_LAYOUT="nrf51/layout.h"' \
+            -DLOFT_SLOTS=100 -DLOFT_MACHINE_PLANS=0
+STM32G0   = -DCORTEX_IRQS=31 -DCORTEX_LINE_IRQ=27 -DCORTEX_STREAM_IRQ=13 -DSTREAM_BY_CORE \
+            -DLOFT_MACHINE_PLANS=0
+STM32G0_SRC = $(strip ports/stm32g0/port.c ports/cortex-m/stream.c $(NO_OUTPUTS))
 MPS2      = -DCORTEX_IRQS=32 -DCORTEX_LINE_IRQ=0 -DMPS2_CLOCK=25000000 \
             -DMPS2_UART0=0x40004000 -DMPS2_GPIO0=0x40010000 -DMPS2_GPIO1=0x40011000
 MPS2_33   = -DCORTEX_IRQS=64 -DCORTEX_LINE_IRQ=32 -DMPS2_CLOCK=20000000 \
@@ -37,6 +42,11 @@ $(call cortex,stm32f103,$(CORTEX_M3),0x08000000 64K 0x20000000 20K,$(STM32F103) 
     -DLOFT_SLOTS=250,$(strip ports/stm32f103/port.c ports/cortex-m/stream.c $(NO_OUTPUTS)))
 $(call cortex,stm32f103-fast,$(CORTEX_M3),0x08000000 64K 0x20000000 20K,$(STM32F103) \
     -DLOFT_SLOTS=500,$(strip ports/stm32f103/port.c ports/cortex-m/stream.c $(NO_OUTPUTS)))
+# the same: with 320 a pulse has 1 us
+$(call cortex,stm32g0,$(CORTEX_M0P),0x08000000 64K 0x20000000 36K,$(STM32G0) \
+    -DLOFT_SLOTS=200,$(STM32G0_SRC))
+$(call cortex,stm32g0-fast,$(CORTEX_M0P),0x08000000 64K 0x20000000 36K,$(STM32G0) \
+    -DLOFT_SLOTS=320,$(STM32G0_SRC))
 $(call cortex,nrf51,$(CORTEX_M0),0x00000000 256K 0x20000000 16K,$(NRF51),$(NRF51_PORT))
 $(call cortex,mps2-an385,$(CORTEX_M3),0x00000000 4M 0x20000000 4M,$(MPS2),$(MPS2_PORT))
 $(call cortex,mps2-an386,$(CORTEX_M4F),0x00000000 4M 0x20000000 4M,$(MPS2),$(MPS2_PORT))
@@ -71,8 +81,10 @@ flash-rp2040 flash-rp2040-fast: flash-%: firmware-%
 flash_tool = @command -v $(1) >/dev/null || { echo "$(1) is missing: apt install $(2)"; exit 1; }
 
 # to a board with an ST-Link, BOOT0 low
-.PHONY: $(patsubst %,flash-%,stm32f405 stm32f405-fast stm32f103 stm32f103-fast)
-$(patsubst %,flash-%,stm32f405 stm32f405-fast stm32f103 stm32f103-fast): flash-%: firmware-%
+.PHONY: $(patsubst %,flash-%,stm32f405 stm32f405-fast stm32f103 stm32f103-fast \
+                                        stm32g0 stm32g0-fast)
+$(patsubst %,flash-%,stm32f405 stm32f405-fast stm32f103 stm32f103-fast stm32g0 stm32g0-fast): \
+        flash-%: firmware-%
 	$(call flash_tool,st-flash,stlink-tools)
 	arm-none-eabi-objcopy -O binary build/firmware/$*/loft.elf build/firmware/$*/loft.bin
 	st-flash --reset write build/firmware/$*/loft.bin 0x08000000

@@ -41,9 +41,11 @@ static void fault(void)
 #if defined(CORTEX_STREAM_IRQ)
 #  define systick cortex_sample
 #  define later   cortex_fill
-#elif defined(CORTEX_SLOT_IRQ)
-#  define systick fault
-#  define later   loft_port_tick
+#  ifdef STREAM_BY_CORE
+#    define stream cortex_slot
+#  else
+#    define stream cortex_block
+#  endif
 #else
 #  define later   loft_port_tick
 static void systick(void)
@@ -73,10 +75,10 @@ __attribute__((section(".vectors"), used)) static const vector vectors[16 + CORT
     [14] = { .code = later },
     [15] = { .code = systick },
     [16 + CORTEX_LINE_IRQ] = { .code = cortex_line },
-#ifdef CORTEX_SLOT_IRQ
-    [16 + CORTEX_SLOT_IRQ] = { .code = cortex_slot },
-#endif
 #ifdef CORTEX_STREAM_IRQ
-    [16 + CORTEX_STREAM_IRQ] = { .code = cortex_block },
+    [16 + CORTEX_STREAM_IRQ] = { .code = stream },
+#endif
+#ifdef CORTEX_SAMPLE_IRQ
+    [16 + CORTEX_SAMPLE_IRQ] = { .code = cortex_sampler },
 #endif
 };

@@ -1,8 +1,9 @@
 /* ports/cortex-m/stm32.h -- what STM32 chips share: USART 1 is the line, timer 1 gives the slots
  * SPDX-License-Identifier: MIT
  *
- * A port includes it after the addresses USART1, TIM1, BSRR and WORDS. These are the registers of
- * F1, F2 and F4 (RM0008, RM0090).
+ * A port includes it after the addresses USART1, TIM1 and BSRR. These are the registers of F1, F2
+ * and F4 (RM0008, RM0090); with USART_SPLIT those of F0 and G0 (RM0091, RM0444). If DMA gives the
+ * slots, WORDS is its part for them.
  */
 #ifndef LOFT_CORTEX_STM32_H
 #define LOFT_CORTEX_STM32_H
@@ -11,7 +12,22 @@
 #include "cortex-m/stream.h"
 #include "port.h"
 
-#define LISTENS (1u << 13 | 1u << 5 | 1u << 3 | 1u << 2)    /* CR1: on, receive with interrupt */
+#ifdef USART_SPLIT
+#  define USART_CR1   0x00
+#  define USART_BRR   0x0C
+#  define USART_SR    0x1C
+#  define USART_READ  0x24
+#  define USART_WRITE 0x28
+#  define USART_ON    (1u << 0)
+#else
+#  define USART_CR1   0x0C
+#  define USART_BRR   0x08
+#  define USART_SR    0x00
+#  define USART_READ  0x04
+#  define USART_WRITE 0x04
+#  define USART_ON    (1u << 13)
+#endif
+#define LISTENS (USART_ON | 1u << 5 | 1u << 3 | 1u << 2)    /* CR1: receive with interrupt */
 #define FREE    (1u << 7)           /* of SR: it can send; of CR1: then it interrupts */
 
 /* Wait for `bits` in a register, but not forever: an emulator may lack it. */
@@ -25,15 +41,18 @@ static inline bool came(uint32_t address, uint32_t bits)
 
 static inline void set_line(uint32_t bus_hz, uint32_t baud)
 {
-    REG(USART1 + 0x08) = (bus_hz + baud / 2) / baud;
-    REG(USART1 + 0x0C) = LISTENS;
+    REG(USART1 + USART_BRR) = (bus_hz + baud / 2) / baud;
+    REG(USART1 + USART_CR1) = LISTENS;
 }
 
 void cortex_line(void)
 {
-    if (REG(USART1 + 0x00) & 1u << 5)
-        loft_port_byte((uint8_t)REG(USART1 + 0x04));
-    REG(USART1 + 0x0C) = LISTENS;
+    if (REG(USART1 + USART_SR) & 1u << 5)
+        loft_port_byte((uint8_t)REG(USART1 + USART_READ));
+#ifdef USART_SPLIT
+    REG(USART1 + 0x20) = 1u << 3;           /* ICR: a byte was lost; it would ask for ever */
+#endif
+    REG(USART1 + USART_CR1) = LISTENS;
 }
 
 /* Otherwise wake up when it can send. */
@@ -41,11 +60,11 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
 {
     if (count == 0)
         return 0;
-    if (!(REG(USART1 + 0x00) & FREE)) {
-        REG(USART1 + 0x0C) = LISTENS | FREE;
+    if (!(REG(USART1 + USART_SR) & FREE)) {
+        REG(USART1 + USART_CR1) = LISTENS | FREE;
         return 0;
     }
-    REG(USART1 + 0x04) = *bytes;
+    REG(USART1 + USART_WRITE) = *bytes;
     return 1;
 }
 
@@ -59,6 +78,8 @@ static inline void set_timer(uint32_t hz, uint32_t slot_hz)
     REG(TIM1 + 0x34) = period / 2 < most ? period / 2 : most;   /* CCR1 */
     REG(TIM1 + 0x14) = 1;                                       /* EGR: ARR is in force */
 }
+
+#ifdef WORDS
 static inline void set_requests(void)   { REG(TIM1 + 0x0C) = 1u << 9 | 1u << 8; }   /* DIER */
 
 /* Two transfers into BSRR: one word that ends each pulse, and the ring, whose words begin slots. */
@@ -78,6 +99,7 @@ static inline void set_transfers(uint32_t ends, uint32_t words, uint32_t transfe
 }
 
 uint32_t cortex_given(void) { return (STREAM_WORDS - REG(WORDS + 0x04)) % STREAM_WORDS; }
+#endif
 
 void cortex_run(bool run) { REG(TIM1 + 0x00) = run; }
 

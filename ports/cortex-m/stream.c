@@ -7,7 +7,9 @@
 #include "cortex-m/words.h"
 #include "port.h"
 
-#define SAMPLES 100000u     /* per second, while a guard waits */
+#ifndef STREAM_SAMPLES
+#  define STREAM_SAMPLES 100000u    /* per second, while a guard waits */
+#endif
 
 static uint32_t ring[STREAM_WORDS + STREAM_AHEAD];
 static volatile uint8_t given, made = 2;    /* halves, modulo 256: the block's, the fill's */
@@ -63,11 +65,24 @@ static void give_outputs(uint8_t half, bool stands)
 // Slots
 // -----
 
+#ifdef CORTEX_SAMPLE_IRQ
+static void set_samples(uint32_t hz)
+{
+    (void)hz;
+    cortex_samples(STREAM_SAMPLES);
+    cortex_enable(CORTEX_SAMPLE_IRQ, 0);
+}
+static void run_samples(bool run)       { cortex_samples(run ? STREAM_SAMPLES : 0); }
+#else
+static void set_samples(uint32_t hz)    { cortex_systick(hz / STREAM_SAMPLES); }
+static void run_samples(bool run)       { cortex_systick_run(run); }
+#endif
+
 static void count_word(uint32_t word, int32_t steps[LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        if (word & 1u << i)
-            steps[i] += word & 1u << (STREAM_DIR_AT + i) ? -1 : 1;
+        if (word & 1u << STREAM_STEP(i))
+            steps[i] += word & 1u << STREAM_DIR(i) ? -1 : 1;
 }
 
 /* The last words of a half, before it is made anew. */
@@ -118,8 +133,13 @@ void cortex_sample(void)
 {
     if (changed || !loft_port_changed())
         return;
-    const uint32_t word = cortex_given();
-    const uint8_t half = given;
+    uint32_t word;
+    uint8_t half;
+
+    do {
+        half = given;
+        word = cortex_given();
+    } while (half != given);            /* an interrupt that gives slots comes in between */
     const bool uncounted = (word / STREAM_HALF ^ half) & 1u;
 
     changed_half = (uint8_t)(half + uncounted);
@@ -185,7 +205,7 @@ void cortex_fill(void)
         give_outputs(given, false);
         cortex_run(true);
     }
-    cortex_systick_run(loft_port_waits());
+    run_samples(loft_port_waits());
 }
 
 void loft_port_start(uint32_t slot_hz)
@@ -194,7 +214,7 @@ void loft_port_start(uint32_t slot_hz)
         ring[k] = stream_dir(0);
     cortex_enable(CORTEX_LINE_IRQ, 0);
     cortex_enable(CORTEX_STREAM_IRQ, 1);
-    cortex_systick(cortex_stream(slot_hz) / SAMPLES);
+    set_samples(cortex_stream(slot_hz));
     cortex_run(true);
     cortex_interrupts();
 }

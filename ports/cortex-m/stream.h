@@ -14,7 +14,8 @@
  * An output changes where the half begins in which its tick does: 0.25 ms before it, at most. While
  * the timer stands all are off.
  *
- * On an RP2040 DMA feeds a state machine instead of the pins: rp2040/port.c.
+ * On an RP2040 DMA feeds a state machine instead of the pins: rp2040/port.c. Where DMA does not
+ * reach the pins a short interrupt gives the words, with STREAM_BY_CORE: giver.h.
  *
  * If a half is not made in time the timer stops until it is: no word is given twice.
  */
@@ -44,14 +45,19 @@
 #endif
 
 /* A word sets pins by its low half and clears pins by its high one: bits 0..2 step x, y, z, bits
- * 3..5 their directions. Every word has all directions. */
+ * 3..5 their directions. Every word has all directions. A port may have a layout of its own, with
+ * steps in bits 0..2: the number of the step's bit and of the direction's, of axis i. */
 #define STREAM_STEPS 0x07u
-#define STREAM_DIR_AT 3
+#ifdef STREAM_LAYOUT
+#  include STREAM_LAYOUT
+#else
+#  define STREAM_STEP(i) (i)
+#  define STREAM_DIR(i)  (3 + (i))
 static inline uint32_t stream_dir(uint8_t dir)
 {
-    return (uint32_t)(dir & STREAM_STEPS) << STREAM_DIR_AT | (uint32_t)(~dir & STREAM_STEPS)
-                                                                 << (STREAM_DIR_AT + 16);
+    return (uint32_t)(dir & STREAM_STEPS) << 3 | (uint32_t)(~dir & STREAM_STEPS) << (3 + 16);
 }
+#endif
 
 /* The ring, for the transfer. */
 uint32_t *cortex_ring(void);
@@ -66,5 +72,9 @@ uint32_t cortex_given(void);
 uint32_t cortex_waiting(void);
 void     cortex_acknowledge(void);
 void     cortex_output(int output, uint16_t level);
+
+/* OF A PORT without SysTick, with CORTEX_SAMPLE_IRQ: let that interrupt come so often a second; it
+ * is cortex_sampler, which calls cortex_sample. */
+void     cortex_samples(uint32_t hz);
 
 #endif

@@ -1,15 +1,16 @@
-/* ports/nrf51/port.c -- an nRF51822 at 16 MHz as on the BBC micro:bit: three axes, 20,000 steps per
- * second each
+/* ports/nrf51/port.c -- an nRF51822 at 16 MHz as on the BBC micro:bit: three axes, LOFT_SLOTS steps
+ * per millisecond each
  * SPDX-License-Identifier: MIT
  *
  *     step     P0.03 P0.02 P0.01 (edge 0 1 2)     stop     P0.11 (edge 9), closing to ground
  *     dir      P0.18 P0.20 P0.16 (edge 8 12 16)   buttons  P0.17 hold (A), P0.26 resume (B)
  *     line     P0.24 P0.25, through the board's USB, 8N1
  *
- * Registers: Nordic's nRF51 series reference manual. The core has no SysTick: TIMER0 gives the
- * slots.
+ * Registers: Nordic's nRF51 series reference manual. Its DMA does not reach the pins, and the core
+ * has no SysTick: TIMER0 gives the slots, TIMER1 samples the inputs of a guard.
  */
 #include "cortex-m/cortex.h"
+#include "cortex-m/stream.h"
 #include "port.h"
 #include "switches.h"
 
@@ -17,17 +18,23 @@
 #  define LOFT_BAUD 115200          /* or 250000, 1000000 */
 #endif
 #define CORE    16000000u           /* Hz */
-#define PULSE   (CORE / 500000)     /* 2 us */
 
 #define CLOCK   0x40000000
 #define UART    0x40002000
 #define TIMER   0x40008000
+#define SAMPLER 0x40009000
 #define RANDOM  0x4000D000
 #define GPIO    0x50000000
-#define OUTSET  (GPIO + 0x508)
-#define OUTCLR  (GPIO + 0x50C)
+#define OUT     (GPIO + 0x504)
 #define IN      (GPIO + 0x510)
 #define PIN_CNF (GPIO + 0x700)
+
+#define GIVER_HZ        CORE
+#define GIVER_SET(word) (REG(OUT) = (word) << 1)
+#define GIVER_END(word) (REG(OUT) = ((word) & ~STREAM_STEPS) << 1)
+#define GIVER_EVENT()   (REG(TIMER + 0x140) = 0)
+#define GIVER_TIME()    (REG(TIMER + 0x044) = 1, REG(TIMER + 0x544))    /* capture it in CC[1] */
+#include "cortex-m/giver.h"
 
 #define CELLS   160
 
@@ -36,7 +43,7 @@
 
 static volatile loft_cell cells[CELLS];
 static loft_machine_config config = {
-    .info = { .tick_hz = 1000, .slots = 20, .axis = { AXIS, AXIS, AXIS } },
+    .info = { .tick_hz = 1000, .slots = LOFT_SLOTS, .axis = { AXIS, AXIS, AXIS } },
     .ramp = 80,
     .cell = cells,
     .cells = CELLS
@@ -90,47 +97,37 @@ loft_machine_config *loft_port_init(void)
     return &config;
 }
 
-void loft_port_start(uint32_t slot_hz)
+/* Let a timer interrupt `hz` times a second, from now on. */
+static void set_timer(uint32_t timer, uint32_t hz)
 {
-    REG(TIMER + 0x510) = 0;
-    REG(TIMER + 0x508) = 0;                         /* 16 bits */
-    REG(TIMER + 0x540) = CORE / slot_hz;
-    REG(TIMER + 0x200) = 1;                         /* begin again at CC[0] */
-    REG(TIMER + 0x304) = 1 << 16;
-    cortex_enable(CORTEX_SLOT_IRQ, 1);
-    cortex_enable(CORTEX_LINE_IRQ, 0);
-    REG(TIMER + 0x000) = 1;
-    cortex_interrupts();
+    REG(timer + 0x510) = 0;                         /* 16 MHz */
+    REG(timer + 0x508) = 0;                         /* 16 bits */
+    REG(timer + 0x540) = CORE / hz;
+    REG(timer + 0x200) = 1;                         /* begin again at CC[0] */
+    REG(timer + 0x304) = 1 << 16;
 }
 
-void cortex_slot(void)
+uint32_t cortex_stream(uint32_t slot_hz)
 {
-    REG(TIMER + 0x140) = 0;
-    loft_port_slot();
-    cortex_later();
+    set_timer(TIMER, slot_hz);
+    giver_begin();
+    return CORE;
 }
 
-static uint32_t spread(uint8_t bits, const uint8_t pin[3])
+/* START, or STOP. */
+void cortex_run(bool run) { REG(TIMER + (run ? 0x000 : 0x004)) = 1; }
+
+void cortex_sampler(void)
 {
-    return (uint32_t)(bits & 1) << pin[0] | (uint32_t)(bits >> 1 & 1) << pin[1] |
-           (uint32_t)(bits >> 2 & 1) << pin[2];
+    REG(SAMPLER + 0x140) = 0;
+    cortex_sample();
 }
 
-void loft_port_pins(uint8_t step_bits, uint8_t dir_bits)
+void cortex_samples(uint32_t hz)
 {
-    static uint8_t dir_last;
-
-    if (dir_bits != dir_last) {
-        REG(OUTSET) = spread(dir_bits, dir_pin);
-        REG(OUTCLR) = spread((uint8_t)(~dir_bits & 7), dir_pin);
-        dir_last = dir_bits;
-    }
-    if (step_bits) {
-        const uint32_t pins = spread(step_bits, step_pin);
-        REG(OUTSET) = pins;
-        cortex_delay(PULSE);
-        REG(OUTCLR) = pins;
-    }
+    if (hz)
+        set_timer(SAMPLER, hz);
+    REG(SAMPLER + (hz ? 0x000 : 0x004)) = 1;
 }
 
 /* The event is cleared before the byte is read. RXD then shows the next of six bytes, and the event

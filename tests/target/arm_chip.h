@@ -23,7 +23,7 @@ struct family {
     bool     (*asks_to_send)(const struct chip *c);
     int      (*boot)(struct chip *c);
 };
-extern const struct family arm_stm32, arm_rp2040;
+extern const struct family arm_stm32, arm_rp2040, arm_nrf51;
 
 /* What differs between the chips. Addresses: RCC's clock control; the pins of the slots, the
  * port of the switches and x in it; timer 1; its transfers; USART 1; the outputs. */
@@ -31,7 +31,7 @@ struct kind {
     const char *name;
     const struct family *family;
     int model;
-    bool fpu, streams;
+    bool fpu, streams, split;           /* streams: DMA as on an F4; split: USART as on a G0 */
     struct arm_memory memory;
     uint32_t hz, bus;                   /* of the core; of USART 1 */
     unsigned irq_line, irq_stream, x_switch;
@@ -43,6 +43,8 @@ struct chip {
     struct arm_core core;
     struct arm_stream stream;
     struct arm_pio pio;
+    uint64_t sampled_at, sampler_period, captured;  /* of an nRF51: timer 1; CC[1] of timer 0 */
+    bool sampled;
     bool feeds, flash_is_set;           /* of an RP2040: its DMA is busy; its flash can be read */
     struct chip_line line;
     uint32_t plain[0x20000];            /* registers without an effect: 0x40000000.. */

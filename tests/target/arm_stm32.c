@@ -1,13 +1,23 @@
 /* tests/target/arm_stm32.c -- registers of STM32 chips: timer 1, its DMA, USART 1, outputs
  * SPDX-License-Identifier: MIT
  *
- * RM0090 (stm32f405), RM0008 (stm32f103).
+ * RM0090 (stm32f405), RM0008 (stm32f103), RM0444 (stm32g0).
  */
 #include "arm_chip.h"
 
+/* Of the USART: CR1, BRR, SR, and the data that is read and written. */
+enum { CONTROL, RATE, STATUS, READ, WRITE };
+static uint32_t usart(const struct chip *c, int which)
+{
+    static const uint8_t offset[2][5] = { { 0x0C, 0x08, 0x00, 0x04, 0x04 },
+                                          { 0x00, 0x0C, 0x1C, 0x24, 0x28 } };
+
+    return c->kind->usart + offset[c->kind->split][which];
+}
+
 static uint64_t byte_cycles(const struct chip *c)
 {
-    const uint32_t divider = *plain_register(c, c->kind->usart + 8);
+    const uint32_t divider = *plain_register(c, usart(c, RATE));
 
     return 10ull * (divider ? divider : 1) * (c->kind->hz / c->kind->bus);
 }
@@ -15,7 +25,7 @@ static uint64_t byte_cycles(const struct chip *c)
 /* CR1: an interrupt when a byte can be sent. */
 static bool asks_to_send(const struct chip *c)
 {
-    return *plain_register(c, c->kind->usart + 0x0C) >> 7 & 1;
+    return *plain_register(c, usart(c, CONTROL)) >> 7 & 1;
 }
 
 static uint32_t read_register(struct chip *c, uint32_t address, uint32_t plain)
@@ -28,10 +38,12 @@ static uint32_t read_register(struct chip *c, uint32_t address, uint32_t plain)
         return plain | (plain & 3) << 2;
     if (address == k->idr)
         return chip_inputs(c);
-    if (address == k->usart)
+    if (address == usart(c, STATUS))
         return (uint32_t)c->came << 5 | (uint32_t)(c->core.now >= c->sent_at) << 7;
-    if (address == k->usart + 4)
+    if (address == usart(c, READ))
         return chip_take(c);
+    if (address == k->timer + 0x24)
+        return (uint32_t)(c->core.now - c->stream.begun);
     if (k->random && address == k->random + 4)
         return 1;
     if (k->random && address == k->random + 8)
@@ -85,7 +97,14 @@ static void write_timer(struct arm_stream *s, uint32_t offset, uint32_t value)
 {
     switch (offset) {
     case 0x00: arm_stream_run(s, value & 1, s->core->now); break;
-    case 0x0C: s->requests = (value >> 8 & 1) << UPDATE | (value >> 9 & 1) << COMPARE; break;
+    case 0x0C:
+        s->interrupts = value & 1;
+        s->requests = (value >> 8 & 1) << UPDATE | (value >> 9 & 1) << COMPARE;
+        break;
+    case 0x10:
+        s->updated = s->updated && value & 1;
+        s->core->pending[16 + s->irq] = s->updated && s->interrupts;
+        break;
     case 0x2C: s->reload = value; break;
     case 0x34: s->compare = value; break;
     default: break;
@@ -139,9 +158,9 @@ static void write_register(struct chip *c, uint32_t address, uint32_t value)
         watch_outputs(c);
     else if (k->outputs && address - k->outputs < 0x80)
         write_output(c, address - k->outputs, value);
-    else if (address == k->usart + 0x0C)
+    else if (address == usart(c, CONTROL))
         c->core.pending[16 + k->irq_line] = c->came;
-    else if (address == k->usart + 4)
+    else if (address == usart(c, WRITE))
         chip_send(c, (uint8_t)value);
 }
 

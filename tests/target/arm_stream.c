@@ -131,6 +131,8 @@ void arm_stream_run(struct arm_stream *s, bool runs, uint64_t now)
 void arm_stream_advance(struct arm_stream *s, uint64_t now)
 {
     while (s->runs) {
+        if (s->interrupts && s->updated)
+            arm_core_raise(s->core, s->irq);
         if (!s->compared && s->begun + s->compare <= now && s->compare <= s->reload) {
             s->compared = true;
             if (s->requests & 1u << COMPARE)
@@ -140,6 +142,7 @@ void arm_stream_advance(struct arm_stream *s, uint64_t now)
             return;
         s->begun += s->reload + 1;
         s->compared = false;
+        s->updated = true;
         if (s->requests & 1u << UPDATE)
             give_word(s, &s->transfer[UPDATE], s->begun);
     }
@@ -149,6 +152,8 @@ uint64_t arm_stream_next(const struct arm_stream *s)
 {
     const struct arm_transfer *t = &s->transfer[UPDATE];
 
+    if (s->runs && s->interrupts)
+        return s->begun + s->reload + 1;
     if (!s->runs || !t->enabled || !(s->requests & 1u << UPDATE))
         return ARM_NEVER;
     const uint32_t half = t->count / 2, left = t->left > half ? t->left - half : t->left;

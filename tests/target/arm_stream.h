@@ -10,6 +10,9 @@
  * 10.3.7: it preloads one), the first when it is enabled; a channel of the others when it writes it
  * (RM0008, 13.3). What a transfer takes on the bus is not modelled.
  *
+ * The update can also interrupt (RM0444, 22.3: TIM1), as long as its flag stands: then the core
+ * writes the pins.
+ *
  * BSRR sets pins by its low half and clears pins by its high half; to set wins (RM0090, 8.4.7).
  */
 #ifndef TARGET_ARM_STREAM_H
@@ -45,6 +48,7 @@ struct arm_stream {
     uint64_t begun;                     /* the cycle at which the timer was 0 */
     uint32_t stands;                    /* its count while it stands */
     bool compared;                      /* since it was 0 */
+    bool interrupts, updated;           /* at the update; its flag */
     uint32_t waits;                     /* how often the firmware let it stand */
     struct arm_transfer transfer[REQUESTS];
     struct arm_pins pins;

@@ -23,11 +23,10 @@ def mps2(line, pins):
 
 def nrf51(line, pins):
     found = NRF51.search(line)
-    if not found or found[1] not in ("0x508", "0x50c"):
+    if not found or found[1] != "0x504":
         return None
     value = int(found[2], 16)
-    bits = sum((value >> pin & 1) << i for i, pin in enumerate(NRF51_STEP + NRF51_DIR))
-    return pins | bits if found[1] == "0x508" else pins & ~bits
+    return sum((value >> pin & 1) << i for i, pin in enumerate(NRF51_STEP + NRF51_DIR))
 
 
 def riscv(line, pins):

@@ -112,7 +112,7 @@ f405="--steps 250 --max-speed 400 --accel 2000 --slots 250 --queue 1024 --ramp 2
 mps2="--steps 250 --max-speed 160 --accel 1000 --slots 40 --queue 1024 --ramp 160"
 (   board stm32f405   arm_chip            -             - "$f405" host
     board nrf51       qemu-system-arm     microbit      6 \
-        "--steps 250 --max-speed 80 --accel 500 --slots 20 --queue 160 --ramp 80" host
+        "--steps 250 --max-speed 80 --accel 500 --slots 100 --queue 160 --ramp 80" host
     board stm32f405   arm_chip            -             - "$f405" chip
     for fault in "bytes 1" "bytes 2" "cuts 1" "killed 1"; do
         # shellcheck disable=SC2086

@@ -37,6 +37,8 @@ on_arm() {
 # numbers BOARD: of the simulated machine that is like it
 numbers() {
     case $1 in
+    nrf51)      echo --steps 250 --max-speed 80 --accel 500 --queue 160 --ramp 80 ;;
+    stm32g0*)   echo --steps 250 --max-speed 200 --accel 1000 --queue 512 --ramp 200 ;;
     stm32f103*) echo --steps 250 --max-speed 200 --accel 1000 --queue 256 --ramp 200 ;;
     *)          echo --steps 250 --max-speed 400 --accel 2000 --queue 1024 --ramp 200 ;;
     esac
@@ -49,19 +51,24 @@ slots_of() {
                    printf "%.0f %s %s %s\n", ($1 - first) / cycles, $2, $3, $4 }' "$1" | cksum
 }
 
-# rates BOARD STEPS CYCLES LOAD PULSE: STEPS per ms, one in each slot of CYCLES
+# rates BOARD STEPS CYCLES LOAD PULSE[,PAUSE] [LATE]: STEPS per ms, one in each slot of CYCLES;
+# LATE: the core gives them, up to so many cycles late, and LOAD is that of slots and ticks
 rates() {
-    local name="$1, $2 steps/ms" axes
+    local name="$1, $2 steps/ms" axes late=${6:-0} load=load${6:+_slots}
     for axes in 1 3; do
         on_arm "$1" "" "$helpers/rate" "$tmp/port" $axes "$2"
         row "$name, $axes axes: every step there"           "$code" = 0
         row "$name, $axes axes: steps counted at the pins" \
             "$(value position | awk '{ print $1 }')" = "$(said position)"
         row "$name, $axes axes: ticks that were slowed"     "$(said slowed)" = 0
-        row "$name, $axes axes: all instructions"           "$(value load)" "<=" "$4" "of the time"
-        row "$name, $axes axes: shortest pulse"             "$(value pulse_least)" ">=" "$5" cycles
-        row "$name, $axes axes: shortest pause"             "$(value low_least)" ">=" "$5" cycles
-        row "$name, $axes axes: steps apart, at least"     "$(value between_least)" ">=" "$3" cycles
+        row "$name, $axes axes: all instructions" \
+            "$(value "$load")" "<=" "$4" "of the time"
+        row "$name, $axes axes: shortest pulse" \
+            "$(value pulse_least)" ">=" "${5%,*}" cycles
+        row "$name, $axes axes: shortest pause" \
+            "$(value low_least)" ">=" "${5#*,}" cycles
+        row "$name, $axes axes: steps apart, at least" \
+            "$(value between_least)" ">=" $(($3 - late)) cycles
     done
     cp "$tmp/chip.csv" "$tmp/chip3.csv"
     # shellcheck disable=SC2046
@@ -70,8 +77,13 @@ rates() {
     for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
     timeout 60 "$helpers/rate" "$tmp/here" 3 "$2" >"$tmp/planned" 2>&1
     kill $here 2>/dev/null; wait $here 2>/dev/null
-    row "$name: each pulse in the slot of the simulated machine" \
-        "$(slots_of "$tmp/chip3.csv" "$3")" = "$(slots_of "$tmp/here.csv" 1)"
+    if [ "$1" = nrf51 ]; then           # its queue is short, so a real line makes its start slower
+        row "$name: every axis steps as on the simulated machine" \
+            "$(path_of "$tmp/chip3.csv")" = "$(path_of "$tmp/here.csv")"
+    else
+        row "$name: each pulse in the slot of the simulated machine" \
+            "$(slots_of "$tmp/chip3.csv" "$3")" = "$(slots_of "$tmp/here.csv" 1)"
+    fi
 }
 
 # draws BOARD SLOTS CYCLES [LATE]: the drawing; LATE: once the slots are made so many us late
@@ -154,6 +166,9 @@ levels() { awk -v n="$1" '/^# output/ && $3 == n { printf "%s%d", c, ($5 + 1) / 
 
 burns stm32f405
 rates stm32f405-fast 1000 168 0.10 84
+rates stm32g0-fast   320 200 0.60 63 60
+rates stm32g0        200 320 0.60 127,122 60
+rates nrf51          100 160 0.65 31 60
 rates rp2040-fast   1000 125 0.20 60
 rates rp2040         250 500 0.15 240
 rates stm32f405      250  672 0.10 336
@@ -162,6 +177,7 @@ draws stm32f103 250 288
 draws stm32f405 250 672
 draws stm32f405-fast 1000 168
 draws stm32f405 250 672 600
+draws stm32g0-fast 320 140
 draws rp2040 250 500
 draws rp2040-fast 1000 125
 draws rp2040 250 500 600
@@ -170,6 +186,7 @@ late stm32f405-fast 1000 168 600
 late stm32f103-fast 500 144 600
 guarded stm32f103 100 20001,5 8
 guarded stm32f405 5 700 8
+guarded stm32g0-fast 100 20001,5 8
 guarded rp2040 100 20001,5 8
 guarded rp2040-fast 5 700 8
 guarded rp2040-fast 1000 200001 8

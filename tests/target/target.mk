@@ -39,7 +39,7 @@ build/target/bad_line: tests/target/bad_line.c build/q16x3/libloft.a
 -include build/target/bad_line.d
 
 ARM_CHIP_SRC = $(patsubst %,tests/target/%.c,arm_chip arm_core arm_stream arm_stm32 arm_pio \
-                                             arm_rp2040 chip_line avr_gate) \
+                                             arm_rp2040 arm_nrf51 chip_line avr_gate) \
                ports/host/line.c ports/host/record.c
 build/target/arm_chip: $(ARM_CHIP_SRC) $(wildcard tests/target/arm_*.h tests/target/chip_*.h) \
                        build/q16x3/libloft.a
@@ -51,7 +51,7 @@ build/target/arm_chip: $(ARM_CHIP_SRC) $(wildcard tests/target/arm_*.h tests/tar
 ## Run boards that step by a timer and DMA in a model of both: every slot, guards, instructions
 .PHONY: check-stream
 check-stream: $(patsubst %,firmware-%,stm32f405 stm32f405-fast stm32f103 stm32f103-fast \
-                                     rp2040 rp2040-fast) \
+                                     stm32g0 stm32g0-fast rp2040 rp2040-fast nrf51) \
               build/target/arm_chip build/target/rate $(TOOL_OUT)/loft
 	@bash tests/target/stream.sh build/firmware $(TOOL_OUT)/loft build/target
 TARGET_BESIDE += check-stream
