@@ -74,10 +74,12 @@ static bool mend_one(loft_emit *e, unsigned k, int i, int n, range loose)
     return true;
 }
 
-/* Shorten the leg to point k to what the feed allows. */
+/* Shorten the leg to point k to what the feed allows. Before the end comes, all is taken off the
+ * later point: so in one round legs hand on what is too much, and those after it are mended too. */
 static bool mend_feed(loft_emit *e, unsigned k, range loose)
 {
-    const int n = is_loose(loose, k - 1) + is_loose(loose, k);
+    const bool both = e->ended && is_loose(loose, k - 1);
+    const int n = both + is_loose(loose, k);
     const loft_coord feed = e->feed[k] > e->feed[k - 1] ? e->feed[k] : e->feed[k - 1];
     loft_coord leg[LOFT_AXES];
     int64_t sum = 0;
@@ -96,7 +98,7 @@ static bool mend_feed(loft_emit *e, unsigned k, range loose)
         loft_coord *x = &e->point[k].axis[i], *y = &e->point[k - 1].axis[i];
         if (is_loose(loose, k))
             *x = loft_coord_add(*x, -off);
-        if (is_loose(loose, k - 1))
+        if (both)
             *y = loft_coord_add(*y, off);
     }
     return true;

@@ -14,6 +14,8 @@
 #define STEPS       12                              /* and more to the next corner */
 #define PART_ONE    (INT32_C(1) << 24)              /* a part */
 #define AHEAD       6                               /* places that are settled */
+#define ROUNDS      4                               /* towards the nearest place of a cubic */
+#define NEAR        (PART_ONE / 256)
 
 static loft_coord least(loft_coord a, loft_coord b) { return a < b ? a : b; }
 
@@ -299,7 +301,14 @@ static int32_t part_along(const loft_coord off[], const loft_coord tangent[])
                    : -2 * PART_ONE;
 }
 
-/* Along its tangent, twice; then across that, but beyond its ends. */
+/* How far it is off its tangent at most, a part of it farther. */
+static loft_coord bend_of(const between *w, int32_t part)
+{
+    const loft_coord x = times(times(largest(w->before) + largest(w->after), part), part);
+    return 4 * least(x, INT32_C(1) << 27);
+}
+
+/* Along its tangent, until that is near; then across it, but beyond the ends of the cubic. */
 static loft_coord off_between(const between *w, int32_t z, const loft_position *p)
 {
     for (int round = 0;; round++) {
@@ -309,15 +318,19 @@ static loft_coord off_between(const between *w, int32_t z, const loft_position *
         place_between(w, z, &on);
         tangent_between(w, z, tangent);
         legs_of(&on, p, off);
-        const int32_t part = part_along(off, tangent), next = z + part;
-        const bool inside = next >= 0 && next <= PART_ONE;
-        if (round < 2 && (inside || (z > 0 && z < PART_ONE))) {
-            z = next < 0 ? 0 : next > PART_ONE ? PART_ONE : next;
+        const int32_t part = part_along(off, tangent), next = z + part,
+                      to = next < 0          ? 0
+                           : next > PART_ONE ? PART_ONE
+                                             : next;
+        if (round < ROUNDS && loft_coord_abs(to - z) > NEAR) {
+            z = to;
             continue;
         }
-        for (int i = 0; i < LOFT_AXES && inside; i++)
+        if (to != next)
+            return loft_coord_length(off);
+        for (int i = 0; i < LOFT_AXES; i++)
             off[i] -= times(tangent[i], part);
-        return loft_coord_length(off);
+        return loft_coord_length(off) + bend_of(w, part);
     }
 }
 

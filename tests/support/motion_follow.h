@@ -4,8 +4,8 @@
  *
  * The distance is the Frechet distance: the length of the leash with which a walker goes along the
  * path and a dog along the spans, neither ever going back. So no part of the path is left out, and
- * none is passed twice. Path and spans are replaced by chords within 1/64 of the tolerance. For the
- * chords the decision whether a leash is long enough is exact. Each pair of chords is a cell, in
+ * none is passed twice. Path and spans are replaced by chords within a part of the tolerance. For
+ * these the decision whether a leash is long enough is exact. Each pair of chords is a cell, in
  * which the places (s, t) within the leash form a convex set. So the reachable parts of its right
  * and upper side follow from those of the other two sides [Alt and Godau 1995]. Cells are visited
  * in the order of time; only the reachable chords of the path are kept.
@@ -22,8 +22,9 @@
 #include "support/motion_uses.h"    /* spans, limits, span_squares, quartic_peak */
 
 typedef struct {
-    double off;         /* the distance of spans and path, mm; too large by at most a 32nd of the
-                         * tolerance plus `fine`; near corners times tol / corner */
+    double off;         /* the distance of spans and path, mm; too large by at most twice
+                         * `follow_chords` of the tolerance plus `fine`; near corners times tol
+                         * / corner */
     double along;       /* speed along the path, as a fraction of the feed there */
 } motion_follow;
 
@@ -42,7 +43,10 @@ static const stretch nowhere = { 1, 0 };
 static stretch reached[PATH_MAX];   /* on each of them */
 static double  share[PATH_MAX];     /* of the leash */
 
-static inline double follow_chord_error(void) { return arb_value(limits.tol) / 64; }
+/* Of the tolerance; a test sets it for one that is nearly used up. */
+static double follow_chords = 1 / 64.0;
+
+static inline double follow_chord_error(void) { return arb_value(limits.tol) * follow_chords; }
 
 /* The part of the chord a..b within `leash` of q. */
 static inline stretch stretch_near(const double a[], const double b[], const double q[],
