@@ -149,9 +149,31 @@ static void add_bare(gcode_block *b, char letter)
     b->value[letter - 'A'] = 0;
 }
 
+/* O and a number, and nothing else in the line: the name of the program. */
+static bool names_program(gcode_scanner *s)
+{
+    gcode_scanner ahead = *s;
+    const char *begin;
+
+    gcode_peek(&ahead);
+    for (begin = ahead.at; gcode_peek(&ahead) >= '0' && *ahead.at <= '9';)
+        ahead.at++;
+    const char c    = gcode_peek(&ahead);
+    const bool good = ahead.at > begin && (at_line_end(s, c) || c == '(') &&
+                      (s->b->has & ~GCODE_BIT('N')) == 0 && s->b->gs + s->b->ms == 0;
+    if (good)
+        s->at = ahead.at;
+    return good;
+}
+
 static void refuse_character(gcode_scanner *s, unsigned char c)
 {
     char what[40];
+
+    if (c == '*') {
+        gcode_scan_fail(s, "*: a checksum", "for a 3-D printer's file give --dialect marlin");
+        return;
+    }
 
     if (c < 32 || c > 126)
         snprintf(what, sizeof what, "a character of code %u", (unsigned)c);
@@ -168,9 +190,11 @@ static void read_words(gcode_scanner *s)
             skip_comment(s);
         else if (c == '#')
             read_setting(s);
-        else if (c == 'O')
+        else if (c == 'O' && !names_program(s))
             gcode_scan_fail(s, "O: subroutines, loops and branches are not run",
                             "write the program out in the CAM's post-processor");
+        else if (c == 'O')
+            continue;
         else if (c >= 'A' && c <= 'Z' && stands_alone(s))
             add_bare(s->b, c);
         else if (c >= 'A' && c <= 'Z')

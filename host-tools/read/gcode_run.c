@@ -107,12 +107,21 @@ static bool has_axes(const gcode_block *b)
     return (b->has & (GCODE_BIT('X') | GCODE_BIT('Y') | GCODE_BIT('Z'))) != 0;
 }
 
+/* M67 and M68 set the output E: they are left out, and told. */
+static bool has_output(const gcode_block *b)
+{
+    for (unsigned i = 0; i < b->ms; i++)
+        if (b->m[i] == 670 || b->m[i] == 680)
+            return true;
+    return false;
+}
+
 static int check_words(const gcode_program *g)
 {
     static const char others[] = "ABCUVW";
     char what[64];
 
-    if (gcode_has(&g->b, 'E') && !g->printer)
+    if (gcode_has(&g->b, 'E') && !g->printer && !has_output(&g->b))
         return gcode_fails(g, "E: an extruder", "for a 3-D printer's file give --dialect marlin");
     for (const char *at = others; *at != '\0' && !g->printer; at++)
         if (gcode_has(&g->b, *at)) {

@@ -81,6 +81,15 @@ static void places_on_the_machine(arb *a)
     ENDS_AT("S100 G95 G1 X10 F0.1\n", 10, 0, 0, 10);
 }
 
+/* Numbers of programs, as many post-processors write them; outputs of LinuxCNC with an E. */
+static void names_of_programs_are_skipped(arb *a)
+{
+    (void)a;
+    ENDS_AT("%\nO1234 (part)\nG1 X10 F60\nM30\nO2\nG1 X20\nM99\n%\n", 10, 0, 0, 60);
+    ENDS_AT("N1 o 12 34\nG1 X10 F60 ; c\n", 10, 0, 0, 60);
+    ENDS_AT("M67 E0 Q50\nG1 X10 F60\n", 10, 0, 0, 60);
+}
+
 static void what_is_wrong_has_its_line(arb *a)
 {
     (void)a;
@@ -94,6 +103,11 @@ static void what_is_wrong_has_its_line(arb *a)
     FAILS("M111\nM300\n", "part.nc:2: M300: is not known here: ");
     FAILS("G0 A90\n", "part.nc:1: A: this machine has the axes X, Y and Z: ");
     FAILS("O100 sub\n", "part.nc:1: O: subroutines, loops and branches are not run: ");
+    FAILS("O100 G21\n", "part.nc:1: O: subroutines, loops and branches are not run: ");
+    FAILS("G21 O100\n", "part.nc:1: O: subroutines, loops and branches are not run: ");
+    FAILS("O\n", "part.nc:1: O: subroutines, loops and branches are not run: ");
+    FAILS("N1 G1 X1 F10*86\n", "part.nc:1: *: a checksum: for a 3-D printer's file give");
+    FAILS("M3 E0 G1 X1 F10\n", "part.nc:1: E: an extruder");
     FAILS("G2 X10 F1\n", "part.nc:1: an arc without I, J, K in its plane or R: ");
     FAILS("G2 X10 I4 F1\n", "part.nc:1: an arc that starts 4 and ends 6 from its centre: ");
     FAILS("G2 X10 R4 F1\n", "part.nc:1: R4 is too small for ends 10 apart: ");
@@ -311,6 +325,7 @@ int main(void)
     PROPERTY(cubics_and_nurbs, 1);
     PROPERTY(holes, 1);
     PROPERTY(places_on_the_machine, 1);
+    PROPERTY(names_of_programs_are_skipped, 1);
     PROPERTY(what_is_wrong_has_its_line, 1);
     PROPERTY(hostile_lines_end, 1);
     PROPERTY(printers_are_understood, 1);
