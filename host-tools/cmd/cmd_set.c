@@ -10,6 +10,7 @@
 
 typedef struct {
     const char *port, *file, *log;
+    bool defaults;
     unsigned baud;
     double wait;
 } set_options;
@@ -68,9 +69,12 @@ static int change_settings(settings *s, const set_options *o, char **word, int c
     return code;
 }
 
-static void print_gearing(const settings *before, const settings *now)
+static void print_gearing(const settings *before, const settings *now, bool defaults)
 {
-    printf("kept: %u of %u bytes; steps/mm", now->size, now->room);
+    if (defaults)
+        printf("back to those of its firmware; steps/mm");
+    else
+        printf("kept: %u of %u bytes; steps/mm", now->size, now->room);
     for (int i = 0; i < ENGINE_AXES; i++)
         printf(" %g", now->m.steps_per_mm[i]);
     printf("\n");
@@ -89,14 +93,18 @@ static int set_machine(const set_options *o, talk *t, char **word, int count)
 
     if (code != 0)
         return code;
-    now  = before;
-    code = change_settings(&now, o, word, count);
+    now = before;
+    if (o->defaults) {
+        code = settings_reset(&now, t, o->wait);
+    } else {
+        code = change_settings(&now, o, word, count);
+        if (code == 0)
+            code = settings_write(&now, t, o->wait);
+        if (code == 0)
+            code = settings_read(&now, t);
+    }
     if (code == 0)
-        code = settings_write(&now, t, o->wait);
-    if (code == 0)
-        code = settings_read(&now, t);
-    if (code == 0)
-        print_gearing(&before, &now);
+        print_gearing(&before, &now, o->defaults);
     return code;
 }
 
@@ -110,6 +118,7 @@ static int run_set(const tool_command *self, int argc, char **argv)
         TALK_OPTIONS(o),
         TOOL_TEXT("machine", "FILE", &o.file,
                   "first all that a machine as text says, see host-tools/MACHINE.md"),
+        TOOL_SWITCH("defaults", &o.defaults, "back to the settings of its firmware, all of them"),
         TOOL_TEXT("log", "FILE", &o.log, "write what passes on the line, in words"),
         TOOL_OPTIONS_END
     };
@@ -118,9 +127,11 @@ static int run_set(const tool_command *self, int argc, char **argv)
         return code == TOOL_HELP ? EX_OK : code;
     if (o.port == NULL)
         return tool_error(EX_USAGE, "no --port: name the machine's port");
-    if (first == argc && o.file == NULL)
-        return tool_error(
-            EX_USAGE, "nothing to set: give NAME=VALUE, as x.steps_per_mm=80, or --machine FILE");
+    if (o.defaults && (first < argc || o.file != NULL))
+        return tool_error(EX_USAGE, "--defaults sets all: leave the rest to a second `loft set`");
+    if (first == argc && o.file == NULL && !o.defaults)
+        return tool_error(EX_USAGE, "nothing to set: give NAME=VALUE, as x.steps_per_mm=80, or "
+                                    "--machine FILE, or --defaults");
     code = talk_open(&t, o.port, o.baud, o.wait, o.log);
     if (code != 0)
         return code;
@@ -130,7 +141,7 @@ static int run_set(const tool_command *self, int argc, char **argv)
 }
 
 const tool_command command_set = {
-    "set", "NAME=VALUE.. --port PORT", "change what a machine keeps about itself",
+    "set", "NAME=VALUE..|--defaults --port PORT", "change what a machine keeps about itself",
     "Names are those of a machine file (host-tools/MACHINE.md), as x.steps_per_mm=80 or\n"
     "x.limit=opens; `loft settings` prints all. All are changed, or none, also if the power\n"
     "fails. The machine must be at rest, and nothing moves.\n",

@@ -63,6 +63,8 @@ static int read_block(settings *s, talk *t, uint8_t **block)
             s->origin = k->origin;
             s->room   = k->room;
             s->size   = (unsigned)(k->byte[6] | k->byte[7] << 8);
+            if (s->size < LOFT_SETTINGS_TEXT)       /* the firmware's: see WIRE.md */
+                s->size = LOFT_SETTINGS_TEXT;
             *block    = tool_grow(NULL, MOST + LOFT_KEPT_MOST);
         }
         if (k->count == 0)
@@ -280,6 +282,33 @@ static void seal(uint8_t *block, unsigned size)
     put_word(block, ~crc);
 }
 
+static void begin_block(const settings *s, uint8_t *block, unsigned size)
+{
+    block[4] = (uint8_t)(s->number + 1);
+    block[5] = LOFT_SETTINGS_LAYOUT;
+    block[6] = (uint8_t)(size & 0xFF);
+    block[7] = (uint8_t)(size >> 8);
+}
+
+int settings_reset(settings *s, talk *t, double wait)
+{
+    uint8_t block[LOFT_SETTINGS_AXES];
+
+    begin_block(s, block, sizeof block);
+    seal(block, sizeof block);
+    int code = write_block(t, block, sizeof block);
+    if (code == 0)
+        code = talk_again(t, wait);
+    if (code == 0)
+        code = settings_read(s, t);
+    if (code == 0 && s->origin == LOFT_SETTINGS_KEPT)
+        code = tool_error(EX_CONFIG,
+                          "%s: its firmware cannot go back to its own settings: give a newer one, "
+                          "or set each of them",
+                          t->port);
+    return code;
+}
+
 int settings_write(const settings *s, talk *t, double wait)
 {
     char *text = NULL;
@@ -294,10 +323,7 @@ int settings_write(const settings *s, talk *t, double wait)
     const unsigned size = LOFT_SETTINGS_TEXT + (unsigned)length;
     uint8_t *block      = tool_grow(NULL, size);
     memset(block, 0, size);
-    block[4] = (uint8_t)(s->number + 1);
-    block[5] = LOFT_SETTINGS_LAYOUT;
-    block[6] = (uint8_t)(size & 0xFF);
-    block[7] = (uint8_t)(size >> 8);
+    begin_block(s, block, size);
     write_axes(&s->m, block);
     write_wiring(&s->m, block + LOFT_SETTINGS_WIRING);
     memcpy(block + LOFT_SETTINGS_TEXT, text, length);

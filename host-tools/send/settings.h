@@ -31,6 +31,9 @@ int settings_read(settings *s, talk *t);
  * also if the board does not obey one of them. */
 int settings_write(const settings *s, talk *t, double wait);
 
+/* Put the settings of the firmware in force again, and read them. Results as settings_write. */
+int settings_reset(settings *s, talk *t, double wait);
+
 /* For a command without --machine: read a machine from its settings, if it keeps any. Says so on
  * standard error if they are damaged. Results as above. */
 int settings_adopt(machine_file *m, talk *t);

@@ -36,6 +36,9 @@ static uint16_t size_of(const loft_settings *s, uint8_t which)
     return (uint16_t)(word_of(s, which, SIZE_AT) & 0xFFFFu);
 }
 
+/* Is a copy of this size the order to go back to the firmware's values? */
+static bool says_usual(uint16_t size) { return size == LOFT_SETTINGS_AXES; }
+
 /* The copy to write to. */
 static uint8_t spare_of(const loft_settings *s) { return s->which == 0; }
 
@@ -47,14 +50,15 @@ static bool copy_sound(const loft_settings *s, uint8_t which)
     const uint16_t size = size_of(s, which);
     uint32_t crc        = 0xFFFFFFFFu;
 
-    if (byte_of(s, which, LAYOUT_AT) != LOFT_SETTINGS_LAYOUT || size < LOFT_SETTINGS_TEXT ||
-        size > s->room)
+    if (byte_of(s, which, LAYOUT_AT) != LOFT_SETTINGS_LAYOUT || size > s->room ||
+        (size < LOFT_SETTINGS_TEXT && !(says_usual(size) && s->usual)))
         return false;
     for (uint16_t at = NUMBER_AT; at < size; at++)
         crc = loft_crc(crc, byte_of(s, which, at));
     if (~crc != word_of(s, which, 0))
         return false;
-    for (uint16_t at = LOFT_SETTINGS_AXES; at < LOFT_SETTINGS_WIRING; at = (uint16_t)(at + 16u))
+    for (uint16_t at = LOFT_SETTINGS_AXES; at < LOFT_SETTINGS_WIRING && at < size;
+         at          = (uint16_t)(at + 16u))
         if (word_of(s, which, at) == 0 || word_of(s, which, at) >> 31)   /* steps per mm */
             return false;
     return true;
@@ -80,7 +84,11 @@ static void choose_copy(loft_settings *s)
             number   = mine;
         }
     }
-    if (s->which != NONE)
+    if (s->which == NONE)
+        return;
+    if (says_usual(size_of(s, s->which)))
+        s->usual(s);
+    else
         load_copy(s);
 }
 
@@ -94,7 +102,7 @@ void loft_settings_init(loft_settings *s, loft_axis_config axis[LOFT_AXES])
 enum loft_settings_origin loft_settings_origin_of(const loft_settings *s)
 {
     if (s->which != NONE)
-        return LOFT_SETTINGS_KEPT;
+        return says_usual(size_of(s, s->which)) ? LOFT_SETTINGS_USUAL : LOFT_SETTINGS_KEPT;
     return byte_of(s, 0, LAYOUT_AT) == LOFT_SETTINGS_LAYOUT ||
                    byte_of(s, 1, LAYOUT_AT) == LOFT_SETTINGS_LAYOUT
                ? LOFT_SETTINGS_DAMAGED

@@ -7,7 +7,7 @@
  * are in force, never a mixture.
  *
  * Without a sound copy the values of the configuration are in force, and loft_settings_origin_of
- * says why.
+ * says why. A sound copy of a head alone, LOFT_SETTINGS_AXES bytes, puts them in force again.
  */
 #ifndef LOFT_MACHINE_SETTINGS_H
 #define LOFT_MACHINE_SETTINGS_H
@@ -33,21 +33,24 @@ enum loft_wiring {
 #define LOFT_SETTINGS_WIRING (LOFT_SETTINGS_AXES + 16u * LOFT_AXES)
 #define LOFT_SETTINGS_TEXT   (LOFT_SETTINGS_WIRING + LOFT_WIRING_BYTES)
 
-/* The first four fields are the caller's; the rest may change without notice. */
-typedef struct {
+/* The first five fields are the caller's; the rest may change without notice. */
+typedef struct loft_settings loft_settings;
+struct loft_settings {
     uint8_t (*get)(uint16_t at);        /* a byte of the memory, 0 .. 2 room - 1; NULL: no memory */
     void    (*put)(uint16_t at, uint8_t byte);  /* it lasts when this returns */
+    void    (*usual)(loft_settings *s); /* set s->axis and s->wiring to those of the firmware; NULL:
+                                         * there is no way back to them */
     uint16_t room;                      /* bytes of each copy */
     uint8_t  wiring[LOFT_WIRING_BYTES]; /* without a sound copy; then what is in force */
 
     loft_axis_config *axis;
     uint8_t  which;                     /* the copy in force; 2: none is */
-} loft_settings;
+};
 
 /* Put the newest sound copy in force: into `axis` and s->wiring. Without one both stay.
  *
  *   shape   axis stays borrowed
- *   range   get and put; any bytes in the memory */
+ *   range   get and put; `usual` leaves wiring[LOFT_WIRING_OBEYED]; any bytes in the memory */
 void loft_settings_init(loft_settings *s, loft_axis_config axis[LOFT_AXES]);
 
 /* Where the settings in force come from. */

@@ -15,6 +15,7 @@
  */
 #include <avr/interrupt.h>
 #include <avr/io.h>
+#include <avr/pgmspace.h>
 
 #define LOFT_RING_BYTES 128u
 #include "outputs.h"
@@ -71,18 +72,26 @@ static void eeprom_put(uint16_t at, uint8_t byte)
 
 static volatile loft_cell cells[CELLS];
 static loft_machine machine;
-static loft_machine_config config = { .info = { .tick_hz = LOFT_TICK_HZ,
-              .slots = LOFT_SLOTS,
-              .outputs = LOFT_MACHINE_OUTPUTS,
-              .axis = { AXIS, AXIS, AXIS } },
+static const loft_axis_config usual_axis[LOFT_AXES] PROGMEM = { AXIS, AXIS, AXIS };
+static const uint8_t usual_wiring[LOFT_WIRING_BYTES] PROGMEM = { 0, 0, 2, 0, 0, 0, OBEYED };
+
+static void usual_settings(loft_settings *s);
+
+static loft_machine_config config = {
+    .info = { .tick_hz = LOFT_TICK_HZ, .slots = LOFT_SLOTS, .outputs = LOFT_MACHINE_OUTPUTS },
     .ramp = 40,
     .cell = cells,
     .cells = CELLS,
     .senses = true,
-    .settings = { .get = eeprom_get,
-                  .put = eeprom_put,
-                  .room = ROOM,
-                                                    .wiring = { 0, 0, 2, 0, 0, 0, OBEYED } } };
+    .settings = { .get = eeprom_get, .put = eeprom_put, .usual = usual_settings, .room = ROOM }
+};
+
+/* Those the chip starts with, too. */
+__attribute__((cold)) static void usual_settings(loft_settings *s)
+{
+    memcpy_P(config.info.axis, usual_axis, sizeof usual_axis);
+    memcpy_P(s->wiring, usual_wiring, sizeof usual_wiring);
+}
 
 
 // Pins
@@ -115,7 +124,7 @@ static uint16_t closed_inputs(void)
 
 /* The position at the pins is the one that is counted, without the pulses from `from` on, which are
  * still in the ring. Its variables stay off the stack of its caller. 20 cycles a slot. */
-__attribute__((noinline)) static void position_at(uint8_t from, int32_t at[LOFT_AXES])
+__attribute__((noinline, cold)) static void position_at(uint8_t from, int32_t at[LOFT_AXES])
 {
     const uint8_t turn = (uint8_t)(LOFT_INVERT ^ IN_FORCE(LOFT_WIRING_REVERSED) << 5);
     const uint8_t head = ring_head;
@@ -136,7 +145,7 @@ __attribute__((noinline)) static void position_at(uint8_t from, int32_t at[LOFT_
     at[2] += z;
 }
 
-__attribute__((noinline)) static void keep_place(void)
+__attribute__((noinline, cold)) static void keep_place(void)
 {
     int32_t at[LOFT_AXES];
 
@@ -153,7 +162,7 @@ __attribute__((noinline)) static void sense_inputs(void)
 }
 
 /* A hard stop: what is in the ring is not given. */
-__attribute__((noinline)) static void drop_ring(void)
+__attribute__((noinline, cold)) static void drop_ring(void)
 {
     int32_t at[LOFT_AXES];
 
@@ -275,7 +284,7 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
 // Start
 // -----
 
-static uint32_t count_start(void)
+__attribute__((cold)) static uint32_t count_start(void)
 {
     uint32_t boot = 0;
 
@@ -291,9 +300,10 @@ static uint32_t count_start(void)
     return boot;
 }
 
-loft_machine_config *loft_port_init(void)
+__attribute__((cold)) loft_machine_config *loft_port_init(void)
 {
     config.info.boot = count_start();
+    usual_settings(&config.settings);
 
     PORTD = RX_PULL ^ LOFT_INVERT;
     DDRD = 0xFC;
@@ -330,7 +340,7 @@ void loft_port_start(uint32_t slot_hz)
 
 /* Switch the drivers off after as long as the settings say. `now`, in 64 us, begins again each
  * 16 ms. */
-static void watch_motors(uint8_t now)
+__attribute__((cold)) static void watch_motors(uint8_t now)
 {
     static uint16_t rested;
 
@@ -345,7 +355,7 @@ static void watch_motors(uint8_t now)
 // --------
 
 /* Every 1.0 ms. */
-static void watch_switches(void)
+__attribute__((cold)) static void watch_switches(void)
 {
     static loft_switches switches;
     static uint8_t watched;
@@ -366,7 +376,7 @@ static void watch_switches(void)
         loft_machine_inputs(&machine, closed);
 }
 
-int main(void)
+__attribute__((cold)) int main(void)
 {
     static uint8_t wire[ANSWER_MOST];
     uint8_t byte[4];

@@ -114,29 +114,41 @@ static bool give_memory(struct host *h, loft_machine_config *c)
     return h->cell && h->plan.moves && h->plan.knots && h->plan.passed;
 }
 
+static struct host *only;       /* the one whose settings go back to the options */
+
+static void usual_settings(loft_settings *s)
+{
+    const struct loft_host_options *o = only->o;
+    loft_axis_config *axis = only->config.info.axis;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        axis[i].steps_per_mm = raw_of(o->steps_per_mm[i]);
+        axis[i].max_speed    = raw_of(o->max_speed[i]);
+        axis[i].max_accel    = raw_of(o->max_accel[i]);
+        axis[i].max_jerk     = o->max_jerk[i] > 0 && o->max_jerk[i] < 1e9 ? (uint32_t)o->max_jerk[i]
+                                                                      : 0;
+    }
+    memset(s->wiring, 0, sizeof s->wiring);
+    s->wiring[LOFT_WIRING_OBEYED] = 1 << LOFT_WIRING_REVERSED | 1 << LOFT_WIRING_OPENS |
+                                    (only->board ? 0
+                                                 : 1 << LOFT_WIRING_IDLE | 1 << LOFT_WIRING_SERVO);
+}
+
 static int start_machine(struct host *h)
 {
     const struct loft_host_options *o = h->o;
     loft_machine_config *c = &h->config;
 
+    only = h;
     c->info.boot = boot_number();
     c->info.tick_hz = (uint16_t)(o->tick_hz <= UINT16_MAX ? o->tick_hz : 0);
     c->info.slots = (uint16_t)(o->slots <= UINT16_MAX ? o->slots : 0);
-    for (int i = 0; i < LOFT_AXES; i++) {
-        c->info.axis[i].steps_per_mm = raw_of(o->steps_per_mm[i]);
-        c->info.axis[i].max_speed = raw_of(o->max_speed[i]);
-        c->info.axis[i].max_accel = raw_of(o->max_accel[i]);
-        c->info.axis[i].max_jerk = o->max_jerk[i] > 0 && o->max_jerk[i] < 1e9
-                                       ? (uint32_t)o->max_jerk[i]
-                                       : 0;
-    }
+    usual_settings(&c->settings);
     c->info.outputs  = h->board ? 0 : LOFT_MACHINE_OUTPUTS;
     c->settings.get = host_memory_get;
     c->settings.put = host_memory_put;
     c->settings.room = HOST_MEMORY_ROOM;
-    c->settings.wiring[LOFT_WIRING_OBEYED] =
-        1 << LOFT_WIRING_REVERSED | 1 << LOFT_WIRING_OPENS |
-        (h->board ? 0 : 1 << LOFT_WIRING_IDLE | 1 << LOFT_WIRING_SERVO);
+    c->settings.usual = usual_settings;
     c->senses = !h->board;              /* a board gives its slots later than they are made */
     c->ramp = (uint16_t)(o->ramp <= UINT16_MAX ? o->ramp : 0);
     c->cells = (uint16_t)(o->queue <= LOFT_QUEUE_MAX ? o->queue : 0);

@@ -2319,11 +2319,36 @@ case_settings_are_whole_after_a_kill() {
           "$(sed -n 's/^travel = //p' "$tmp/out")" ] || job_fails "mixed: $(cat "$tmp/out")"
     done
 }
+case_settings_go_back_to_the_firmware() {
+    local m
+    for m in q16 f64; do
+        machine $m --speed fast --num $m --keep "$tmp/$m.kept"
+        run 0 "$loft" settings --port "$tmp/$m"; cp "$tmp/out" "$tmp/own"
+        run 0 "$loft" set steps_per_mm=100 travel=50 x.reversed=yes x.limit=opens --port "$tmp/$m"
+        run 0 "$loft" set --defaults --port "$tmp/$m"
+        says out '^back to those of its firmware; steps/mm 80 80 80$'; says out 'another one now'
+        run 0 "$loft" settings --port "$tmp/$m"
+        cmp -s "$tmp/own" "$tmp/out" || job_fails "other settings: $(cat "$tmp/out")"
+        run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/$m"
+        says out 'steps 4800 2400 80 as commanded$'
+        kill "$machine"; gone "$machine"; rm -f "$tmp/$m"
+        machine $m --speed fast --num $m --keep "$tmp/$m.kept"
+        run 0 "$loft" settings --port "$tmp/$m"
+        cmp -s "$tmp/own" "$tmp/out" || job_fails "others after a start: $(cat "$tmp/out")"
+        run 0 "$loft" set y.travel=7 --port "$tmp/$m"
+        run 0 "$loft" settings --port "$tmp/$m"
+        says out 'kept by the machine'; says out '^y.travel = 7$'
+        run 0 "$loft" set --defaults --port "$tmp/$m"       # twice has no further effect
+        run 0 "$loft" set --defaults --port "$tmp/$m"; says out 'back to those of its firmware'
+        kill "$machine"; gone "$machine"
+    done
+}
 case_settings_that_cannot_be() {
     machine plain --speed fast --keep "$tmp/plain.kept"
     local to=(--port "$tmp/plain")
     one_line 64 'nothing to set: give NAME=VALUE' "$loft" set "${to[@]}"
     one_line 64 'no --port' "$loft" set x.travel=3
+    one_line 64 'defaults sets all' "$loft" set --defaults x.travel=3 "${to[@]}"
     one_line 64 'no --port' "$loft" settings
     one_line 64 'takes no file' "$loft" settings saved.txt "${to[@]}"
     one_line 65 'set:1: unknown key "x.speed"' "$loft" set x.speed=3 "${to[@]}"

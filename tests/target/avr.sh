@@ -144,6 +144,13 @@ for at in 40 548; do printf '\252' | dd of="$eeprom" bs=1 seek=$at conv=notrunc 
 on_chip "$chip" "$elf" "$loft" settings --port "$tmp/port"
 row "settings: damaged ones are told"       "$(grep -c 'what it kept is damaged' "$tmp/out")" = 1
 row "settings: then its firmware's"         "$(sed -n 's/^steps_per_mm = //p' "$tmp/out")" = 250
+on_chip "$chip" "$elf" "$loft" set steps_per_mm=80 --port "$tmp/port"
+on_chip "$chip" "$elf" "$loft" set --defaults --port "$tmp/port"
+row "settings: back to its firmware's"      "$(grep -c 'back to those of' "$tmp/out")" = 1
+row "settings: RAM, data, bss and the deepest stack"        "$(ram)" "<=" 1988 bytes
+on_chip "$chip" "$elf" "$loft" settings --port "$tmp/port"
+row "settings: the next start has those"    "$(grep -c 'keeps none yet' "$tmp/out")" = 1
+row "settings: steps/mm again"              "$(sed -n 's/^steps_per_mm = //p' "$tmp/out")" = 250
 eeprom='' jobs=
 
 echo "-- outputs: the same drawing burnt, each mm at 20 ms of full power; a spindle, left alone"

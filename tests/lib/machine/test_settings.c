@@ -34,16 +34,21 @@ static void write_byte(uint16_t at, uint8_t byte)
 
 static loft_axis_config axis[LOFT_AXES];
 
+static void usual(loft_settings *s)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        axis[i] = (loft_axis_config){ 80 * 65536, 100 * 65536, 500 * 65536, 10000 };
+    memset(s->wiring, 0, sizeof s->wiring);
+    s->wiring[LOFT_WIRING_PULSE]  = 2;
+    s->wiring[LOFT_WIRING_OBEYED] = 0x15;
+}
+
 /* A machine starts: its firmware has these values. */
 static loft_settings start(void)
 {
-    loft_settings s = { .get = read_byte, .put = write_byte, .room = ROOM };
+    loft_settings s = { .get = read_byte, .put = write_byte, .usual = usual, .room = ROOM };
 
-    for (int i = 0; i < LOFT_AXES; i++)
-        axis[i] = (loft_axis_config){ 80 * 65536, 100 * 65536, 500 * 65536, 10000 };
-    memset(s.wiring, 0, sizeof s.wiring);
-    s.wiring[LOFT_WIRING_PULSE]  = 2;
-    s.wiring[LOFT_WIRING_OBEYED] = 0x15;
+    usual(&s);
     loft_settings_init(&s, axis);
     return s;
 }
@@ -205,6 +210,56 @@ static void a_cut_leaves_the_old_or_the_new(arb *a)
     }
 }
 
+static bool has_usual(const loft_settings *s)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (axis[i].steps_per_mm != 80 * 65536 || axis[i].max_jerk != 10000)
+            return false;
+    return s->wiring[LOFT_WIRING_PULSE] == 2 && s->wiring[LOFT_WIRING_REVERSED] == 0;
+}
+
+/* The order to go back to the firmware's values, cut at each of its bytes. */
+static void a_head_alone_brings_the_usual_settings(arb *a)
+{
+    fresh_memory(a, 0xFF);
+    loft_settings s = start();
+    block b         = read_all(&s);
+
+    for (int i = 1 + (int)arb_below(a, 3); i > 0; i--) {
+        b = next_block(a, &b);
+        CHECK(write_block(a, &s, &b));
+    }
+    block head = b;
+    uint8_t before[sizeof memory.byte];
+    bool whole = false;
+
+    head.byte[4]++;
+    head.size = LOFT_SETTINGS_AXES;
+    seal(&head);
+    memcpy(before, memory.byte, sizeof before);
+    for (uint32_t cut = 1; !whole; cut++) {
+        memcpy(memory.byte, before, sizeof before);
+        memory.power   = cut;
+        s              = start();
+        const bool now = write_block(a, &s, &head);
+        whole          = memory.power > 0;
+        CHECK(!whole || (now && has_usual(&s)));
+        memory.power     = FOREVER;
+        s                = start();
+        const block kept = read_all(&s);
+        CHECK(loft_settings_origin_of(&s) == LOFT_SETTINGS_USUAL
+                  ? has_usual(&s)
+                  : same(&kept, &b) && in_force(&b) && !whole);
+    }
+    b = next_block(a, &head);
+    CHECK(write_block(a, &s, &b) && in_force(&b));
+    s       = start();
+    s.usual = NULL;
+    head.byte[4] = (uint8_t)(b.byte[4] + 1);
+    seal(&head);
+    CHECK(!write_block(a, &s, &head) && loft_settings_origin_of(&s) == LOFT_SETTINGS_KEPT);
+}
+
 /* One damaged copy: the other one; both: the firmware's values, and it says so. */
 static void damage_is_found(arb *a)
 {
@@ -289,6 +344,7 @@ int main(void)
     PROPERTY(a_fresh_machine_has_its_usual_settings, 4);
     PROPERTY(what_is_written_is_kept, 100);
     PROPERTY(a_cut_leaves_the_old_or_the_new, 200);
+    PROPERTY(a_head_alone_brings_the_usual_settings, 200);
     PROPERTY(damage_is_found, 2000);
     PROPERTY(impossible_settings_are_refused, 2000);
     PROPERTY(any_write_stays_within_the_spare_copy, 500);
