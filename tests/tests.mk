@@ -33,6 +33,7 @@ build/test/$(1)/%: test_%.c build/test/$(1)/libloft.a
 	$$(Q)$$(CC) $$(LDFLAGS) $$(INCLUDE) -Itests $$(TESTED) $$(STD) $$(DEPS) -MF $$@.d -MT $$@ \
 	    $$(SANITIZE) $$(call num_flag,$(1)) $$< $$(filter %.o %.a,$$^) -lm -o $$@
 build/test/$(1)/$(SOLVED): INCLUDE += -Ihost-tools
+build/test/$(1)/flash_log: INCLUDE += -Iports
 build/test/$(1)/$(SOLVED): $(SOLVER_OBJ)
 -include $(patsubst %.c,build/test/$(1)/%.d,$(LIB_SRC)) $(patsubst %,build/test/$(1)/%.d,$(TESTS))
 endef

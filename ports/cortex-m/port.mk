@@ -32,10 +32,11 @@ MPS2      = -DCORTEX_IRQS=32 -DCORTEX_LINE_IRQ=0 -DMPS2_CLOCK=25000000 \
 MPS2_33   = -DCORTEX_IRQS=64 -DCORTEX_LINE_IRQ=32 -DMPS2_CLOCK=20000000 \
             -DMPS2_UART0=0x50200000 -DMPS2_GPIO0=0x50100000 -DMPS2_GPIO1=0x50101000
 
+# the last two sectors of 128K keep settings; a chip of 512K has none there, and keeps none
 # slots of a millisecond: with 250 a pulse has 2 us, which all drivers take; with 1000 it has 0.5 us
-$(call cortex,stm32f405,$(CORTEX_M4F),0x08000000 1024K 0x20000000 128K,$(STM32F405) \
+$(call cortex,stm32f405,$(CORTEX_M4F),0x08000000 768K 0x20000000 128K,$(STM32F405) \
     -DLOFT_SLOTS=250,$(strip ports/stm32f405/port.c ports/cortex-m/stream.c))
-$(call cortex,stm32f405-fast,$(CORTEX_M4F),0x08000000 1024K 0x20000000 128K,$(STM32F405) \
+$(call cortex,stm32f405-fast,$(CORTEX_M4F),0x08000000 768K 0x20000000 128K,$(STM32F405) \
     -DLOFT_SLOTS=1000,$(strip ports/stm32f405/port.c ports/cortex-m/stream.c))
 # the same: with 500 a pulse has 1 us
 $(call cortex,stm32f103,$(CORTEX_M3),0x08000000 64K 0x20000000 20K,$(STM32F103) \

@@ -10,7 +10,7 @@
  * Timer 1 requests two transfers of DMA2 in each slot (RM0090, table 43): its update, stream 5,
  * gives a word of the ring to PA; its compare 1, stream 1, ends the pulses.
  *
- * Registers: ST's reference manual RM0090.
+ * Settings are kept in flash: kept.h. Registers: ST's reference manual RM0090.
  */
 #include "switches.h"
 
@@ -41,18 +41,28 @@
 #define COUNTS  0x4000u     /* of TIM4, in a period of the power */
 #define CELLS   1024
 #include "plans.h"
+#include "stm32f405/kept.h"
 
 /* steps/mm, mm/s, mm/s^2, mm/s^3 */
 #define AXIS { LOFT_RAW(250), LOFT_RAW(400), LOFT_RAW(2000), 40000 }
 
+static const loft_axis_config usual_axis[LOFT_AXES] = { AXIS, AXIS, AXIS };
 static volatile loft_cell cells[CELLS];
-static loft_machine_config config = { .info = { .tick_hz = 1000,
-                                                .slots = LOFT_SLOTS,
-                                                .outputs = STREAM_OUTPUTS,
-                                                .axis = { AXIS, AXIS, AXIS } },
+static loft_machine_config config = {
+    .info = { .tick_hz = 1000, .slots = LOFT_SLOTS, .outputs = STREAM_OUTPUTS },
     .ramp = 200,
     .cell = cells,
-                                      .cells = CELLS };
+    .cells = CELLS
+};
+
+static void usual_settings(loft_settings *s)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        config.info.axis[i] = usual_axis[i];
+    for (int k = 0; k < LOFT_WIRING_OBEYED; k++)
+        s->wiring[k] = 0;
+    s->wiring[LOFT_WIRING_OBEYED] = 1 << LOFT_WIRING_OPENS;
+}
 
 /* Crystal (or the internal clock, 16 MHz) to 168 MHz; APB1 at a quarter, APB2 at half. */
 static void set_clock(void)
@@ -115,6 +125,8 @@ loft_machine_config *loft_port_init(void)
     begin_outputs();
     set_line(CORE / 2, LOFT_BAUD);
     loft_port_plans(&config);
+    usual_settings(&config.settings);
+    begin_kept(&config.settings, usual_settings);
     return &config;
 }
 
@@ -138,5 +150,10 @@ void cortex_acknowledge(void) { REG(DMA2 + 0x0C) = 0x0F40; }   /* HIFCR: stream 
 /* An emulator without this port does not keep pull-ups, and has no switches. */
 uint16_t loft_port_inputs(void)
 {
-    return (REG(GPIOC + 0x0C) & 0xFFFu) == PULLED_UP ? loft_switches_of(~REG(GPIOC + 0x10)) : 0;
+    const uint8_t *opens = config.settings.wiring + LOFT_WIRING_OPENS;
+
+    if ((REG(GPIOC + 0x0C) & 0xFFFu) != PULLED_UP)
+        return 0;
+    return (uint16_t)(loft_switches_of(~REG(GPIOC + 0x10)) ^
+                      (loft_switches_of(0x3F) & (opens[0] | opens[1] << 8)));
 }

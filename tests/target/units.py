@@ -45,6 +45,7 @@ BOARDS = [
 # functions leave out
 OWN = 1200
 NOWHERE = {
+    "flash_log": "it tests a memory of the boards, nothing of lib/",
     "harmonic": "its tables are solved by code of the command, with a heap",
     "wire_page": "it reads a page of text",
     "yardstick": "it tests what other tests measure with, nothing of lib/",
