@@ -83,6 +83,7 @@
 #define loft_avr_scale_wide        LOFT_NAME(loft_avr_scale_wide)
 #define loft_avr_shift             LOFT_NAME(loft_avr_shift)
 #define loft_avr_start3            LOFT_NAME(loft_avr_start3)
+#define loft_avr_step3             LOFT_NAME(loft_avr_step3)
 #define loft_axis_decode           LOFT_NAME(loft_axis_decode)
 #define loft_axis_encode           LOFT_NAME(loft_axis_encode)
 #define loft_ball_radius           LOFT_NAME(loft_ball_radius)

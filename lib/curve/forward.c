@@ -3,6 +3,12 @@
  */
 #include "curve/forward.h"
 
+#if defined(__AVR__)
+#  define APART __attribute__((noinline))
+#else
+#  define APART
+#endif
+
 static void control_values(loft_real p[], const loft_bezier *b, int axis)
 {
     for (unsigned k = 0; k <= b->degree; k++)
@@ -73,6 +79,7 @@ enum loft_status loft_forward_init(loft_forward *w, const loft_bezier *b, uint32
     return LOFT_OK;
 }
 
+
 static inline void step_axes(loft_forward *w, loft_vec *out, unsigned degree)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -82,16 +89,19 @@ static inline void step_axes(loft_forward *w, loft_vec *out, unsigned degree)
     }
 }
 
+/* A cubic need not save the registers of this. */
+static APART void step_any(loft_forward *w, loft_vec *out) { step_axes(w, out, w->degree); }
+
 bool loft_forward_next(loft_forward *w, loft_vec *out)
 {
     if (w->left == 0)
         return false;
     w->left--;
 
-    if (loft_walk_cubic(w->degree))
+    if (w->degree != 3)
+        step_any(w, out);
+    else if (!loft_walk_step_axes(w->axis, out->axis))
         step_axes(w, out, 3);           /* a constant: no loop over it */
-    else
-        step_axes(w, out, w->degree);
     return true;
 }
 

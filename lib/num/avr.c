@@ -41,6 +41,15 @@
     op " __tmp_reg__, r23\n st X+, __tmp_reg__\n dec r24\n brne 2b\n dec r25\n brne 1b\n ret\n"
 #define BYTE(k, a)              "mov r" #k ", r" #a "\n clr r" #a "\n"
 
+/* Byte k of a step: d[1] in r18..r25, d[2] in r8..r15. Before, d[0] is in r8..r15. */
+#define STEP0(add, k, d1, sum) \
+    "ldd r" #d1 ", Z+8+" #k "\n ldd r" #sum ", Z+" #k "\n " add " r" #sum ", r" #d1 "\n" \
+    "std Z+" #k ", r" #sum "\n"
+#define STEP1(add, k, d1, d2) \
+    "ldd r" #d2 ", Z+16+" #k "\n " add " r" #d1 ", r" #d2 "\n std Z+8+" #k ", r" #d1 "\n"
+#define STEP2(add, k, d2) \
+    "ldd __tmp_reg__, Z+24+" #k "\n " add " r" #d2 ", __tmp_reg__\n std Z+16+" #k ", r" #d2 "\n"
+
 __asm__ (
     OWN_SECTION(loft_avr_negate)
     "com r18\n com r19\n com r20\n com r21\n com r22\n com r23\n com r24\n com r25\n"
@@ -52,6 +61,23 @@ __asm__ (
     "clr __tmp_reg__\n adc r14, __tmp_reg__\n adc r15, __tmp_reg__\n adc r16, __tmp_reg__\n"
     "adc r17, __tmp_reg__\n ret\n"
     END_FUNCTION(loft_avr_negate)
+
+    BEGIN_FUNCTION(loft_avr_step3)
+    "push r8\n push r9\n push r10\n push r11\n push r12\n push r13\n push r14\n push r15\n"
+    "push r16\n mov r16, r20\n movw r30, r24\n movw r26, r22\n"
+    "1:" STEP0("add", 0, 18, 8) STEP0("adc", 1, 19, 9) STEP0("adc", 2, 20, 10)
+    STEP0("adc", 3, 21, 11) STEP0("adc", 4, 22, 12) STEP0("adc", 5, 23, 13)
+    STEP0("adc", 6, 24, 14) STEP0("adc", 7, 25, 15)
+    "st X+, r12\n st X+, r13\n st X+, r14\n st X+, r15\n"
+    STEP1("add", 0, 18, 8) STEP1("adc", 1, 19, 9) STEP1("adc", 2, 20, 10)
+    STEP1("adc", 3, 21, 11) STEP1("adc", 4, 22, 12) STEP1("adc", 5, 23, 13)
+    STEP1("adc", 6, 24, 14) STEP1("adc", 7, 25, 15)
+    STEP2("add", 0, 8) STEP2("adc", 1, 9) STEP2("adc", 2, 10) STEP2("adc", 3, 11)
+    STEP2("adc", 4, 12) STEP2("adc", 5, 13) STEP2("adc", 6, 14) STEP2("adc", 7, 15)
+    "adiw r30, 48\n dec r16\n breq 2f\n rjmp 1b\n"
+    "2: pop r16\n pop r15\n pop r14\n pop r13\n pop r12\n pop r11\n pop r10\n pop r9\n pop r8\n"
+    "ret\n"
+    END_FUNCTION(loft_avr_step3)
 
     BEGIN_FUNCTION(loft_acc_abs)
     "sbrs r25, 7\n ret\n jmp loft_avr_negate\n"

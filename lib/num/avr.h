@@ -84,6 +84,13 @@ void loft_avr_scale_wide(uint8_t a[12], const uint32_t inverse[3]);
 void loft_avr_start3(uint64_t d[4], const int32_t p[4], const uint32_t inverse[3][3],
                      uint8_t room[40]);
 
+/* One step of cubic walks: d[0] += d[1], d[1] += d[2], d[2] += d[3], each as they were, and the
+ * upper half of d[0] in out[0]; then those of d + 6 and out + 1, `axes` times.
+ *
+ *   range   axes >= 1
+ *   cost    149 cycles for each axis and 53 */
+void loft_avr_step3(uint64_t d[], int32_t out[], uint8_t axes);
+
 /* A table that stays in flash (RAM would hold a copy of it), and access to an entry.
  *
  *   cost    4 cycles more than from RAM */

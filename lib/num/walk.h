@@ -204,6 +204,20 @@ static inline loft_real loft_walk_step(loft_walk *w, unsigned degree)
     return loft_state_real(w->d);
 }
 
+/* One step of the cubics w[0..LOFT_AXES-1], ended or not, where they are faster together: if not,
+ * it returns false and does nothing. */
+static inline bool loft_walk_step_axes(loft_walk w[], loft_real out[])
+{
+#if defined(__AVR__) && LOFT_NUM == LOFT_Q16
+    loft_avr_step3(w->d, out, LOFT_AXES);
+    return true;
+#else
+    (void)w;
+    (void)out;
+    return false;
+#endif
+}
+
 /* One step of a cubic; the last step returns the last control value. */
 static inline loft_real loft_walk3_step(loft_walk3 *w, bool last)
 {
