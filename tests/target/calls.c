@@ -12,13 +12,14 @@
 #include "machine/step.h"
 
 #include "say.h"            /* say_line */
+#include "states.h"         /* any, wrong_steps */
 
 #define TICKS  600
 #define SPANS  40
 #define SLOTS  40
 #define MOVES  40
 #define BATCH  20           /* of loft_step_give */
-#define STATES 20000u       /* of loft_state_step3 */
+#define STATES 20000u       /* of a step of walks */
 
 int main(void);
 
@@ -78,7 +79,7 @@ static const char names[CALLS][24] = {
     "loft_pace_next", "loft_forward_next", "loft_steps_of",    "loft_step_position",
     "loft_span_walk", "loft_scurve_init",  "loft_scurve_eval", "loft_scurve_retarget"
 };
-static uint32_t worst[CALLS], empty, random_state;
+static uint32_t worst[CALLS], empty;
 
 static loft_pace pace;
 static loft_step step;
@@ -89,8 +90,6 @@ static void took(int call, uint32_t begin)
     const uint32_t cost = now() - begin - empty;
     worst[call] = cost > worst[call] ? cost : worst[call];
 }
-
-static uint32_t any(void) { return (random_state = random_state * 1664525u + 1013904223u) >> 8; }
 
 static void slots_of(uint16_t slots, bool batches)
 {
@@ -197,54 +196,6 @@ static void moves(void)
     }
 }
 
-static uint64_t any_state(void)
-{
-    const uint64_t high = any(), middle = any();
-
-    return high << 48 ^ middle << 24 ^ any();
-}
-
-/* One step of all axes at once, on random states: the number of wrong sums. */
-static uint32_t wrong_axes(void)
-{
-    static loft_walk w[LOFT_AXES], sum[LOFT_AXES];
-    loft_real out[LOFT_AXES];
-    uint32_t wrong = 0;
-
-    for (int i = 0; i < LOFT_AXES; i++)
-        for (int k = 0; k <= LOFT_WALK_DEGREE_MAX; k++)
-            w[i].d[k] = sum[i].d[k] = any_state();
-    if (!loft_walk_step_axes(w, out))
-        return 0;
-    for (int i = 0; i < LOFT_AXES; i++) {
-        for (int k = 0; k < 3; k++)
-            sum[i].d[k] += sum[i].d[k + 1];
-        for (int k = 0; k <= LOFT_WALK_DEGREE_MAX; k++)
-            wrong += w[i].d[k] != sum[i].d[k];
-        wrong += out[i] != loft_state_real(&sum[i].d[0]);
-    }
-    return wrong;
-}
-
-/* Random states: is a step of three differences what walk.h says? The number of wrong sums. */
-static uint32_t wrong_steps(void)
-{
-    uint32_t wrong = 0;
-
-    for (unsigned n = 0; n < STATES; n++) {
-        loft_state d[4], sum[4];
-        for (int k = 0; k < 4; k++)
-            d[k] = sum[k] = any_state();
-        loft_state_step3(d);
-        for (int k = 0; k < 3; k++)
-            sum[k] += sum[k + 1];
-        for (int k = 0; k < 4; k++)
-            wrong += d[k] != sum[k];
-        wrong += wrong_axes();
-    }
-    return wrong;
-}
-
 int main(void)
 {
     static const int32_t origin[LOFT_AXES] = { 0 };
@@ -261,7 +212,7 @@ int main(void)
     put('\n');
     for (int k = 0; k < CALLS; k++)
         say_line(put, names[k], worst[k]);
-    say_line(put, "wrong_steps", wrong_steps());
+    say_line(put, "wrong_steps", wrong_steps(STATES));
     say_line(put, "bytes loft_step", sizeof step);
     say_line(put, "bytes loft_pace", sizeof pace);
     say_line(put, "bytes loft_forward", sizeof walk);

@@ -1,0 +1,65 @@
+/* tests/target/states.h -- random states of walks: their faster steps against the sums that walk.h
+ * says
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef TARGET_STATES_H
+#define TARGET_STATES_H
+
+#include "num/walk.h"
+
+static uint32_t random_state;
+
+static inline uint32_t any(void)
+{
+    return (random_state = random_state * 1664525u + 1013904223u) >> 8;
+}
+
+static inline uint64_t any_state(void)
+{
+    const uint64_t high = any(), middle = any();
+
+    return high << 48 ^ middle << 24 ^ any();
+}
+
+/* One step of all axes at once, on random states: the number of wrong sums. */
+static inline uint32_t wrong_axes(void)
+{
+    static loft_walk w[LOFT_AXES], sum[LOFT_AXES];
+    loft_real out[LOFT_AXES];
+    uint32_t wrong = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        for (int k = 0; k <= LOFT_WALK_DEGREE_MAX; k++)
+            w[i].d[k] = sum[i].d[k] = any_state();
+    if (!loft_walk_step_axes(w, out))
+        return 0;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        for (int k = 0; k < 3; k++)
+            sum[i].d[k] += sum[i].d[k + 1];
+        for (int k = 0; k <= LOFT_WALK_DEGREE_MAX; k++)
+            wrong += w[i].d[k] != sum[i].d[k];
+        wrong += out[i] != loft_state_real(&sum[i].d[0]);
+    }
+    return wrong;
+}
+
+/* Random states: is a step of three differences what walk.h says? The number of wrong sums. */
+static inline uint32_t wrong_steps(uint32_t states)
+{
+    uint32_t wrong = 0;
+
+    for (uint32_t n = 0; n < states; n++) {
+        loft_state d[4], sum[4];
+        for (int k = 0; k < 4; k++)
+            d[k] = sum[k] = any_state();
+        loft_state_step3(d);
+        for (int k = 0; k < 3; k++)
+            sum[k] += sum[k + 1];
+        for (int k = 0; k < 4; k++)
+            wrong += d[k] != sum[k];
+        wrong += wrong_axes();
+    }
+    return wrong;
+}
+
+#endif
