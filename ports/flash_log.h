@@ -9,7 +9,7 @@
  *
  * The power may fail while a word is written or a sector is erased: some of the zeros are missing.
  * A word holds 24 bits and the number of zeros among them (Berger, 1961). Missing zeros lower that
- * number and raise what is written of it, so such a word is found and skipped, whatever bits failed.
+ * number and raise what is written of it, so such a word is found and skipped, whichever failed.
  */
 #ifndef LOFT_FLASH_LOG_H
 #define LOFT_FLASH_LOG_H

@@ -1,9 +1,10 @@
 /* ports/stm32f405/kept.h -- settings in the last two sectors of the flash of an STM32F405 or F407
  * SPDX-License-Identifier: MIT
  *
- * Sectors 10 and 11 have 128 KB each: flash_log.h. The core stands while it writes a word, 16 us, or
- * erases, 1 to 2 s; that is between jobs, and each of 32,000 changed bytes. A chip of less than 1 MB
- * has no such sectors, and an emulator without this controller is not locked: these keep nothing.
+ * Sectors 10 and 11 have 128 KB each: flash_log.h. The core stands while it writes a word, 16 us,
+ * or erases, 1 to 2 s; that is between jobs, and once in 32,000 changed bytes. A chip of less than
+ * 1 MB has no such sectors, and an emulator without this controller is not locked: these keep
+ * nothing.
  *
  * Registers: RM0090, chapter 3. A port includes it after the address FLASHES.
  */

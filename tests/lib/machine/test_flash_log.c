@@ -1,5 +1,5 @@
-/* tests/lib/machine/test_flash_log.c -- properties of ports/flash_log.h, and of settings on it, over
- * a model of flash: the power may fail in any word and any erasure
+/* tests/lib/machine/test_flash_log.c -- properties of ports/flash_log.h, and of settings on it,
+ * over a model of flash: the power may fail in any word and any erasure
  * SPDX-License-Identifier: MIT
  */
 #include <string.h>
