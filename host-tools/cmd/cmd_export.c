@@ -141,6 +141,7 @@ static void write_table(const drawing *d, const char *output, FILE *out)
 typedef struct {
     planning p;
     const char *output, *as, *curves, *file;
+    drawing_names layers;       /* of an SVG */
 } export_wishes;
 
 static bool curves_of(const export_wishes *w, enum gcode_curves *out)
@@ -205,7 +206,9 @@ static enum form form_of(const export_wishes *w)
 static int write_form(const export_wishes *w, enum form form, const drawing *d,
                       const drawing *smooth, FILE *out)
 {
-    const export_options o = { .d = d, .name = source_name(w->file), .tol = w->p.tol };
+    const export_options o = {
+        .d = d, .name = source_name(w->file), .tol = w->p.tol, .layers = &w->layers
+    };
 
     switch (form) {
     case FORM_GCODE: return write_gcode(w, smooth, out);
@@ -235,7 +238,7 @@ static int write_file(const export_wishes *w, enum form form, const drawing *d,
 static int run(const tool_command *self, int argc, char **argv)
 {
     export_wishes w = { .curves = "arcs" };
-    drawing d       = { 0 }, smooth = { 0 };
+    drawing d       = { .named = &w.layers }, smooth = { 0 };
     int code        = planning_start(&w.p, argc, argv);
 
     if (code != 0)
@@ -267,6 +270,7 @@ static int run(const tool_command *self, int argc, char **argv)
     code  = planning_read(&w.p, &d, &smooth, w.file);
     if (code == 0)
         code = write_file(&w, form, &d, &smooth);
+    drawing_names_free(&w.layers);
     drawing_free(&smooth);
     drawing_free(&d);
     return code;
@@ -275,8 +279,9 @@ static int run(const tool_command *self, int argc, char **argv)
 const tool_command command_export = {
     "export", "[-o FILE] [DRAWING|-]", "a drawing as G-code, HP-GL, SVG, numbers or a table in C",
     "The end of FILE tells the form. .nc: arcs, G5 or lines within the tolerance, at feeds and\n"
-    "heights. .svg, .csv, .loft: the curves themselves. .hpgl, .plt: chords. .h: a table for the\n"
-    "flash of a chip with the name of the file, which lib/curve/drawing.h reads curve by curve:\n"
+    "heights. .svg, .csv, .loft: the curves themselves, .svg in the layers of Inkscape in which\n"
+    "they were. .hpgl, .plt: chords. .h: a table for the flash of a chip with the name of the\n"
+    "file, which lib/curve/drawing.h reads curve by curve:\n"
     "12 bytes a curve, 4 a line; coordinates have 16 bits.\n",
     run
 };

@@ -75,7 +75,7 @@ static void put_attribute(FILE *out, const char *before, double x, const char *a
 }
 
 /* The page begins at 0, 0; without a page it is the box. */
-static void put_svg_head(const drawing *d, double *top, FILE *out)
+static void put_svg_head(const drawing *d, bool layers, double *top, FILE *out)
 {
     double box[2][2] = { { 0 } };
     const bool page  = d->width > 0 && d->height > 0;
@@ -85,32 +85,67 @@ static void put_svg_head(const drawing *d, double *top, FILE *out)
                  width = page ? d->width : fmax(box[1][0] - left, 1e-3),
                  height = page ? d->height : fmax(box[1][1] - bottom, 1e-3);
     *top = bottom + height;
-    put_attribute(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", width, "mm\" ");
+    fputs("<svg xmlns=\"http://www.w3.org/2000/svg\" ", out);
+    if (layers)
+        fputs("xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" ", out);
+    put_attribute(out, "width=\"", width, "mm\" ");
     put_attribute(out, "height=\"", height, "mm\" ");
     put_attribute(out, "viewBox=\"", left, " 0 ");
     put_attribute(out, "", width, " ");
     put_attribute(out, "", height, "\" fill=\"none\" stroke=\"#000\" stroke-width=\"0.2\">\n");
 }
 
+static void put_escaped(const char *text, FILE *out)
+{
+    for (; *text != '\0'; text++)
+        switch (*text) {
+        case '&': fputs("&amp;", out);  break;
+        case '<': fputs("&lt;", out);   break;
+        case '"': fputs("&quot;", out); break;
+        default:  fputc(*text, out);    break;
+        }
+}
+
+/* From the layer `from` to the layer `to`; 0: in none. */
+static void change_layer(const export_options *o, unsigned from, unsigned to, FILE *out)
+{
+    if (from == to)
+        return;
+    fputs(from > 0 ? "</g>\n" : "", out);
+    if (to == 0)
+        return;
+    fputs("<g inkscape:groupmode=\"layer\" inkscape:label=\"", out);
+    put_escaped(o->layers->name[to - 1], out);
+    fputs("\">\n", out);
+}
+
 int export_svg(const export_options *o, FILE *out)
 {
-    const drawing *d = o->d;
-    bool open        = false;
+    const drawing *d   = o->d;
+    const size_t named = o->layers ? o->layers->count : 0;
+    bool open          = false;
+    unsigned layer     = 0;
     double top;
 
-    put_svg_head(d, &top, out);
+    put_svg_head(d, named > 0, &top, out);
     for (size_t i = 0; i < d->count; i++) {
-        if (!is_drawn(&d->curve[i]))
+        const drawing_curve *c = &d->curve[i];
+        if (!is_drawn(c))
             continue;
         if (begins(d, i)) {
+            const unsigned in = c->layer <= named ? c->layer : 0;
             fputs(open ? "\"/>\n" : "", out);
-            put_attribute(out, "<path d=\"M", d->curve[i].p[0][0], " ");
-            put_number(out, top - d->curve[i].p[0][1]);
-            open = true;
+            change_layer(o, layer, in, out);
+            put_attribute(out, "<path d=\"M", c->p[0][0], " ");
+            put_number(out, top - c->p[0][1]);
+            layer = in;
+            open  = true;
         }
-        put_svg_curve(&d->curve[i], top, out);
+        put_svg_curve(c, top, out);
     }
-    fputs(open ? "\"/>\n</svg>\n" : "</svg>\n", out);
+    fputs(open ? "\"/>\n" : "", out);
+    change_layer(o, layer, 0, out);
+    fputs("</svg>\n", out);
     return 0;
 }
 

@@ -15,13 +15,14 @@ typedef struct {
     const drawing *d;
     const char *name;       /* for messages */
     double tol;             /* mm, of chords */
+    const drawing_names *layers;    /* their names; NULL: none is known */
 } export_options;
 
 /* Returns 0, or an exit code after printing one line; the caller looks at errors of `out`. */
 typedef int export_form(const export_options *o, FILE *out);
 
 /* Curves as they are, seen from above, one <path> for each path, in mm on the page of the drawing
- * or, without one, of its box.
+ * or, without one, of its box. Paths that follow each other in a layer are in a layer of its name.
  *
  *   error   5e-7 mm, for the decimals */
 export_form export_svg;

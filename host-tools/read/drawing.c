@@ -89,6 +89,14 @@ void drawing_free(drawing *d)
     *d = (drawing){ 0 };
 }
 
+void drawing_names_free(drawing_names *n)
+{
+    for (size_t i = 0; i < n->count; i++)
+        free(n->name[i]);
+    free(n->name);
+    *n = (drawing_names){ 0 };
+}
+
 void drawing_add_event(drawing *d, const drawing_event *e)
 {
     const drawing_event one = *e;

@@ -55,6 +55,12 @@ typedef struct {
     char text[80];              /* PAUSES: what to tell */
 } drawing_event;
 
+/* The names of layers: number 1 is name[0]. Free with drawing_names_free. */
+typedef struct {
+    char **name;
+    size_t count;
+} drawing_names;
+
 struct drawing_clip;
 struct drawing;
 struct source;              /* base/source.h */
@@ -80,6 +86,8 @@ typedef struct drawing {
     const char *text;       /* of SVG: "outline", "line", "line:rowmans", "none"; NULL: outline; set
                              * before reading */
     const struct machine_tools *tools;      /* of SVG: which draws what; NULL: none; set before
+                             * reading */
+    drawing_names *named;   /* of SVG: takes the names of its layers; NULL: not wanted; set before
                              * reading */
     bool areas;             /* of SVG: keep outlines of what is filled also where they are not
                              * drawn; set before reading */
@@ -118,6 +126,7 @@ typedef struct drawing_clip {
  * line. `*d` must be zeroed but for what is set before; free with drawing_free. */
 int  drawing_read(drawing *d, const char *file);
 void drawing_free(drawing *d);
+void drawing_names_free(drawing_names *n);
 
 /* Append one curve, flat or in space, or a copy of all but the path; `fresh` begins a new path (the
  * first curve always does). For readers, which check the limits. */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/scan.h"       /* scan_space */
+#include "base/tool.h"       /* tool_grow */
 #include "read/machine_tools.h"
 #include "read/svg.h"
 
@@ -71,11 +72,21 @@ unsigned svg_layer_tool(const svg_reader *r, const xmlNode *node)
     return found;
 }
 
+static void keep_name(drawing_names *all, const char *name)
+{
+    const size_t size = strlen(name) + 1;
+
+    all->name = tool_grow(all->name, (all->count + 1) * sizeof *all->name);
+    all->name[all->count++] = memcpy(tool_grow(NULL, size), name, size);
+}
+
 unsigned svg_layer_number(svg_reader *r, const xmlNode *node)
 {
     char *name           = layer_name(node);
     const unsigned found = name != NULL ? ++r->layers : r->layer;
 
+    if (name != NULL && r->d->named != NULL)
+        keep_name(r->d->named, name);
     xmlFree(name);
     return found;
 }

@@ -173,6 +173,40 @@ static bool same_curves(const drawing *a, const drawing *b)
     return true;
 }
 
+/* Layers keep their names, whatever these are, and what is in no layer stays there. */
+static void layers_come_back(arb *a)
+{
+    static const char text[] =
+        "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' viewBox='0 0 100 100'"
+        " xmlns:i='http://www.inkscape.org/namespaces/inkscape'>"
+        "<path d='M1 1h1'/><g i:groupmode='layer' i:label='1 &quot;a&lt;b&gt;&amp;&#228;&quot;'>"
+        "<path d='M2 2h1'/><g i:groupmode='layer' i:label='inner'><path d='M3 3h1'/></g>"
+        "<path d='M4 4h1'/></g><path d='M5 5h1'/></svg>";
+    static const unsigned numbers[2][5] = { { 0, 1, 2, 1, 0 }, { 0, 1, 2, 3, 0 } };
+    drawing_names names = { 0 }, again = { 0 };
+    drawing d = { .named = &names }, back = { .named = &again };
+    char *out;
+
+    (void)a;
+    CHECK(drawing_read_svg(&d, "d.svg", text, strlen(text)) == 0 && d.count == 5);
+    CHECK(names.count == 2 && strcmp(names.name[0], "1 \"a<b>&\xc3\xa4\"") == 0);
+    const export_options o = { .d = &d, .name = "d", .layers = &names };
+    size_t size;
+    FILE *f = open_memstream(&out, &size);
+    CHECK(f != NULL && export_svg(&o, f) == 0);
+    fclose(f);
+    CHECK(drawing_read_svg(&back, "e.svg", out, size) == 0 && same_curves(&d, &back));
+    CHECK(again.count == 3 && strcmp(again.name[0], names.name[0]) == 0 &&
+          strcmp(again.name[1], "inner") == 0 && strcmp(again.name[2], names.name[0]) == 0);
+    for (int i = 0; i < 5; i++)
+        CHECK(d.curve[i].layer == numbers[0][i] && back.curve[i].layer == numbers[1][i]);
+    free(out);
+    drawing_free(&back);
+    drawing_free(&d);
+    drawing_names_free(&names);
+    drawing_names_free(&again);
+}
+
 static void curves_come_back(arb *a)
 {
     drawing d, back = { 0 };
@@ -244,6 +278,7 @@ int main(void)
 {
     PROPERTY(gcode_comes_back, 12);
     PROPERTY(helices_stay_helices, 1);
+    PROPERTY(layers_come_back, 1);
     PROPERTY(curves_come_back, 50);
     PROPERTY(hpgl_comes_back, 3);
     return check_failures();
