@@ -39,10 +39,13 @@ build/test/$(1)/$(SOLVED): $(SOLVER_OBJ)
 endef
 $(foreach n,$(NUMS),$(eval $(call tested,$(n))))
 
+# the longest first, so that no core waits at the end
+TESTS_LONG := plan waypoints harmonic any
+
 ## Run all module tests in q16, f32 and f64 under ASan and UBSan (one module: make test-forward)
 .PHONY: test
 test: $(foreach n,$(NUMS),$(foreach t,$(TESTS),build/test/$(n)/$(t)))
-	@for t in $(TESTS); do for n in $(NUMS); do \
+	@for t in $(TESTS_LONG) $(filter-out $(TESTS_LONG),$(TESTS)); do for n in $(NUMS); do \
 	    echo "echo '-- $$t $$n'; build/test/$$n/$$t"; done; done | \
 	    bash tests/house/beside.sh
 

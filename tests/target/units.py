@@ -2,7 +2,8 @@
 # tests/target/units.py -- the tests of tests/ on emulated chips: a row for each test and board, and
 # the reason where a test is left out
 # SPDX-License-Identifier: MIT
-"""usage: tests/target/units.py FOLDER [BOARD..] ; FOLDER is what units.mk has made.
+"""usage: tests/target/units.py FOLDER [BOARD..] ; FOLDER is what units.mk has made, a BOARD is a name
+or, with its number type, NAME-NUM. Without one all boards are run, the first always.
 
 As many tests go into an image as memory holds. What a test takes on a small board is known from the
 first, which has room for all: its own data, and the stack that it was seen to use."""
@@ -199,7 +200,13 @@ def main(made, *only):
     tests = ["libc"] + sorted(re.search(r"test_(\w+)\.c", t)[1]
                               for t in glob.glob("tests/lib/**/test_*.c", recursive=True))
     first, *others = [Board(made, row) for row in BOARDS]
-    others = [b for b in others if not only or b.name in only]
+    known = {name for b in (first, *others) for name in (b.name, f"{b.name}-{b.num}")}
+    unknown = sorted(set(only) - known)
+    if unknown:
+        print(f"UNIT_BOARDS: no {', '.join(unknown)}; there are {', '.join(sorted(known))}\n"
+              "0 passed, 1 failed")
+        return 1
+    others = [b for b in others if not only or {b.name, f"{b.name}-{b.num}"} & set(only)]
     quad = run(f"{made}/quad_check")
     print(quad.stdout, end="")
     passed, failed = quad.returncode == 0, quad.returncode != 0
