@@ -295,7 +295,7 @@ define fuzz_reader
 	    $(shell pkg-config --libs libxml-2.0 zlib pangocairo) -lm -o build/fuzz/$(1)_fuzz
 	LSAN_OPTIONS=suppressions=tests/tools/fuzz.supp \
 	build/fuzz/$(1)_fuzz -max_len=4000 -timeout=20 -max_total_time=$(FUZZ_SECONDS) \
-	    -print_final_stats=1 build/fuzz/$(1) $(3)
+	    -artifact_prefix=build/fuzz/$(1)- -print_final_stats=1 build/fuzz/$(1) $(3)
 endef
 
 ## Fuzz the SVG reader with libFuzzer for FUZZ_SECONDS (60)
