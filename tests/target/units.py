@@ -2,7 +2,7 @@
 # tests/target/units.py -- the tests of tests/ on emulated chips: a row for each test and board, and
 # the reason where a test is left out
 # SPDX-License-Identifier: MIT
-"""usage: tests/target/units.py FOLDER [BOARD..] ; FOLDER is what units.mk has made, a BOARD is a name
+"""usage: tests/target/units.py FOLDER [BOARD..] ; FOLDER is what units.mk has made, a BOARD is NAME
 or, with its number type, NAME-NUM. Without one all boards are run, the first always.
 
 As many tests go into an image as memory holds. What a test takes on a small board is known from the
