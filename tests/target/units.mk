@@ -16,7 +16,7 @@ UNIT_FLAGS  = -std=c99 -ffreestanding -O1 -Xclang -mlong-double-128 -Xclang -ffo
               -ffp-contract=off '-D__float128=long double' \
               -Wall -Wextra -Werror=implicit-function-declaration -Wno-unused-function \
               -Wno-sometimes-uninitialized \
-              -Itests/target/libc -Itests/target -Itests -Ilib -DLOFT_AXES=3
+              -Itests/target/libc -Itests/target -Itests -Ilib -Iports -DLOFT_AXES=3
 
 # unit_set NAME, number type, clang's flags of the core, what it starts with
 define unit_set
