@@ -9,14 +9,14 @@
 UNIT_SHARE ?= 1000
 UNIT_BOARDS ?= mps2-an385 nrf51 stm32f405-f32
 UNITS      := build/units
-UNITS_LEFT := harmonic wire_page yardstick topp
+UNITS_LEFT := flash_log harmonic wire_page yardstick topp
 UNIT_TESTS := $(filter-out $(UNITS_LEFT),$(TESTS))
 UNIT_BASE  := libc/quad libc/int128 libc/aeabi libc/math libc/print alarm units
 UNIT_FLAGS  = -std=c99 -ffreestanding -O1 -Xclang -mlong-double-128 -Xclang -fforce-enable-int128 \
               -ffp-contract=off '-D__float128=long double' \
               -Wall -Wextra -Werror=implicit-function-declaration -Wno-unused-function \
               -Wno-sometimes-uninitialized \
-              -Itests/target/libc -Itests/target -Itests -Ilib -Iports -DLOFT_AXES=3
+              -Itests/target/libc -Itests/target -Itests -Ilib -DLOFT_AXES=3
 
 # unit_set NAME, number type, clang's flags of the core, what it starts with
 define unit_set

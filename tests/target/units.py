@@ -28,19 +28,19 @@ K, M = 1024, 1024 * 1024
 # flags of the linker, flash and RAM (where, how much), most tests left out
 BOARDS = [
     ("mps2-an385", "M3", "q16", "mps2-an385", "v7m-q16", "mps2-an385",
-     M3, (0, 4 * M), (0x21000000, 16 * M), 6),
+     M3, (0, 4 * M), (0x21000000, 16 * M), 7),
     ("riscv-virt", "rv32imac", "q16", "virt", "rv32-q16", "riscv-virt",
-     RISCV_CORE, (0x80000000, 120 * M), (0x80000000, 120 * M), 5),
+     RISCV_CORE, (0x80000000, 120 * M), (0x80000000, 120 * M), 6),
     ("nrf51", "M0", "q16", "microbit", "v6m-q16", "nrf51",
-     M0, (0, 256 * K), (0x20000000, 16 * K), 44),
+     M0, (0, 256 * K), (0x20000000, 16 * K), 45),
     ("stm32f405", "M4F", "q16", "netduinoplus2", "v7m-q16", "stm32f405",
-     M3, (0x08000000, M), (0x20000000, 128 * K), 20),
+     M3, (0x08000000, M), (0x20000000, 128 * K), 21),
     ("stm32f405", "M4F", "f32", "netduinoplus2", "v7em-f32", "stm32f405-f32",
-     M4F, (0x08000000, M), (0x20000000, 128 * K), 20),
+     M4F, (0x08000000, M), (0x20000000, 128 * K), 21),
     ("mps2-an500", "M7", "q16", "mps2-an500", "v7m-q16", "mps2-an500",
-     M3, (0, 4 * M), (0x60000000, 16 * M), 6),
+     M3, (0, 4 * M), (0x60000000, 16 * M), 7),
     ("mps2-an505", "M33", "q16", "mps2-an505", "v7m-q16", "mps2-an505",
-     M3, (0x10000000, 4 * M), (0x80000000, 16 * M), 6),
+     M3, (0x10000000, 4 * M), (0x80000000, 16 * M), 7),
 ]
 # bytes of RAM of an image besides its tests: the line of text, and data that the library's
 # functions leave out
