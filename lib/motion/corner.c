@@ -268,7 +268,8 @@ loft_corner loft_corner_of(int64_t s, loft_coord speed, loft_coord jerk, bool sh
     loft_corner k = { .s = s, .jerk = jerk, .sharp = sharp };
 
     k.time = (int32_t)loft_coord_sqrt(((uint64_t)(uint32_t)speed * 2 << 20) / (uint32_t)jerk);
-    k.way  = (loft_coord)launched(jerk, k.time);
+    const int64_t way = launched(jerk, k.time);
+    k.way = way < FAR ? (loft_coord)way : (loft_coord)FAR;
     return k;
 }
 
@@ -352,11 +353,16 @@ static void look(loft_corners *c, bool all)
     }
 }
 
-void loft_corners_scan(loft_corners *c)
+static int64_t known(const loft_corners *c)
+{
+    return c->looked < c->stretches ? c->stretch[c->looked].s : scanned(c);
+}
+
+void loft_corners_scan(loft_corners *c, int64_t to)
 {
     const loft_chain *chain = c->chain;
 
-    while (!loft_corners_full(c)) {
+    while (!loft_corners_full(c) && known(c) < to) {
         if (c->stretches == LOFT_CORNERS_STRETCHES)
             forget(c);
         const bool more = c->stretches < LOFT_CORNERS_STRETCHES &&
@@ -369,7 +375,7 @@ void loft_corners_scan(loft_corners *c)
         if (!more && c->looked == before)
             break;
     }
-    c->known = c->looked < c->stretches ? c->stretch[c->looked].s : scanned(c);
+    c->known = known(c);
 }
 
 bool loft_corners_end_known(const loft_corners *c)

@@ -57,8 +57,8 @@ typedef struct {
 /* Start at the first arc of the chain, which is kept. */
 void loft_corners_begin(loft_corners *c, const loft_chain *chain);
 
-/* Find corners as far ahead as there is room. */
-void loft_corners_scan(loft_corners *c);
+/* Find corners up to the length `to`, as far as there is room. */
+void loft_corners_scan(loft_corners *c, int64_t to);
 bool loft_corners_full(const loft_corners *c);
 
 /* Forget corners before s, but the one that allows the least still, with `cap` the most. */

@@ -11,6 +11,7 @@
 #define ONE         LOFT_CORNER_ONE                 /* a period, in times of corners */
 /* Little effort: away from corners places are farther apart, so fewer of them look ahead as far. */
 #define STEP_MAX    (LOFT_PLAN_EFFORT > 1 ? ONE : ONE * 7 / 4)
+#define REACH       48                              /* periods that corners are known ahead */
 #define STEPS       12                              /* and more to the next corner */
 #define PART_ONE    (INT32_C(1) << 24)              /* a part */
 #define AHEAD       6                               /* places that are settled */
@@ -120,18 +121,23 @@ static void drop_zones(loft_path *path)
                             path->s >= path->corners.known);
 }
 
-/* Look ahead; true: the end of the chain is known. */
+/* How far ahead places must be known: a launch, and a little. */
+static int64_t need_of(const loft_path *path) { return path->launch.way + 2 * (int64_t)path->cap; }
+
+/* Look ahead, as far as it matters: what a step is spent on is not more then. True: the end of the
+ * chain is known. */
 static bool look_ahead(loft_path *path)
 {
     loft_chain *chain = &path->chain;
     loft_corners *c = &path->corners;
+    const int64_t to = path->s + 3 * need_of(path) + REACH * (int64_t)path->cap;
 
     drop_zones(path);
-    loft_corners_scan(c);
+    loft_corners_scan(c, to);
     if (path->s >= c->known) {
         loft_corners_drop(c, path->s, path->cap);
         drop_zones(path);
-        loft_corners_scan(c);
+        loft_corners_scan(c, to);
     }
     if (path->s >= c->known && chain->count == chain->room)
         chain->ended = true;            /* nothing more can come before it is passed */
@@ -168,8 +174,7 @@ static enum loft_path_state march(loft_path *path, loft_path_waiting *out)
         return ends ? LOFT_PATH_END : LOFT_PATH_WAIT;
     const bool full = path->chain.count == path->chain.room || path->chain.ended ||
                       loft_corners_full(c);
-    /* how far ahead places must be known: a launch, and a little */
-    const int64_t left = c->known - path->s, need = path->launch.way + 2 * (int64_t)path->cap;
+    const int64_t left = c->known - path->s, need = need_of(path);
     const bool near = left < need;
     if (!ends && near && !full)
         return LOFT_PATH_WAIT;

@@ -100,7 +100,7 @@ enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out);
  * again.
  *
  *   error   as loft_plan_next
- *   cost    effort 1, 176 knots: Cortex-M4 1.4 million instructions at most, M0 3.3 million
+ *   cost    effort 1, 176 knots: Cortex-M4 1.4 million instructions at most, M0 2.2 million
  */
 enum loft_plan_state loft_plan_part(loft_plan *plan, loft_span *out);
 
