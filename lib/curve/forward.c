@@ -113,11 +113,19 @@ uint32_t loft_forward_run(loft_forward *w, loft_vec out[], uint32_t count)
         return 0;
     w->left -= count;
 
-    for (int i = 0; i < LOFT_AXES; i++) {
-        loft_walk_run(&w->axis[i], w->degree, &out[0].axis[i], LOFT_AXES, count);
-        if (w->left == 0)
-            out[count - 1].axis[i] = loft_walk_end(&w->axis[i], out[count - 1].axis[i]);
+    for (int i = 0; i < LOFT_AXES;) {
+        loft_walk *axis = &w->axis[i];
+        loft_real *to = &out[0].axis[i];
+
+        if (i + 1 < LOFT_AXES && loft_walk_run2(axis, w->degree, to, LOFT_AXES, count)) {
+            i += 2;
+        } else {
+            loft_walk_run(axis, w->degree, to, LOFT_AXES, count);
+            i++;
+        }
     }
+    for (int i = 0; i < LOFT_AXES && w->left == 0; i++)
+        out[count - 1].axis[i] = loft_walk_end(&w->axis[i], out[count - 1].axis[i]);
     return count;
 }
 

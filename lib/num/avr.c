@@ -49,6 +49,12 @@
     "ldd r" #d2 ", Z+16+" #k "\n " add " r" #d1 ", r" #d2 "\n std Z+8+" #k ", r" #d1 "\n"
 #define STEP2(add, k, d2) \
     "ldd __tmp_reg__, Z+24+" #k "\n " add " r" #d2 ", __tmp_reg__\n std Z+16+" #k ", r" #d2 "\n"
+/* Byte k of a run: d[0] in r2..r9, d[1] in r10..r17, d[2] in r18..r25. */
+#define LOAD3(k, d0, d1, d2) \
+    "ldd r" #d0 ", Y+" #k "\n ldd r" #d1 ", Y+8+" #k "\n ldd r" #d2 ", Y+16+" #k "\n"
+#define KEEP3(k, d0, d1, d2) \
+    "std Y+" #k ", r" #d0 "\n std Y+8+" #k ", r" #d1 "\n std Y+16+" #k ", r" #d2 "\n"
+#define RUN2(add, k, d2) "ldd __tmp_reg__, Y+24+" #k "\n " add " r" #d2 ", __tmp_reg__\n"
 
 __asm__ (
     OWN_SECTION(loft_avr_negate)
@@ -78,6 +84,27 @@ __asm__ (
     "2: pop r16\n pop r15\n pop r14\n pop r13\n pop r12\n pop r11\n pop r10\n pop r9\n pop r8\n"
     "ret\n"
     END_FUNCTION(loft_avr_step3)
+
+    /* r1 is `bytes`, X what is left */
+    BEGIN_FUNCTION(loft_avr_run3)
+    "push r2\n push r3\n push r4\n push r5\n push r6\n push r7\n push r8\n push r9\n" PUSH8
+    "push r28\n push r29\n"
+    "movw r28, r24\n movw r30, r22\n movw r26, r20\n mov r1, r18\n"
+    LOAD3(0, 2, 10, 18) LOAD3(1, 3, 11, 19) LOAD3(2, 4, 12, 20) LOAD3(3, 5, 13, 21)
+    LOAD3(4, 6, 14, 22) LOAD3(5, 7, 15, 23) LOAD3(6, 8, 16, 24) LOAD3(7, 9, 17, 25)
+    "1: add r2, r10\n adc r3, r11\n adc r4, r12\n adc r5, r13\n"
+    "adc r6, r14\n adc r7, r15\n adc r8, r16\n adc r9, r17\n"
+    "st Z, r6\n std Z+1, r7\n std Z+2, r8\n std Z+3, r9\n"
+    "add r10, r18\n adc r11, r19\n adc r12, r20\n adc r13, r21\n"
+    "adc r14, r22\n adc r15, r23\n adc r16, r24\n adc r17, r25\n"
+    RUN2("add", 0, 18) RUN2("adc", 1, 19) RUN2("adc", 2, 20) RUN2("adc", 3, 21)
+    RUN2("adc", 4, 22) RUN2("adc", 5, 23) RUN2("adc", 6, 24) RUN2("adc", 7, 25)
+    "add r30, r1\n brcc 2f\n inc r31\n 2: sbiw r26, 1\n brne 1b\n"
+    KEEP3(0, 2, 10, 18) KEEP3(1, 3, 11, 19) KEEP3(2, 4, 12, 20) KEEP3(3, 5, 13, 21)
+    KEEP3(4, 6, 14, 22) KEEP3(5, 7, 15, 23) KEEP3(6, 8, 16, 24) KEEP3(7, 9, 17, 25)
+    "clr __zero_reg__\n pop r29\n pop r28\n" POP8
+    "pop r9\n pop r8\n pop r7\n pop r6\n pop r5\n pop r4\n pop r3\n pop r2\n ret\n"
+    END_FUNCTION(loft_avr_run3)
 
     BEGIN_FUNCTION(loft_acc_abs)
     "sbrs r25, 7\n ret\n jmp loft_avr_negate\n"

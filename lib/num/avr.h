@@ -91,6 +91,13 @@ void loft_avr_start3(uint64_t d[4], const int32_t p[4], const uint32_t inverse[3
  *   cost    149 cycles for each axis and 53 */
 void loft_avr_step3(uint64_t d[], int32_t out[], uint8_t axes);
 
+/* `count` steps of one cubic walk, with its state in registers: the upper half of d[0] after each
+ * in `out`, `bytes` further each time.
+ *
+ *   range   count >= 1
+ *   cost    55 cycles for each step and 190 */
+void loft_avr_run3(uint64_t d[4], int32_t *out, uint16_t count, uint8_t bytes);
+
 /* A table that stays in flash (RAM would hold a copy of it), and access to an entry.
  *
  *   cost    4 cycles more than from RAM */

@@ -86,11 +86,45 @@ static loft_state over_power_of_two(loft_state sum, unsigned k) { return sum / (
 
 #if defined(__AVR__)
 
-/* No core with 8-bit registers holds four 64-bit numbers in registers. */
+/* Three of the four 64-bit numbers fit in registers. `out` is in memory, so `count` has 16 bits. */
 void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count)
 {
+#if LOFT_NUM == LOFT_Q16
+    if (degree <= 3 && stride < 64 && count > 0) {
+        loft_avr_run3(w->d, out, (uint16_t)count, (uint8_t)(stride * sizeof *out));
+        return;
+    }
+#endif
     for (; count; count--, out += stride)
         *out = loft_walk_step(w, degree);
+}
+
+#else
+
+#if defined(__thumb__) && !defined(__thumb2__) && defined(__ARMEL__) && LOFT_NUM == LOFT_Q16
+
+/* 12 instructions a step where gcc takes 20: d[0..2] in r0..r5, d[3] in r8 and r9. */
+static void run_cubic(loft_state d[], loft_real out[], size_t stride, uint32_t count)
+{
+    register loft_state *state __asm__("r0") = d;
+    register loft_real *at __asm__("r1") = out;
+    register size_t bytes __asm__("r2") = stride * sizeof *out;
+    register loft_real *end __asm__("r3") = out + count * stride;
+
+    if (count == 0)
+        return;
+    __asm__ volatile(".syntax unified\n"
+                     "push {r0, r7}\n mov r10, r2\n mov r12, r3\n mov r7, r1\n"
+                     "ldr r1, [r0, #24]\n ldr r2, [r0, #28]\n mov r8, r1\n mov r9, r2\n"
+                     "ldm r0, {r0-r5}\n"
+                     "1: adds r0, r0, r2\n adcs r1, r3\n str r1, [r7]\n"
+                     "adds r2, r2, r4\n adcs r3, r5\n"
+                     "mov r6, r8\n adds r4, r4, r6\n mov r6, r9\n adcs r5, r6\n"
+                     "add r7, r10\n cmp r7, r12\n bne 1b\n"
+                     "pop {r6, r7}\n stmia r6!, {r0-r5}\n"
+                     : "+r"(state), "+r"(at), "+r"(bytes), "+r"(end)
+                     :
+                     : "r4", "r5", "r6", "r8", "r9", "r10", "r12", "cc", "memory");
 }
 
 #else
@@ -126,6 +160,8 @@ static void run_cubic(loft_state d[], loft_real out[], size_t stride, uint32_t c
     d[2] = d2;
 }
 
+#endif
+
 static void run_quintic(loft_state d[], loft_real out[], size_t stride, uint32_t count)
 {
     loft_state d0 = d[0], d1 = d[1], d2 = d[2], d3 = d[3], d4 = d[4];
@@ -152,6 +188,81 @@ void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride
         run_cubic(w->d, out, stride, count);
     else
         run_quintic(w->d, out, stride, count);
+}
+
+#endif
+
+#if defined(__has_builtin) && LOFT_NUM == LOFT_Q16
+#  if __has_builtin(__builtin_shufflevector) &&                                                    \
+    (defined(__SSE2__) || (defined(__ARM_NEON) && defined(__AARCH64EL__)))
+#    define TWO_AT_ONCE
+#  endif
+#endif
+
+#if defined(TWO_AT_ONCE)
+
+typedef uint64_t two_states __attribute__((vector_size(16)));
+typedef int32_t four_words __attribute__((vector_size(16)));
+typedef int32_t two_words __attribute__((vector_size(8)));
+
+static inline two_states states_of(const loft_walk w[2], unsigned k)
+{
+    return (two_states){ w[0].d[k], w[1].d[k] };
+}
+
+/* The values of two steps. */
+static inline void put_high(loft_real out[], size_t stride, two_states first, two_states second)
+{
+    const four_words high = __builtin_shufflevector((four_words)first, (four_words)second, 1, 3, 5,
+                                                    7);
+
+    __builtin_memcpy(out, &high, 2 * sizeof *out);
+    __builtin_memcpy(out + stride, (const loft_real *)&high + 2, 2 * sizeof *out);
+}
+
+/* One axis in each half of a register of 128 bits: wrapping sums of 64 bits, as one by one. In two
+ * axes it takes 0.6 of the time. */
+bool loft_walk_run2(loft_walk w[2], unsigned degree, loft_real out[], size_t stride, uint32_t count)
+{
+    two_states d0 = states_of(w, 0), d1 = states_of(w, 1), d2 = states_of(w, 2);
+    const two_states d3 = states_of(w, 3);
+
+    if (degree > 3)
+        return false;
+    if (count & 1) {
+        d0 += d1;
+        d1 += d2;
+        d2 += d3;
+        put_high(out, 0, d0, d0);
+        out += stride;
+    }
+    for (count /= 2; count; count--, out += 2 * stride) {
+        const two_states first = d0 + d1;
+        d1 += d2;
+        d2 += d3;
+        d0 = first + d1;
+        d1 += d2;
+        d2 += d3;
+        put_high(out, stride, first, d0);
+    }
+    for (unsigned i = 0; i < 2; i++) {
+        w[i].d[0] = d0[i];
+        w[i].d[1] = d1[i];
+        w[i].d[2] = d2[i];
+    }
+    return true;
+}
+
+#else
+
+bool loft_walk_run2(loft_walk w[2], unsigned degree, loft_real out[], size_t stride, uint32_t count)
+{
+    (void)w;
+    (void)degree;
+    (void)out;
+    (void)stride;
+    (void)count;
+    return false;
 }
 
 #endif

@@ -257,6 +257,11 @@ void loft_walk3_init(loft_walk3 *w, const loft_real p[4], const loft_powers3 *po
 /* `count` steps; the values go to out[0], out[stride] .. */
 void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count);
 
+/* The same for the cubics w[0] and w[1], whose values go to out[0] and out[1], out[stride] and so
+ * on, where they are faster together: if not, it returns false and does nothing. */
+bool loft_walk_run2(loft_walk w[2], unsigned degree, loft_real out[], size_t stride,
+                    uint32_t count);
+
 /* Turn a[k], the coefficient of t^k for steps of 1, into the k-th difference at 0, for k =
  * 1..degree, in place. */
 void loft_walk_differences(loft_state a[], unsigned degree);

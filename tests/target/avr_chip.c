@@ -2,11 +2,13 @@
  * SPDX-License-Identifier: MIT
  * usage: chip FIRMWARE.elf --tick ADDRESS [--link PATH] [--record FILE] [--steps N] [--profile
  * FILE] [--touch STEPS[,MS]] [--jobs N] [--eeprom FILE] [--states FILE]
+ * [--starve ITEMS]
  *
  * --touch: the limit switch of x closes with the pulse of x that reaches STEPS, and bounces for MS;
  * behind STEPS, seen from 0, it is closed, and before it is open.
  *
  * --eeprom: FILE holds the EEPROM between two runs.
+ * --starve: after so many items of a job, and after twice as many, the line is silent for 1 s.
  * --states: FILE gets the EEPROM after each byte that is written to it, one after the other.
  *
  * The chip's time stops while it is the host's turn (avr_gate.h). The program ends when N jobs, or
@@ -38,6 +40,7 @@ struct chip {
     avr_cycle_count_t bounce;           /* cycles, and until when */
     avr_cycle_count_t settled;
     uint32_t jobs;                      /* until it ends */
+    uint32_t starve, silences;          /* items, 0: never; how often it was silent */
     const char *eeprom;                 /* a file, or NULL */
     FILE *states;                       /* of the EEPROM, or NULL */
     uint8_t written[EEPROM];            /* the latest of them */
@@ -167,10 +170,16 @@ static void byte_out(void *context, uint8_t byte)
     chip_line_out(&c->line, byte);
 }
 
+/* The line is silent behind the frame with that item, whenever the host sends it. */
 static void byte_in(void *context, uint8_t byte)
 {
     struct chip *c = context;
 
+    if (c->starve && c->silences < 2 && c->line.gate.sent >= c->starve * (c->silences + 1)) {
+        c->silences++;
+        c->core.silent_at = c->core.in_head;
+        c->core.silence   = HZ;
+    }
     avr_core_put(&c->core, byte);
 }
 
@@ -235,6 +244,7 @@ static void print_results(const struct chip *c)
            (unsigned long long)c->core.received, (unsigned long long)c->core.given,
            (unsigned long long)c->core.overruns, (unsigned)c->line.gate.naks,
            (unsigned)c->line.waits);
+    printf("silences %u\n", (unsigned)c->silences);
     printf("byte_cycles %u\nseconds %.6f\n", c->core.byte_cycles, (double)c->core.avr->cycle / HZ);
 }
 
@@ -273,6 +283,8 @@ int main(int argc, char **argv)
             touch = argv[i + 1];
         if (strcmp(argv[i], "--jobs") == 0)
             c.jobs = (uint32_t)strtoul(argv[i + 1], NULL, 0);
+        if (strcmp(argv[i], "--starve") == 0)
+            c.starve = (uint32_t)strtoul(argv[i + 1], NULL, 0);
         if (strcmp(argv[i], "--eeprom") == 0)
             c.eeprom = argv[i + 1];
         if (strcmp(argv[i], "--states") == 0 && (c.states = fopen(argv[i + 1], "wb")) == NULL)

@@ -35,6 +35,10 @@ static void correct_baud(struct avr_core *c)
 /* One byte per ten bits. Two wait in the chip; a third one is lost on silicon, so it is counted. */
 static void give_byte(struct avr_core *c)
 {
+    if (c->silence && c->in_tail == c->silent_at) {
+        c->free_at = c->avr->cycle + c->silence;
+        c->silence = 0;
+    }
     if (c->in_tail == c->in_head || c->avr->cycle < c->free_at)
         return;
     correct_baud(c);

@@ -18,7 +18,8 @@ struct avr_core {
     struct meter meter;
     uint32_t byte_cycles;               /* ten bits */
     uint8_t in[65536];                  /* to the chip; indices wrap */
-    uint16_t in_head, in_tail;
+    uint16_t in_head, in_tail, silent_at;
+    uint64_t silence;                   /* cycles without a byte, before that of silent_at */
     uint64_t free_at;                   /* when the line to the chip is free again */
     uint64_t heard;                     /* cycle of the last byte either way */
     uint64_t received, given, overruns;

@@ -18,7 +18,7 @@
 #define SPANS  40
 #define SLOTS  40
 #define MOVES  40
-#define BATCH  20           /* of loft_step_give */
+#define BATCH  20           /* of loft_step_give, loft_forward_run */
 #define STATES 20000u       /* of a step of walks */
 
 int main(void);
@@ -73,11 +73,12 @@ static void start(void)     { meter_start(); }
 static void stop(void)      {}
 #endif
 
-enum { SLOT, TAKE, GIVE, LOAD, PACE, TICK, STEPS, POSITION, WALK, MOVE, PLACE, TURN, CALLS };
+enum { SLOT, TAKE, GIVE, LOAD, PACE, TICK, STEPS, POSITION, WALK, MOVE, PLACE, TURN, RUN, CALLS };
 static const char names[CALLS][24] = {
     "loft_step_next", "loft_step_take",    "loft_step_give",   "loft_step_load",
     "loft_pace_next", "loft_forward_next", "loft_steps_of",    "loft_step_position",
-    "loft_span_walk", "loft_scurve_init",  "loft_scurve_eval", "loft_scurve_retarget"
+    "loft_span_walk", "loft_scurve_init",  "loft_scurve_eval", "loft_scurve_retarget",
+    "loft_forward_run"
 };
 static uint32_t worst[CALLS], empty;
 
@@ -85,9 +86,10 @@ static loft_pace pace;
 static loft_step step;
 static loft_forward walk;
 
-static void took(int call, uint32_t begin)
+/* Not inlined: else the code around a call depends on all others. */
+__attribute__((noinline)) static void took(int call, uint32_t end, uint32_t begin)
 {
-    const uint32_t cost = now() - begin - empty;
+    const uint32_t cost = end - begin - empty;
     worst[call] = cost > worst[call] ? cost : worst[call];
 }
 
@@ -100,17 +102,17 @@ static void slots_of(uint16_t slots, bool batches)
         uint32_t begin = now();
         if (!batches) {
             (void)loft_step_next(&step);
-            took(SLOT, begin);
+            took(SLOT, now(), begin);
             slots--;
             continue;
         }
         loft_step_tick *taken = loft_step_take(&step, &count, &dir);
-        took(TAKE, begin);
+        took(TAKE, now(), begin);
         slots = (uint16_t)(slots - count);
         begin = now();
         if (taken)
             loft_step_give(taken, bits, count);
-        took(GIVE, begin);
+        took(GIVE, now(), begin);
     }
 }
 
@@ -125,21 +127,21 @@ static void ticks(void)
             loft_pace_aim(&pace, loft_pace_level(&pace, (unsigned)(any() % 201)));
         uint32_t begin = now();
         uint16_t slots = loft_pace_next(&pace);
-        took(PACE, begin);
+        took(PACE, now(), begin);
         for (int i = 0; i < LOFT_AXES; i++)
             target[i] += (int32_t)(any() % 81) - 40;
         slots = slots == 0 || slots > 5 * SLOTS ? SLOTS : slots;
         begin = now();
         slots = loft_step_load(&step, target, slots);
-        took(LOAD, begin);
+        took(LOAD, now(), begin);
         slots_of(slots, n % 2 == 0);
         begin = now();
         loft_step_position(&step, position);
-        took(POSITION, begin);
+        took(POSITION, now(), begin);
         const loft_real mm = (loft_real)any();
         begin = now();
         steps = loft_steps_of(mm, gear);
-        took(STEPS, begin);
+        took(STEPS, now(), begin);
         (void)steps;
     }
 }
@@ -156,14 +158,31 @@ static void spans(void)
         s.ticks = (uint16_t)(n < 8 ? 64 : 1 + any() % LOFT_SPAN_TICKS_MAX);
         uint32_t begin = now();
         const enum loft_status status = loft_span_walk(&walk, &s);
-        took(WALK, begin);
+        took(WALK, now(), begin);
         for (int k = 0; k < 20 && status == LOFT_OK; k++) {
             begin = now();
             const bool more = loft_forward_next(&walk, &at);
-            took(TICK, begin);
+            took(TICK, now(), begin);
             if (!more)
                 break;
         }
+    }
+}
+
+static void runs(void)
+{
+    loft_vec at[BATCH];
+    loft_span s = { .ticks = SPANS * BATCH };
+
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            s.p[k].axis[i] = (loft_real)(any() << 2);
+    if (loft_span_walk(&walk, &s) != LOFT_OK)
+        return;
+    for (unsigned n = 0; n < SPANS; n++) {
+        const uint32_t begin = now();
+        (void)loft_forward_run(&walk, at, BATCH);
+        took(RUN, now(), begin);
     }
 }
 
@@ -180,16 +199,16 @@ static void moves(void)
                                             .tick_hz = 1000 };
         uint32_t begin = now();
         enum loft_status status = loft_scurve_init(&move, 0, (loft_real)any(), &limits);
-        took(MOVE, begin);
+        took(MOVE, now(), begin);
         for (int k = 0; k < 4 && status == LOFT_OK; k++) {
             const uint32_t tick = any() % move.ticks;
             begin = now();
             at = loft_scurve_eval(&move, tick);
-            took(PLACE, begin);
+            took(PLACE, now(), begin);
             if (k == 1) {
                 begin = now();
                 status = loft_scurve_retarget(&move, tick, (loft_real)any());
-                took(TURN, begin);
+                took(TURN, now(), begin);
             }
         }
         (void)at;
@@ -209,6 +228,7 @@ int main(void)
     ticks();
     spans();
     moves();
+    runs();
     put('\n');
     for (int k = 0; k < CALLS; k++)
         say_line(put, names[k], worst[k]);

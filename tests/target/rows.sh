@@ -30,7 +30,8 @@ path_of() {
 told() { sed -n 's/.*steps \(-*[0-9]* -*[0-9]* -*[0-9]*\).*as commanded.*/\1/p' "$1" | head -1; }
 
 # on_chip CHIP FIRMWARE COMMAND..: the chip behind $tmp/port, its pulses in $tmp/chip.csv, its
-# results in $tmp/chip; with $touch set, the switch of x closes there; with $jobs, it runs so many
+# results in $tmp/chip; with $touch set, the switch of x closes there; with $starve, its line
+# is silent for 1 s after so many items, and after twice as many; with $jobs, it runs so many
 # jobs, or until COMMAND ends; with $eeprom set, that file is its EEPROM, and with $states, that
 # file gets what the EEPROM is after each byte that is written;
 # COMMAND's output in $tmp/out and $tmp/err, its exit code in $code
@@ -39,7 +40,7 @@ on_chip() {
     shift 2
     tick=0x$(avr-nm "$elf" | awk '$3 == "loft_port_work_stub" { print $1 }')
     "$chip" "$elf" --tick "$tick" --link "$tmp/port" --record "$tmp/chip.csv" \
-        ${touch:+--touch "$touch"} ${jobs:+--jobs "$jobs"} \
+        ${starve:+--starve "$starve"} ${touch:+--touch "$touch"} ${jobs:+--jobs "$jobs"} \
         ${eeprom:+--eeprom "$eeprom"} ${states:+--states "$states"} >"$tmp/chip" 2>"$tmp/chip.err" &
     child=$!
     for _ in $(seq 3000); do [ -e "$tmp/port" ] && break; sleep 0.02; done

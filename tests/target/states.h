@@ -43,6 +43,27 @@ static inline uint32_t wrong_axes(void)
     return wrong;
 }
 
+/* A run on a random state: the number of wrong sums and values. */
+static inline uint32_t wrong_run(void)
+{
+    static loft_walk w, sum;
+    static loft_real out[2 * 5];
+    const uint32_t count = 1 + any() % 5, stride = 1 + any() % 2;
+    uint32_t wrong = 0;
+
+    for (int k = 0; k <= LOFT_WALK_DEGREE_MAX; k++)
+        w.d[k] = sum.d[k] = k <= 3 ? any_state() : 0;
+    loft_walk_run(&w, 3, out, stride, count);
+    for (uint32_t n = 0; n < count; n++) {
+        for (int k = 0; k < 3; k++)
+            sum.d[k] += sum.d[k + 1];
+        wrong += out[n * stride] != loft_state_real(&sum.d[0]);
+    }
+    for (int k = 0; k <= LOFT_WALK_DEGREE_MAX; k++)
+        wrong += w.d[k] != sum.d[k];
+    return wrong;
+}
+
 /* Random states: is a step of three differences what walk.h says? The number of wrong sums. */
 static inline uint32_t wrong_steps(uint32_t states)
 {
@@ -58,6 +79,7 @@ static inline uint32_t wrong_steps(uint32_t states)
         for (int k = 0; k < 4; k++)
             wrong += d[k] != sum[k];
         wrong += wrong_axes();
+        wrong += wrong_run();
     }
     return wrong;
 }
