@@ -1,10 +1,12 @@
 /* tests/target/arm_chip.c -- a microcontroller whose slots a timer and DMA give, behind a line
  * SPDX-License-Identifier: MIT
  * usage: arm_chip KIND FIRMWARE.elf [--link PATH | --socket PATH] [--record FILE] [--steps N]
- *                 [--touch STEPS[,MS]] [--late US] [--jobs N]
+ *                 [--touch STEPS[,MS]] [--late US] [--jobs N] [--flash FILE] [--cut N]
  *
  * --touch: the limit switch of x closes with the pulse of x that reaches STEPS, and bounces for MS.
  * --late: once, in mid-job, the interrupt that makes slots is held for US microseconds.
+ * --flash: FILE holds the flash that the chip writes, between two runs.
+ * --cut: the power fails in the N-th word that is written, or erasure.
  *
  * It ends when N jobs, or one, have been drawn and closed, and prints lines `name value`.
  */
@@ -23,7 +25,7 @@ static const struct kind kinds[] = {
       .model = UC_CPU_ARM_CORTEX_M4,
       .fpu = true,
       .streams = true,
-      .memory = { 0x08000000, 0x100000, 0x20000000, 0x20000 },
+      .memory = { 0x08000000, 0xC0000, 0x20000000, 0x20000, .kept = true },
       .hz = 168000000,
       .bus = 84000000,
       .irq_line = 37,
@@ -36,7 +38,8 @@ static const struct kind kinds[] = {
       .usart = 0x40011000,
       .random = 0x50060800,
       .power = 0x40000800,
-      .outputs = 0x40020400 },
+      .outputs = 0x40020400,
+      .flashes = 0x40023C00 },
     { .name = "stm32f103",
       .family = &arm_stm32,
       .model = UC_CPU_ARM_CORTEX_M3,
@@ -244,6 +247,9 @@ static void print_results(const struct chip *c, const struct share *a, const str
     printf("position %d %d %d\n", (int)p->record.position[0], (int)p->record.position[1],
            (int)p->record.position[2]);
     printf("waits %u\n", (unsigned)c->stream.waits);
+    printf("flash_written %u\nflash_again %u\nflash_erased %u\nflash_refused %u\n",
+           (unsigned)c->flash.written, (unsigned)c->flash.again, (unsigned)c->flash.erased,
+           (unsigned)c->flash.refused);
     printf("bytes_received %llu\noverruns %llu\nnaks %u\nhost_late %u\nseconds %.6f\n",
            (unsigned long long)c->received, (unsigned long long)c->overruns,
            (unsigned)c->line.gate.naks, (unsigned)c->line.waits, (double)c->core.now / c->kind->hz);
@@ -256,7 +262,7 @@ static void run_chip(struct chip *c)
     struct share begun = { 0 }, ended = { 0 };
     uint64_t last = 0;
 
-    while (c->line.gate.jobs < c->jobs && !chip_line_stopped()) {
+    while (c->line.gate.jobs < c->jobs && !chip_line_stopped() && !c->flash.cut) {
         if (!arm_core_run(&c->core, c->core.now + ms))
             break;
         if (p->first && !begun.from) {
@@ -274,6 +280,28 @@ static void run_chip(struct chip *c)
     print_results(c, &begun, &ended);
 }
 
+/* A new file is erased. */
+static void load_flash(struct arm_flash *flash, const char *file)
+{
+    FILE *f = file ? fopen(file, "rb") : NULL;
+
+    arm_flash_reset(flash);
+    if (!f || fread(flash->word, sizeof flash->word, 1, f) != 1)
+        arm_flash_erase_all(flash);
+    if (f)
+        fclose(f);
+}
+
+static int save_flash(const struct arm_flash *flash, const char *file)
+{
+    FILE *f = file ? fopen(file, "wb") : NULL;
+    const bool good = f && fwrite(flash->word, sizeof flash->word, 1, f) == 1;
+
+    if (f && fclose(f) == 0 && good)
+        return 0;
+    return file ? EX_CANTCREAT : 0;
+}
+
 static const struct kind *kind_of(const char *name)
 {
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
@@ -286,7 +314,7 @@ int main(int argc, char **argv)
 {
     static struct chip c;
     struct loft_host_options o = loft_host_defaults();
-    const char *socket = NULL, *touch = "0";
+    const char *socket = NULL, *touch = "0", *flash = NULL;
     double steps = 250;
     char *tail;
 
@@ -310,6 +338,10 @@ int main(int argc, char **argv)
             touch = argv[i + 1];
         if (strcmp(argv[i], "--late") == 0)
             c.late = (uint64_t)(atof(argv[i + 1]) * c.kind->hz / 1e6);
+        if (strcmp(argv[i], "--flash") == 0)
+            flash = argv[i + 1];
+        if (strcmp(argv[i], "--cut") == 0)
+            c.flash.power = (uint32_t)strtoul(argv[i + 1], NULL, 0);
         if (strcmp(argv[i], "--jobs") == 0)
             c.jobs = (uint32_t)strtoul(argv[i + 1], NULL, 0);
     }
@@ -332,6 +364,7 @@ int main(int argc, char **argv)
     c.stream.pulse = x_pulse;
     c.stream.context = &c;
     arm_stream_init(&c.stream, &c.core);
+    load_flash(&c.flash, flash);
     int code = arm_core_start(&c.core, argv[2], c.kind->model, c.kind->fpu);
     if (code == 0 && c.kind->family->boot)
         code = c.kind->family->boot(&c);
@@ -343,6 +376,8 @@ int main(int argc, char **argv)
         return code;
     run_chip(&c);
     chip_line_close(&c.line);
-    const int closed = host_record_close(&c.stream.pins.record, &o);
+    int closed = host_record_close(&c.stream.pins.record, &o);
+    if (closed == 0)
+        closed = save_flash(&c.flash, flash);
     return c.core.failed ? EX_SOFTWARE : closed;
 }

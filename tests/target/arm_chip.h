@@ -5,6 +5,7 @@
 #ifndef TARGET_ARM_CHIP_H
 #define TARGET_ARM_CHIP_H
 
+#include "arm_flash.h"
 #include "arm_pio.h"
 #include "arm_stream.h"
 #include "chip_line.h"
@@ -26,7 +27,7 @@ struct family {
 extern const struct family arm_stm32, arm_rp2040, arm_nrf51;
 
 /* What differs between the chips. Addresses: RCC's clock control; the pins of the slots, the
- * port of the switches and x in it; timer 1; its transfers; USART 1; the outputs. */
+ * port of the switches and x in it; timer 1; its transfers; USART 1; the outputs; the flash. */
 struct kind {
     const char *name;
     const struct family *family;
@@ -37,6 +38,7 @@ struct kind {
     unsigned irq_line, irq_stream, x_switch;
     uint32_t rcc, bsrr, idr, timer, dma, usart, random;
     uint32_t power, outputs;            /* timer 4 and its port, or 0 */
+    uint32_t flashes;                   /* or 0 */
 };
 struct chip {
     const struct kind *kind;
@@ -46,6 +48,7 @@ struct chip {
     uint64_t sampled_at, sampler_period, captured;  /* of an nRF51: timer 1; CC[1] of timer 0 */
     bool sampled;
     bool feeds, flash_is_set;           /* of an RP2040: its DMA is busy; its flash can be read */
+    struct arm_flash flash;
     struct chip_line line;
     uint32_t plain[0x20000];            /* registers without an effect: 0x40000000.. */
     uint8_t in[65536];                  /* to the chip; indices wrap */

@@ -140,9 +140,10 @@ static uint64_t read_chip(struct arm_core *c, uint32_t address, unsigned size)
     return size == 4 ? word : word >> 8 * (address & 3) & (size == 2 ? 0xFFFFu : 0xFFu);
 }
 
-static void write_chip(struct arm_core *c, uint32_t address, uint32_t value)
+static void write_chip(struct arm_core *c, uint32_t address, uint32_t value, unsigned size)
 {
     c->advance(c->chip, c->now);
+    c->stored = size;
     c->write(c->chip, address, value);
     c->due = c->now;
 }
@@ -158,13 +159,14 @@ static void write_chip(struct arm_core *c, uint32_t address, uint32_t value)
                              void *context)                                                        \
     {                                                                                              \
         (void)uc;                                                                                  \
-        (void)size;                                                                                \
-        write_chip(context, (base) + (uint32_t)offset, (uint32_t)value);                           \
+        write_chip(context, (base) + (uint32_t)offset, (uint32_t)value, size);                     \
     }
 
 REGION(flash_port, 0x18000000u)     /* of an RP2040: its flash, */
 REGION(buses, 0x40000000u)
 REGION(core_port, 0xD0000000u)      /* and the pins of its cores */
+REGION(kept, 0x080C0000u)           /* of an STM32F405: sectors 10 and 11 of its flash, */
+REGION(about, 0x1FFF7000u)          /* and how much there is */
 
 
 // Running
@@ -267,6 +269,12 @@ int arm_core_start(struct arm_core *c, const char *file, int model, bool fpu)
         uc_mmio_map(c->uc, PPB, 0x100000, read_core, c, write_core, c) != UC_ERR_OK ||
         add_hook(c, UC_HOOK_BLOCK, on_block, 1, 0) != UC_ERR_OK) {
         fprintf(stderr, "unicorn: cannot make the chip\n");
+        return EX_SOFTWARE;
+    }
+    if (m->kept &&
+        (uc_mmio_map(c->uc, 0x080C0000, 0x40000, read_kept, c, write_kept, c) != UC_ERR_OK ||
+         uc_mmio_map(c->uc, 0x1FFF7000, 0x1000, read_about, c, write_about, c) != UC_ERR_OK)) {
+        fprintf(stderr, "unicorn: cannot make the flash of the chip\n");
         return EX_SOFTWARE;
     }
     find_sleep(c);

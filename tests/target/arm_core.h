@@ -21,6 +21,7 @@ struct arm_memory {
     uint32_t flash, flash_size, ram, ram_size;
     uint32_t image;                     /* the program runs in RAM, and is a copy of flash from this
                                          * address; or 0 */
+    bool kept;                          /* 0x080C0000.. is flash that the chip writes, 256 KB */
 };
 
 struct arm_frame {
@@ -33,6 +34,7 @@ struct arm_frame {
 struct arm_core {
     uc_engine *uc;
     struct arm_memory memory;
+    unsigned stored;                    /* bytes of the write that runs */
     uint8_t *flash_bytes, *ram_bytes;
     uint8_t *counts[2];                 /* instructions of the block at a half word; of RAM */
     uint32_t vectors;                   /* address of the table */

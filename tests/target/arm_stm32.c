@@ -1,4 +1,4 @@
-/* tests/target/arm_stm32.c -- registers of STM32 chips: timer 1, its DMA, USART 1, outputs
+/* tests/target/arm_stm32.c -- registers of STM32 chips: timer 1, its DMA, USART 1, outputs, flash
  * SPDX-License-Identifier: MIT
  *
  * RM0090 (stm32f405), RM0008 (stm32f103), RM0444 (stm32g0).
@@ -28,9 +28,44 @@ static bool asks_to_send(const struct chip *c)
     return *plain_register(c, usart(c, CONTROL)) >> 7 & 1;
 }
 
+/* The size of flash, in KB, is the upper half of its word. */
+static bool read_flash(struct chip *c, uint32_t address, uint32_t *value)
+{
+    const uint32_t at = c->kind->flashes;
+
+    if (!at)
+        return false;
+    if (address - ARM_FLASH_AT < 0x40000)
+        *value = *arm_flash_word(&c->flash, address);
+    else if (address == 0x1FFF7A20)
+        *value = 1024u << 16;
+    else if (address == at + ARM_FLASH_SR || address == at + ARM_FLASH_CR)
+        *value = arm_flash_read(&c->flash, address - at);
+    else
+        return false;
+    return true;
+}
+
+static bool write_flash(struct chip *c, uint32_t address, uint32_t value)
+{
+    const uint32_t at = c->kind->flashes;
+
+    if (!at || (address - ARM_FLASH_AT >= 0x40000 && address - at >= 0x18))
+        return false;
+    if (address - at < 0x18)
+        arm_flash_write(&c->flash, address - at, value);
+    else
+        arm_flash_store(&c->flash, address, value, c->core.stored);
+    c->core.now += (uint64_t)c->flash.takes * (c->kind->hz / 1000000);
+    return true;
+}
+
 static uint32_t read_register(struct chip *c, uint32_t address, uint32_t plain)
 {
     const struct kind *k = c->kind;
+
+    if (read_flash(c, address, &plain))
+        return plain;
 
     if (address == k->rcc)                      /* clocks that are on are ready */
         return plain | (plain & 0x01010001) << 1;
@@ -142,6 +177,8 @@ static void write_register(struct chip *c, uint32_t address, uint32_t value)
     const struct kind *k = c->kind;
     struct arm_stream *s = &c->stream;
 
+    if (write_flash(c, address, value))
+        return;
     if (address == k->bsrr)
         arm_pins_write(s, value, c->core.now);
     else if (address - k->timer < 0x80)

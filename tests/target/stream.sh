@@ -18,7 +18,7 @@ image_of() {
     esac
 }
 
-# on_arm BOARD OPTIONS COMMAND..: the board behind $tmp/port; as on_chip of rows.sh
+# on_arm BOARD OPTIONS COMMAND..: the board behind $tmp/port; as on_chip of rows.sh, $jobs too
 on_arm() {
     local board=$1 options=$2 child
     shift 2
@@ -28,6 +28,7 @@ on_arm() {
     child=$!
     for _ in $(seq 3000); do [ -e "$tmp/port" ] && break; sleep 0.02; done
     timeout -k 5 120 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; code=$?
+    [ -z "${jobs:-}" ] || kill $child 2>/dev/null
     timeout 30 tail --pid=$child -f /dev/null || kill $child
     wait $child
     sed 's/^/     /' "$tmp/chip.err"
@@ -164,6 +165,34 @@ burns() {
 levels() { awk -v n="$1" '/^# output/ && $3 == n { printf "%s%d", c, ($5 + 1) / 256; c = " " }' \
     "$tmp/chip.csv"; }
 
+# keeps BOARD: settings in its flash; the power fails in an early word of a change, and in a late
+# one
+keeps() {
+    local name="$1, settings" cut flash="--jobs 99 --flash $tmp/flash"
+    jobs=99
+    on_arm "$1" "$flash" "$loft" set steps_per_mm=80 max_speed=100 --port "$tmp/port"
+    row "$name: the command ends well"                      "$code" = 0
+    row "$name: words written"                              "$(value flash_written)" ">=" 50
+    row "$name: sectors erased"                             "$(value flash_erased)" = 1
+    row "$name: words written twice, orders refused" \
+        "$(value flash_again) $(value flash_refused)" = "0 0"
+    on_arm "$1" "$flash" "$loft" settings --port "$tmp/port"
+    row "$name: the next start has them"    "$(grep -c 'kept by the machine' "$tmp/out")" = 1
+    row "$name: steps/mm"               "$(sed -n 's/^steps_per_mm = //p' "$tmp/out")" = 80
+    row "$name: words written by a start"                   "$(value flash_written)" = 0
+    for cut in 2 40; do
+        on_arm "$1" "$flash --cut $cut" timeout 5 "$loft" set steps_per_mm=100 --port "$tmp/port"
+        on_arm "$1" "$flash" "$loft" settings --port "$tmp/port"
+        row "$name, the power fails in word $cut: steps/mm as before" \
+            "$(sed -n 's/^steps_per_mm = //p' "$tmp/out")" = 80
+    done
+    on_arm "$1" "$flash" "$loft" set steps_per_mm=100 --port "$tmp/port"
+    on_arm "$1" "$flash" "$loft" settings --port "$tmp/port"
+    row "$name: a change after that"    "$(sed -n 's/^steps_per_mm = //p' "$tmp/out")" = 100
+    jobs=
+}
+
+keeps stm32f405
 burns stm32f405
 rates stm32f405-fast 1000 168 0.10 84
 rates stm32g0-fast   320 200 0.60 63 60

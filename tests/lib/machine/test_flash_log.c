@@ -7,6 +7,7 @@
 #include "check.h"
 #include "flash_log.h"
 #include "machine/settings.h"
+#include "target/arm_flash.h"
 
 #define ROOM     100u
 #define WORDS    450u           /* of a sector: it is full after two or three writes of settings */
@@ -216,11 +217,65 @@ static void a_cut_leaves_the_old_or_the_new(arb *a)
     CHECK(olds >= 50);
 }
 
+static struct arm_flash chip;
+
+static void unlock_chip(uint32_t first, uint32_t second)
+{
+    arm_flash_write(&chip, ARM_FLASH_KEYR, first);
+    arm_flash_write(&chip, ARM_FLASH_KEYR, second);
+}
+
+static void order_chip(uint32_t order) { arm_flash_write(&chip, ARM_FLASH_CR, order); }
+
+static bool store_in_chip(uint32_t at, uint32_t value)
+{
+    arm_flash_store(&chip, ARM_FLASH_AT + 4 * at, value, 4);
+    return *arm_flash_word(&chip, ARM_FLASH_AT + 4 * at) == value;
+}
+
+/* The model of the emulated chip, RM0090, chapter 3: PSIZE 2 is a word; PG, SER, STRT. */
+static void the_controller_refuses_wrong_orders(arb *a)
+{
+    const uint32_t pg = 2u << 8 | 1, ser = 2u << 8 | 2, strt = 1u << 16,
+                   at = (uint32_t)arb_below(a, 2 * ARM_FLASH_WORDS),
+                   sector = ARM_FLASH_FIRST + at / ARM_FLASH_WORDS;
+    const uint32_t key = 0x45670123u ^ 1u << arb_below(a, 32);
+
+    arm_flash_erase_all(&chip);
+    arm_flash_reset(&chip);
+    CHECK(!store_in_chip(at, 0x1234u));                     /* locked */
+    unlock_chip(key, 0xCDEF89ABu);
+    unlock_chip(0x45670123u, 0xCDEF89ABu);                  /* too late, until reset */
+    order_chip(pg);
+    CHECK(!store_in_chip(at, 0x1234u) && chip.control == ARM_FLASH_LOCK);
+    arm_flash_reset(&chip);
+    unlock_chip(0x45670123u, 0xCDEF89ABu);
+    CHECK(!store_in_chip(at, 0x1234u) && chip.status >> 7 & 1);     /* without PG */
+    order_chip(1);
+    CHECK(!store_in_chip(at, 0x1234u) && chip.status >> 6 & 1);     /* PSIZE is a byte */
+    order_chip(pg);
+    CHECK(store_in_chip(at, 0x1234u));
+    CHECK(!store_in_chip(at, 0x4321u) && store_in_chip(at, 0x0220u));   /* zeros stay */
+    order_chip(ser | (sector ^ 1) << 3 | strt);
+    CHECK(*arm_flash_word(&chip, ARM_FLASH_AT + 4 * at) == 0x0220u);
+    order_chip(ser | 9u << 3 | strt);
+    order_chip(strt);
+    CHECK(*arm_flash_word(&chip, ARM_FLASH_AT + 4 * at) == 0x0220u);
+    order_chip(ser | sector << 3 | strt);
+    order_chip(pg);
+    CHECK(store_in_chip(at, 0x4321u));
+    order_chip(ARM_FLASH_LOCK);
+    CHECK(!store_in_chip(at, 0x4321u ^ 1) && chip.control >> 31);
+    arm_flash_write(&chip, ARM_FLASH_SR, 0xF3);
+    CHECK(chip.status == 0);
+}
+
 int main(void)
 {
     PROPERTY(a_word_with_missing_zeros_is_found, 2000);
     PROPERTY(bytes_are_kept, 100);
     PROPERTY(worn_flash_keeps_what_it_says, 100);
     PROPERTY(a_cut_leaves_the_old_or_the_new, 60);
+    PROPERTY(the_controller_refuses_wrong_orders, 200);
     return check_failures();
 }
