@@ -7,8 +7,9 @@
 #include "base/tool.h"       /* tool_grow */
 
 static const char *const names[CURVE_KINDS] = {
-    "bezier",          "line",          "rational", "parabola", "hermite3", "hermite5", "cardinal",
-    "natural uniform", "natural chord", "bspline",  "nurbs",    "arc"
+    "bezier",   "line",     "rational",        "parabola",      "hermite3",
+    "hermite5", "cardinal", "natural uniform", "natural chord", "bspline",
+    "nurbs",    "arc",      "spline",          "tcb",           "catmull"
 };
 
 const char *curve_name(enum curve_kind kind) { return names[kind]; }
@@ -19,6 +20,14 @@ bool curve_is_rational(const curve *c)
 }
 
 bool curve_extends(const curve *c) { return c->kind == CURVE_BEZIER || c->kind == CURVE_PARABOLA; }
+
+bool curve_hides_ends(const curve *c)
+{
+    return c->kind == CURVE_CARDINAL || c->kind == CURVE_TCB || c->kind == CURVE_CATMULL ||
+           (c->kind == CURVE_SPLINE && (c->ends == CURVE_THROUGH || c->ends == CURVE_SLOPE));
+}
+
+bool curve_is_closed(const curve *c) { return c->kind == CURVE_SPLINE && c->ends == CURVE_CLOSED; }
 
 static bool has_knots(const curve *c) { return c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS; }
 
@@ -49,7 +58,10 @@ unsigned curve_pieces(const curve *c)
     switch (c->kind) {
     case CURVE_BSPLINE:
     case CURVE_NURBS: return knot_pieces(c);
-    case CURVE_CARDINAL: return c->count - 3;
+    case CURVE_CARDINAL:
+    case CURVE_TCB:
+    case CURVE_CATMULL: return c->count - 3;
+    case CURVE_SPLINE: return c->count - (curve_hides_ends(c) ? 3 : curve_is_closed(c) ? 0 : 1);
     case CURVE_LINE:
     case CURVE_HERMITE3:
     case CURVE_HERMITE5:

@@ -35,20 +35,36 @@ enum curve_kind {
     CURVE_BSPLINE,
     CURVE_NURBS,
     CURVE_ARC,
+    CURVE_SPLINE,
+    CURVE_TCB,
+    CURVE_CATMULL,
     CURVE_KINDS
+};
+
+/* What completes a spline, as in curve/spline.h; the last two have a hidden point at each end. */
+enum curve_ends {
+    CURVE_CLOSED,
+    CURVE_CLAMPED,
+    CURVE_NOT_A_KNOT,
+    CURVE_THROUGH,
+    CURVE_SLOPE,
+    CURVE_ENDS
 };
 
 /* A point and its attributes. */
 typedef struct {
     double p[CURVE_AXES];       /* arc: start, centre, end                                      */
-    double d[2][CURVE_AXES];    /* hermite3: the first derivative; hermite5: the second as well */
+    double d[2][CURVE_AXES];    /* hermite3: the first derivative; hermite5: the second as well;
+                                 * clamped: that of the ends; tcb: tension, continuity, bias    */
     double w;                   /* rational, nurbs: the weight; parabola: its parameter         */
 } curve_point;
 
 typedef struct curve {
     enum curve_kind kind;
     unsigned degree;            /* of the pieces                                                */
-    double tension;             /* cardinal                                                     */
+    double tension;             /* cardinal; catmull: the power of the chords                   */
+    enum curve_ends ends;       /* spline                                                       */
+    bool chord;                 /* spline: knots by the chords                                  */
     int turns;                  /* arc: > 0 left about, counterclockwise; 2: beyond a full turn */
     curve_point *point;
     unsigned count;
@@ -68,6 +84,10 @@ const char *curve_name(enum curve_kind kind);
 /* Does it have weights? Is it a single Bezier curve, which extends beyond its ends? */
 bool curve_is_rational(const curve *c);
 bool curve_extends(const curve *c);
+
+/* Has it a first and a last point that only give directions? Does it end where it began? */
+bool curve_hides_ends(const curve *c);
+bool curve_is_closed(const curve *c);
 
 /* The number of pieces that are one polynomial (or rational) each, and the start of piece i; piece
  * `pieces` is the end. */

@@ -13,12 +13,15 @@
 #include "curve/bezier.h"           /* loft_bezier */
 #include "curve/bspline.h"          /* loft_bspline */
 #include "curve/cardinal.h"         /* loft_cardinal_eval */
+#include "curve/catmull.h"          /* loft_catmull_eval */
 #include "curve/circle.h"           /* loft_circle */
 #include "curve/hermite.h"          /* loft_hermite */
 #include "curve/natural.h"          /* loft_natural */
 #include "curve/nurbs.h"            /* loft_nurbs */
 #include "curve/parabola.h"         /* loft_bezier_from_parabola */
 #include "curve/rational.h"         /* loft_rational */
+#include "curve/spline.h"           /* loft_spline */
+#include "curve/tcb.h"              /* loft_tcb */
 
 #include "engine/curve.h"
 #include "engine/engine_num.h"  /* real_of, vec_of, point_of */
@@ -36,6 +39,9 @@ struct engine_curve {
     loft_unit tension;
     loft_natural natural;
     loft_natural_knot *memory;      /* of `natural` */
+    loft_spline spline;
+    loft_spline_knot *nodes;        /* of `spline` */
+    loft_tcb *way;
     loft_real *knot;
     loft_bspline bspline;
     loft_nurbs nurbs;
@@ -65,6 +71,8 @@ static void curve_close(engine_curve *e)
     free(e->weighted);
     free(e->d);
     free(e->memory);
+    free(e->nodes);
+    free(e->way);
     free(e->knot);
     free(e->before);
     free(e->cubic);
@@ -137,6 +145,38 @@ static int prepare_arc(engine_curve *e)
     return LOFT_OK;
 }
 
+static int prepare_spline(engine_curve *e)
+{
+    const curve *c = e->c;
+    const enum loft_spacing spacing = c->chord ? LOFT_CHORD : LOFT_UNIFORM;
+    const loft_vec slope[2] = { e->d[0][0], e->d[c->count - 1][0] };
+
+    e->nodes = tool_grow(NULL, c->count * sizeof *e->nodes);
+    switch (c->ends) {
+    case CURVE_CLAMPED:
+        return loft_spline_clamped_init(&e->spline, e->p, c->count, slope, spacing, e->nodes);
+    case CURVE_THROUGH:
+    case CURVE_SLOPE:
+        return loft_spline_hidden_init(
+            &e->spline, e->p, c->count,
+            c->ends == CURVE_SLOPE ? LOFT_HIDDEN_SLOPE : LOFT_HIDDEN_THROUGH, e->nodes);
+    default:
+        return loft_spline_init(&e->spline, e->p, c->count,
+                                c->ends == CURVE_CLOSED ? LOFT_ENDS_CLOSED : LOFT_ENDS_NOT_A_KNOT,
+                                spacing, e->nodes);
+    }
+}
+
+/* Tension, continuity and bias are parameters, not lengths. */
+static void prepare_ways(engine_curve *e)
+{
+    e->way = tool_grow(NULL, e->c->count * sizeof *e->way);
+    for (unsigned i = 0; i < e->c->count; i++) {
+        const double *d = e->c->point[i].d[0];
+        e->way[i] = (loft_tcb){ LOFT_UNIT(d[0]), LOFT_UNIT(d[1]), LOFT_UNIT(d[2]) };
+    }
+}
+
 static int prepare_curve(engine_curve *e)
 {
     const curve *c = e->c;
@@ -161,6 +201,8 @@ static int prepare_curve(engine_curve *e)
             list_spans(e, &e->nurbs.knots);
         return status;
     case CURVE_ARC: return prepare_arc(e);
+    case CURVE_SPLINE: return prepare_spline(e);
+    case CURVE_TCB: prepare_ways(e); return LOFT_OK;
     default: return LOFT_OK;
     }
 }
@@ -211,6 +253,9 @@ static int cubic_of(const engine_curve *e, unsigned i, loft_cubic *out)
     case CURVE_HERMITE3: return loft_cubic_from_hermite(&h, out);
     case CURVE_CARDINAL: return loft_cubic_from_cardinal(&e->p[i], e->tension, out);
     case CURVE_ARC:      *out = e->cubic[i]; return LOFT_OK;
+    case CURVE_SPLINE:   return loft_cubic_from_spline(&e->spline, i, out);
+    case CURVE_TCB:      return loft_cubic_from_tcb(&e->p[i], &e->way[i + 1], &e->way[i + 2], out);
+    case CURVE_CATMULL:  return loft_cubic_from_catmull(&e->p[i], e->tension, out);
     default:             return loft_cubic_from_natural(&e->natural, i, out);
     }
 }
@@ -235,6 +280,9 @@ static int piece_in_type(const engine_curve *e, unsigned i, part *out)
     case CURVE_NATURAL:
     case CURVE_CHORD:
     case CURVE_ARC:
+    case CURVE_SPLINE:
+    case CURVE_TCB:
+    case CURVE_CATMULL:
         status = cubic_of(e, i, &cubic);
         for (int k = 0; k < 4; k++)
             out->p[k] = cubic.p[k];
@@ -337,6 +385,10 @@ static int eval_local(const engine_curve *e, unsigned i, double local, loft_vec 
     case CURVE_NATURAL:
     case CURVE_CHORD: return loft_natural_eval(&e->natural, i, LOFT_UNIT(local), out);
     case CURVE_ARC: return loft_circle_eval(&e->circle, LOFT_UNIT(local), out);
+    case CURVE_SPLINE: return loft_spline_eval(&e->spline, i, LOFT_UNIT(local), out);
+    case CURVE_CATMULL: return loft_catmull_eval(&e->p[i], e->tension, LOFT_UNIT(local), out);
+    case CURVE_TCB:
+        return loft_tcb_eval(&e->p[i], &e->way[i + 1], &e->way[i + 2], LOFT_UNIT(local), out);
     default: return eval_piece(e, i, local, out);
     }
 }

@@ -1,12 +1,6 @@
 /* host-tools/engine/reference.c -- each kind of curve from its formula, in long double
  * SPDX-License-Identifier: MIT
  *
- * natural: with the steps h and the second derivatives M of the cubics between the points (de Boor,
- * A Practical Guide to Splines, ch. IV; M = 0 at both ends)
- *
- *     h[i-1] M[i-1] + 2 (h[i-1] + h[i]) M[i] + h[i] M[i+1] = 6 ((P[i+1] - P[i]) / h[i] - (P[i] -
- *     P[i-1]) / h[i-1])
- *
  * B-splines: de Boor's recurrence in homogeneous coordinates. Knots outside the curve's range are
  * used as they are.
  */
@@ -15,7 +9,6 @@
 #include <string.h>
 
 #include "engine/reference.h"
-#include "base/tool.h"       /* tool_grow */
 
 #define WIDE (CURVE_AXES + 1)       /* homogeneous: the weight is last */
 
@@ -91,6 +84,20 @@ static void eval_bspline(const curve *c, long double t, long double out[CURVE_AX
     project_point(d[n], out);
 }
 
+static bool is_spline(const curve *c)
+{
+    return c->kind == CURVE_NATURAL || c->kind == CURVE_CHORD || c->kind == CURVE_SPLINE;
+}
+
+static long double point_distance(const double a[CURVE_AXES], const double b[CURVE_AXES])
+{
+    long double sum = 0;
+
+    for (int i = 0; i < CURVE_AXES; i++)
+        sum += ((long double)b[i] - (long double)a[i]) * ((long double)b[i] - (long double)a[i]);
+    return sqrtl(sum);
+}
+
 static void eval_parabola(const curve *c, long double t, long double out[CURVE_AXES])
 {
     memset(out, 0, CURVE_AXES * sizeof *out);
@@ -124,49 +131,57 @@ static void eval_hermite(const curve *c, unsigned k, long double t, long double 
 
 /* From point k + 1 to k + 2 with the slopes s (P[k+2] - P[k]) and s (P[k+3] - P[k+1]), s = (1 -
  * tension) / 2. */
-static void eval_cardinal(const curve *c, unsigned k, long double t, long double out[CURVE_AXES])
+static void cardinal_slopes(const curve *c, const curve_point p[], int i, long double slope[2])
+{
+    const long double s = (1 - (long double)c->tension) / 2;
+
+    for (int k = 0; k < 2; k++)
+        slope[k] = s * ((long double)p[k + 2].p[i] - (long double)p[k].p[i]);
+}
+
+/* Kochanek and Bartels (1984). */
+static void tcb_slopes(const curve_point p[], int i, long double slope[2])
+{
+    for (int k = 0; k < 2; k++) {
+        const double *way   = p[k + 1].d[0];
+        const long double t = 1 - (long double)way[0], c = k ? -(long double)way[1] : way[1],
+                          b = (long double)way[2];
+        slope[k] = t * (1 + c) * (1 + b) / 2 * ((long double)p[k + 1].p[i] - p[k].p[i]) +
+                   t * (1 - c) * (1 - b) / 2 * ((long double)p[k + 2].p[i] - p[k + 1].p[i]);
+    }
+}
+
+/* Knots with the steps |P[i+1] - P[i]|^alpha: the slopes of the parabolas through three points. */
+static void catmull_slopes(const curve *c, const curve_point p[], int i, long double slope[2])
+{
+    long double h[3], d[3];
+
+    for (int k = 0; k < 3; k++) {
+        h[k] = powl(point_distance(p[k].p, p[k + 1].p), (long double)c->tension);
+        d[k] = ((long double)p[k + 1].p[i] - (long double)p[k].p[i]) / h[k];
+    }
+    for (int k = 0; k < 2; k++)
+        slope[k] = h[1] *
+                   (d[k] + d[k + 1] -
+                    ((long double)p[k + 2].p[i] - (long double)p[k].p[i]) / (h[k] + h[k + 1]));
+}
+
+static void eval_slopes(const curve *c, unsigned k, long double t, long double out[CURVE_AXES])
 {
     const curve_point *p = &c->point[k];
-    const long double s  = (1 - (long double)c->tension) / 2;
 
     for (int i = 0; i < CURVE_AXES; i++) {
-        const long double a = (long double)p[1].p[i], b = (long double)p[2].p[i];
-        const long double da = s * (b - (long double)p[0].p[i]),
-                          db = s * ((long double)p[3].p[i] - a);
-        out[i] = a + t * (da + t * (3 * (b - a) - 2 * da - db + t * (2 * (a - b) + da + db)));
+        const long double a = p[1].p[i], b = p[2].p[i];
+        long double d[2];
+        if (c->kind == CURVE_CARDINAL)
+            cardinal_slopes(c, p, i, d);
+        else if (c->kind == CURVE_TCB)
+            tcb_slopes(p, i, d);
+        else
+            catmull_slopes(c, p, i, d);
+        out[i] = a +
+                 t * (d[0] + t * (3 * (b - a) - 2 * d[0] - d[1] + t * (2 * (a - b) + d[0] + d[1])));
     }
-}
-
-static void eval_natural(const reference *r, unsigned k, long double t, long double out[CURVE_AXES])
-{
-    const curve_point *p = &r->c->point[k];
-    const long double h2 = r->step[k] * r->step[k] / 6, s = 1 - t;
-
-    for (int i = 0; i < CURVE_AXES; i++)
-        out[i] = s * (long double)p[0].p[i] + t * (long double)p[1].p[i] +
-                 h2 * ((s * s * s - s) * r->second[k][i] + (t * t * t - t) * r->second[k + 1][i]);
-}
-
-/* Elimination forward and back substitution (Thomas); the rows are diagonally dominant. */
-static void solve_second_derivatives(reference *r, int axis)
-{
-    const curve *c = r->c;
-    long double *over = tool_grow(NULL, c->count * sizeof *over);
-
-    over[0] = r->second[0][axis] = 0;
-    for (unsigned i = 1; i + 1 < c->count; i++) {
-        const long double a = r->step[i - 1], b = r->step[i];
-        const long double right =
-            6 * (((long double)c->point[i + 1].p[axis] - (long double)c->point[i].p[axis]) / b -
-                 ((long double)c->point[i].p[axis] - (long double)c->point[i - 1].p[axis]) / a);
-        const long double pivot = 2 * (a + b) - a * over[i - 1];
-        over[i] = b / pivot;
-        r->second[i][axis] = (right - a * r->second[i - 1][axis]) / pivot;
-    }
-    r->second[c->count - 1][axis] = 0;
-    for (unsigned i = c->count - 1; i-- > 1; )
-        r->second[i][axis] -= over[i] * r->second[i + 1][axis];
-    free(over);
 }
 
 /* Rotate about the centre by the fraction of the sweep. The difference of the radii at both ends,
@@ -192,30 +207,10 @@ static void eval_arc(const curve *c, long double t, long double out[CURVE_AXES])
     out[2] = (long double)p[0].p[2] + t * ((long double)p[2].p[2] - (long double)p[0].p[2]);
 }
 
-static long double point_distance(const double a[CURVE_AXES], const double b[CURVE_AXES])
-{
-    long double sum = 0;
-
-    for (int i = 0; i < CURVE_AXES; i++)
-        sum += ((long double)b[i] - (long double)a[i]) * ((long double)b[i] - (long double)a[i]);
-    return sqrtl(sum);
-}
-
 bool reference_init(reference *r, const curve *c)
 {
     *r = (reference){ .c = c };
-    if (c->kind != CURVE_NATURAL && c->kind != CURVE_CHORD)
-        return true;
-    r->step = tool_grow(NULL, c->count * sizeof *r->step);
-    r->second = tool_grow(NULL, c->count * sizeof *r->second);
-    for (unsigned i = 0; i + 1 < c->count; i++) {
-        r->step[i] = c->kind == CURVE_CHORD ? point_distance(c->point[i].p, c->point[i + 1].p) : 1;
-        if (!(r->step[i] > 0))
-            return false;
-    }
-    for (int i = 0; i < CURVE_AXES; i++)
-        solve_second_derivatives(r, i);
-    return true;
+    return !is_spline(c) || reference_spline_init(r);
 }
 
 void reference_free(reference *r)
@@ -238,9 +233,12 @@ void reference_eval(const reference *r, long double t, long double out[CURVE_AXE
     case CURVE_PARABOLA:                      eval_parabola(c, t, out); break;
     case CURVE_HERMITE3:
     case CURVE_HERMITE5: eval_hermite(c, k, local, out); break;
-    case CURVE_CARDINAL:                      eval_cardinal(c, k, local, out); break;
+    case CURVE_CARDINAL:
+    case CURVE_TCB:
+    case CURVE_CATMULL: eval_slopes(c, k, local, out); break;
     case CURVE_NATURAL:
-    case CURVE_CHORD: eval_natural(r, k, local, out); break;
+    case CURVE_CHORD:
+    case CURVE_SPLINE: reference_spline_eval(r, k, local, out); break;
     case CURVE_BSPLINE:
     case CURVE_NURBS: eval_bspline(c, t, out); break;
     case CURVE_LINE:

@@ -25,7 +25,7 @@ typedef struct {
 } reading;
 
 /* What follows the colon in a point line. */
-enum behind { NOTHING, A_WEIGHT, A_PARAMETER, A_VECTOR, TWO_VECTORS };
+enum behind { NOTHING, A_WEIGHT, A_PARAMETER, A_VECTOR, TWO_VECTORS, A_SLOPE, A_WAY };
 
 typedef struct {
     const char *word;
@@ -94,6 +94,39 @@ static int head_natural(reading *r)
     return head_bare(r);
 }
 
+static int head_spline(reading *r)
+{
+    static const char *const word[CURVE_ENDS] = { "closed", "clamped", "not-a-knot", "through",
+                                                  "slope" };
+    curve *c = r->now;
+    int ends = 0;
+
+    while (ends < CURVE_ENDS && !lines_word(&r->at, word[ends]))
+        ends++;
+    if (ends == CURVE_ENDS)
+        return lines_wrong(&r->at, "not the ends of a spline",
+                           "give closed, clamped, not-a-knot, through or slope");
+    c->degree = 3;
+    c->ends   = (enum curve_ends)ends;
+    c->chord  = !curve_hides_ends(c) && lines_word(&r->at, "chord");
+    if (!c->chord && scan_word(r->at.rest) > 0 && !lines_word(&r->at, "uniform"))
+        return lines_wrong(&r->at, "not a spacing of knots",
+                           curve_hides_ends(c) ? "give none: knots are uniform"
+                                               : "give uniform or chord");
+    return head_bare(r);
+}
+
+static int head_catmull(reading *r)
+{
+    r->now->degree = 3;
+    r->now->tension = 0.5;
+    if (lines_numbers_alone(&r->at, &r->now->tension, 1) < 0 ||
+        !(r->now->tension >= 0 && r->now->tension <= 1))
+        return lines_wrong(&r->at, "not a power of the chords",
+                           "give 0 to 1, or nothing for 0.5 (centripetal)");
+    return 0;
+}
+
 static int head_arc(reading *r)
 {
     const bool left = lines_word(&r->at, "left");
@@ -124,7 +157,12 @@ static const row rows[] = {
     { "natural", CURVE_NATURAL, head_natural, 2, NOTHING, "`x y` or `x y z`" },
     { "bspline", CURVE_BSPLINE, head_degree, 2, NOTHING, "`x y` or `x y z`" },
     { "nurbs", CURVE_NURBS, head_degree, 2, A_WEIGHT, "`x y : weight`, a weight of 1/256 to 256" },
-    { "arc", CURVE_ARC, head_arc, 3, NOTHING, "`x y` or `x y z`: start, centre, end" }
+    { "arc", CURVE_ARC, head_arc, 3, NOTHING, "`x y` or `x y z`: start, centre, end" },
+    { "spline", CURVE_SPLINE, head_spline, 2, A_SLOPE,
+      "`x y`, or at the ends of a clamped spline `x y : dx dy`" },
+    { "tcb", CURVE_TCB, head_cubic, 4, A_WAY,
+      "`x y` or `x y : tension continuity bias`, each -2 to 2" },
+    { "catmull", CURVE_CATMULL, head_catmull, 4, NOTHING, "`x y` or `x y z`" }
 };
 #define ROWS (sizeof rows / sizeof rows[0])
 
@@ -159,6 +197,23 @@ static int read_vector(reading *r, double out[CURVE_AXES])
 
 static bool read_scalar(reading *r, double *out) { return lines_numbers(&r->at, out, 1) == 1; }
 
+/* A slope that is not given is not a number. */
+static bool read_slope(reading *r, curve_point *p)
+{
+    p->d[0][0] = NAN;
+    return !lines_colon(&r->at) || read_vector(r, p->d[0]) > 0;
+}
+
+static bool read_way(reading *r, curve_point *p)
+{
+    if (!lines_colon(&r->at))
+        return true;
+    for (int i = 0; i < 3; i++)
+        if (!read_scalar(r, &p->d[0][i]) || !(fabs(p->d[0][i]) <= 2))
+            return false;
+    return true;
+}
+
 static bool what_is_behind(reading *r, enum behind behind, curve_point *p)
 {
     switch (behind) {
@@ -166,6 +221,8 @@ static bool what_is_behind(reading *r, enum behind behind, curve_point *p)
     case A_WEIGHT:    return !lines_colon(&r->at) || lines_weight(&r->at, &p->w);
     case A_PARAMETER: return lines_colon(&r->at) && read_scalar(r, &p->w);
     case A_VECTOR:    return lines_colon(&r->at) && read_vector(r, p->d[0]) > 0;
+    case A_SLOPE:     return read_slope(r, p);
+    case A_WAY:       return read_way(r, p);
     case TWO_VECTORS:
         return lines_colon(&r->at) && read_vector(r, p->d[0]) > 0 && lines_colon(&r->at) &&
                read_vector(r, p->d[1]) > 0;
@@ -287,6 +344,23 @@ static int check_radii(const lines *at, const curve *c)
     return lines_wrong(at, words, "give start, centre and end so that both are the same");
 }
 
+/* Slopes belong to the ends of a clamped spline, and to no other point. */
+static int check_slopes(const lines *at, curve *c)
+{
+    for (unsigned i = 0; i < c->count; i++) {
+        const bool wanted = c->ends == CURVE_CLAMPED && (i == 0 || i + 1 == c->count);
+        double *d = c->point[i].d[0];
+        if (isnan(d[0]) && wanted)
+            return lines_wrong(at, "a clamped spline without a slope at an end",
+                               "give its first and last point as `x y : dx dy`");
+        if (!isnan(d[0]) && !wanted)
+            return lines_wrong(at, "a slope at a point that takes none",
+                               "give slopes at the ends of `spline clamped` only");
+        d[0] = wanted ? d[0] : 0;
+    }
+    return 0;
+}
+
 /* The curve is complete: is it valid? */
 static int end_curve(reading *r)
 {
@@ -301,7 +375,10 @@ static int end_curve(reading *r)
     const bool bezier = kind->head == head_degree && !has_knots(c);
     if (bezier && !r->counted)
         c->degree = c->count > 0 ? c->count - 1 : 0;
-    const unsigned least = bezier && r->counted ? c->degree + 1 : kind->least;
+    const unsigned least = bezier && r->counted   ? c->degree + 1
+                           : curve_hides_ends(c) ? 4
+                           : curve_is_closed(c)  ? 3
+                                                 : kind->least;
     const unsigned most = bezier ? (r->counted ? c->degree + 1 : CURVE_DEGREE_MAX + 1)
                           : c->kind == CURVE_PARABOLA || c->kind == CURVE_ARC ? kind->least
                                                                               : most_points(c);
@@ -321,6 +398,7 @@ static int end_curve(reading *r)
     case CURVE_NURBS: return check_knots(&at, c);
     case CURVE_PARABOLA:                  return check_parameters(&at, c);
     case CURVE_ARC:                       return check_radii(&at, c);
+    case CURVE_SPLINE:                    return check_slopes(&at, c);
     default:                              return 0;
     }
 }
@@ -343,7 +421,7 @@ static int word_line(reading *r)
                            surface_begins(r->at.rest)
                                ? "surfaces go into a file of their own"
                                : "give bezier line rational parabola hermite3 hermite5 cardinal "
-                                 "natural bspline nurbs or arc");
+                                 "natural bspline nurbs arc spline tcb or catmull");
     }
     r->now     = curves_add(r->all, kind->kind, r->at.line);
     r->counted = false;

@@ -46,7 +46,15 @@ static void every_kind_is_read(arb *a)
                                "natural chord\n0 0\n1 0\n2 0\n"
                                "bspline 2\n0 0\n1 0\n2 0\n3 0\n"
                                "nurbs 1\nknots 0 0 1\nknots 3 3 # more\n0 0\n1 0 : 2\n2 0\n"
-                               "arc right 2\n5 6\n15 6\n15 16";
+                               "arc right 2\n5 6\n15 6\n15 16\n"
+                               "spline closed chord\n0 0\n1 0\n2 1\n"
+                               "spline clamped\n0 0 : 1 2\n1 0\n2 0 : 3 4 5\n"
+                               "spline not-a-knot uniform\n0 0\n1 0\n"
+                               "spline through\n0 0\n1 0\n2 0\n3 0\n"
+                               "spline slope\n0 0\n1 0\n2 0\n3 0\n4 0\n"
+                               "tcb\n0 0\n1 0 : 0.5 -1 2\n2 0\n3 0\n"
+                               "catmull\n0 0\n1 0\n2 0\n3 0\n"
+                               "catmull 1\n0 0\n1 0\n2 0\n3 0";
     static const struct {
         enum curve_kind kind;
         unsigned degree, count, pieces;
@@ -57,7 +65,11 @@ static void every_kind_is_read(arb *a)
                  { CURVE_HERMITE5, 5, 2, 1, 0, 1 }, { CURVE_CARDINAL, 3, 4, 1, 0, 1 },
                  { CURVE_CARDINAL, 3, 5, 2, 0, 2 }, { CURVE_NATURAL, 3, 2, 1, 0, 1 },
                  { CURVE_CHORD, 3, 3, 2, 0, 2 },    { CURVE_BSPLINE, 2, 4, 2, 0, 2 },
-                 { CURVE_NURBS, 1, 3, 2, 0, 3 },    { CURVE_ARC, 3, 3, 1, 0, 1 } };
+                 { CURVE_NURBS, 1, 3, 2, 0, 3 },    { CURVE_ARC, 3, 3, 1, 0, 1 },
+                 { CURVE_SPLINE, 3, 3, 3, 0, 3 },   { CURVE_SPLINE, 3, 3, 2, 0, 2 },
+                 { CURVE_SPLINE, 3, 2, 1, 0, 1 },   { CURVE_SPLINE, 3, 4, 1, 0, 1 },
+                 { CURVE_SPLINE, 3, 5, 2, 0, 2 },   { CURVE_TCB, 3, 4, 1, 0, 1 },
+                 { CURVE_CATMULL, 3, 4, 1, 0, 1 },  { CURVE_CATMULL, 3, 4, 1, 0, 1 } };
     const size_t count = sizeof want / sizeof want[0];
     curves all;
     (void)a;
@@ -87,6 +99,13 @@ static void every_kind_is_read(arb *a)
         CHECK_NEAR(all.curve[11].knot[6], 2, 0);
         CHECK_NEAR(all.curve[12].point[1].w, 2, 0);
         CHECK(all.curve[13].turns == -2);
+        CHECK(all.curve[14].chord && curve_is_closed(&all.curve[14]));
+        CHECK_NEAR(all.curve[15].point[2].d[0][2], 5, 0);
+        CHECK_NEAR(all.curve[15].point[1].d[0][0], 0, 0);
+        CHECK(curve_hides_ends(&all.curve[17]) && curve_hides_ends(&all.curve[18]));
+        CHECK_NEAR(all.curve[19].point[1].d[0][2], 2, 0);
+        CHECK_NEAR(all.curve[20].tension, 0.5, 0);
+        CHECK_NEAR(all.curve[21].tension, 1, 0);
     }
     curves_free(&all);
 }
@@ -130,6 +149,16 @@ static void what_is_wrong_is_said_with_its_line(arb *a)
     REFUSES_TEXT("cardinal x\n",                               "f.loft:1: not a tension");
     REFUSES_TEXT("cardinal\n0 0\n1 1\n2 2\n", "f.loft:1: cardinal with 3 points: give at least 4");
     REFUSES_TEXT("natural cubic\n",                            "f.loft:1: not a spacing of knots");
+    REFUSES_TEXT("spline\n", "f.loft:1: not the ends of a spline: give closed, clamped");
+    REFUSES_TEXT("spline through chord\n", "f.loft:1: not a spacing of knots: give none");
+    REFUSES_TEXT("spline closed cord\n", "f.loft:1: not a spacing of knots: give uniform");
+    REFUSES_TEXT("spline closed\n0 0\n1 1\n", "f.loft:1: spline with 2 points: give at least 3");
+    REFUSES_TEXT("spline slope\n0 0\n1 1\n2 0\n", "f.loft:1: spline with 3 points: give at least");
+    REFUSES_TEXT("spline clamped\n0 0 : 1 1\n1 1\n", "f.loft:1: a clamped spline without a slope");
+    REFUSES_TEXT("spline closed\n0 0\n1 1 : 1 0\n2 0\n", "f.loft:1: a slope at a point that");
+    REFUSES_TEXT("tcb\n0 0 : 1 1\n", "f.loft:2: not a point: `x y` or `x y : tension");
+    REFUSES_TEXT("tcb\n0 0 : 0 0 2.1\n", "f.loft:2: not a point");
+    REFUSES_TEXT("catmull 1.5\n", "f.loft:1: not a power of the chords: give 0 to 1");
     REFUSES_TEXT("natural chords\n",                           "f.loft:1: not a spacing of knots");
     REFUSES_TEXT("bspline\n",                                  "f.loft:1: no degree");
     REFUSES_TEXT("bspline 3\n0 0\n1 1\n2 2\n",
@@ -175,6 +204,10 @@ static void any_text_is_read_or_refused(arb *a)
                                          "hermite5\n",
                                          "cardinal 1\n",
                                          "natural chord\n",
+                                         "spline closed\n",
+                                         "spline clamped chord\n",
+                                         "tcb\n",
+                                         "catmull\n",
                                          "bspline 1\n",
                                          "nurbs 2\n",
                                          "arc left\n",

@@ -24,7 +24,7 @@ static curve_point random_point(arb *a, const curve *c, double ascending)
 
     for (int i = 0; i < CURVE_AXES; i++) {
         p.p[i] = random_to(a, 100) + (c->count % 2 ? 202 : 0);
-        p.d[0][i] = random_to(a, 100);
+        p.d[0][i] = random_to(a, c->kind == CURVE_TCB ? 2 : 100);
         p.d[1][i] = random_to(a, 100);
     }
     return p;
@@ -72,7 +72,9 @@ static curve *random_curve(arb *a, curves *all)
     unsigned count   = 4 + arb_below(a, 8);
 
     c->degree  = degrees[c->kind] ? degrees[c->kind] : 3;
-    c->tension = random_to(a, 2);
+    c->tension = c->kind == CURVE_CATMULL ? (double)arb_below(a, 5) / 4 : random_to(a, 2);
+    c->ends    = (enum curve_ends)arb_below(a, CURVE_ENDS);
+    c->chord   = !curve_hides_ends(c) && arb_below(a, 2);
     if (c->kind == CURVE_ARC) {
         random_arc(a, c);
         return c;
