@@ -1661,6 +1661,15 @@ for p, w in zip(net, weight):
 PY
     run 0 "$loft" surface --num f64 --n 16 -o "$tmp/eighth.ply" "$tmp/eighth.loft"
     run 0 "$loft" surface --n 8 -o "$tmp/all.stl" tests/drawings/surfaces.loft
+    for num in q16 f32 f64; do
+        run 0 "$loft" surface --num $num --tol 0.05 -o "$tmp/fine.stl" "$tmp/ball.loft"
+        says out 'Euler number 2, closed$'
+        awk '/^volume/ { exit !($2 > 33510.33 - $4 && $2 < 33510.33 + $4 && $4 < 260) }' \
+            "$tmp/out" || job_fails "$num: $(cat "$tmp/out")"
+        run 0 "$loft" surface --num $num --tol 0.05 -o "$tmp/fine.ply" tests/drawings/ring.loft
+        says out 'Euler number 0, not closed: [0-9]* edges open, 0 turned, 0 of'
+    done
+    one_line 64 'give one of them' "$loft" surface --n 8 --tol 1 "$tmp/ball.loft"
     cat >"$tmp/read.py" <<'PY'
 import math, struct, sys
 tmp = sys.argv[1]
