@@ -47,19 +47,21 @@ uint8_t loft_action_encode(uint8_t *byte, const loft_predictor *p, const loft_it
     return n;
 }
 
-const uint8_t *loft_action_decode(const uint8_t *byte, const loft_predictor *p, loft_item *item)
+const uint8_t *loft_action_decode(const uint8_t *byte, loft_predictor *p, loft_item *item)
 {
     const uint8_t what = byte[1];
 
     byte += 2;
     const uint32_t word = loft_varint_decode(&byte);
     for (int i = 0; i < LOFT_AXES; i++) {
+        p->position[i] += loft_residual_decode(&byte);
+        p->change[i] = p->bend[i] = 0;
         item->p[0][i] = item->p[1][i] = 0;
-        item->p[2][i] = loft_word_signed(p->position[i] + loft_residual_decode(&byte));
+        item->p[2][i] = loft_word_signed(p->position[i]);
     }
     item->p[0][0] = loft_word_signed(word);
     item->p[1][0] = what;
-    item->ticks   = 0;
+    item->ticks = p->ticks = 0;
     return byte;
 }
 

@@ -38,7 +38,7 @@ loft_action loft_item_action(const volatile loft_item *item);
 uint8_t loft_action_encode(uint8_t *byte, const loft_predictor *p, const loft_item *item);
 
 /* Decode it; returns the end of the bytes, which loft_action_size has checked. */
-const uint8_t *loft_action_decode(const uint8_t *byte, const loft_predictor *p, loft_item *item);
+const uint8_t *loft_action_decode(const uint8_t *byte, loft_predictor *p, loft_item *item);
 
 /* The length of the action at byte[0]; 0 if it is not valid. */
 uint8_t loft_action_size(const uint8_t *byte, uint8_t left);

@@ -11,6 +11,9 @@
 /* All differences are unsigned, modulo 2^32. So nothing overflows, and every int32 is restored
  * exactly. */
 
+/* A machine that never plans takes no curves: 750 bytes of an AVR. */
+static bool is_curve(enum loft_kind kind) { return LOFT_MACHINE_PLANS > 0 && kind == LOFT_CURVES; }
+
 static bool is_point(enum loft_kind kind)
 {
     return kind == LOFT_POINTS || kind == LOFT_POINTS_FINE;
@@ -22,27 +25,43 @@ static bool is_action(enum loft_kind kind, const loft_item *item)
     return LOFT_MACHINE_OUTPUTS > 0 && kind == LOFT_SPANS && item->ticks == 0;
 }
 
+static void add_to(uint32_t sum[LOFT_AXES], const uint32_t x[LOFT_AXES])
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        sum[i] += x[i];
+}
+
+/* Move on by `change`. */
+static void move_on(loft_predictor *p, int32_t out[LOFT_AXES])
+{
+    add_to(p->position, p->change);
+    for (int i = 0; i < LOFT_AXES; i++)
+        out[i] = loft_word_signed(p->position[i]);
+}
+
 void loft_predictor_init(loft_predictor *p, const int32_t start[LOFT_AXES])
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         p->position[i] = (uint32_t)start[i];
         p->change[i]   = p->bend[i] = 0;
     }
+    p->ticks = 0;
 }
 
 void loft_predictor_next(loft_predictor *p, enum loft_kind kind, const loft_item *item)
 {
+    const bool point = is_point(kind), action = is_action(kind, item);
+
     for (int i = 0; i < LOFT_AXES; i++) {
-        const uint32_t before = is_point(kind)     ? p->position[i]
-                                : is_action(kind, item) ? (uint32_t)item->p[2][i]
-                                                        : (uint32_t)item->p[1][i];
-        const uint32_t change = p->change[i];
-        p->position[i] = (uint32_t)item->p[2][i];
-        p->change[i]   = p->position[i] - before;
-        p->bend[i]     = is_point(kind) ? p->change[i] - change : 0;
+        const uint32_t p1 = (uint32_t)item->p[0][i], p2 = (uint32_t)item->p[1][i];
+        const uint32_t p3 = (uint32_t)item->p[2][i], last = p->change[i];
+        const uint32_t change = action ? 0 : p3 - (point ? p->position[i] : p2);
+        p->position[i] = p3;
+        p->change[i]   = change;
+        p->bend[i] = point ? change - last : kind == LOFT_SPANS && !action ? change - (p2 - p1) : 0;
     }
-    if (kind == LOFT_CURVES)
-        p->bend[0] = item->ticks;
+    if (!point)
+        p->ticks = item->ticks;
 }
 
 uint32_t loft_predictor_seal(const loft_predictor *p)
@@ -53,52 +72,102 @@ uint32_t loft_predictor_seal(const loft_predictor *p)
         crc = loft_crc32(crc, p->change[i]);
         crc = loft_crc32(crc, p->bend[i]);
     }
-    return crc;
+    return loft_crc32(crc, p->ticks);
 }
 
 
-// Spans: ticks, then three residuals per axis
-// -------------------------------------------
+// Spans: ticks, and which differences are not as expected; then these
+// -------------------------------------------------------------------
+//
+// Where velocity and acceleration go on from one span to the next, p1 and p2 follow from the span
+// before: in m times its ticks change becomes m times and bend m^2 times as large. So a span of a
+// C2 spline is its jerk alone, one number for each axis, as a control point would be; and what is
+// no such spline costs a few bytes more.
+//
+//     r1 = (p1 - p0) - change'            change': change * ticks / those of the last, rounded
+//     r2 = (p2 - 2 p1 + p0) - bend'       bend': the same of bend, twice
+//     e3 = p3 - 3 p2 + 3 p1 - p0
+//
+// each modulo 2^32, products too: so a prediction may be bad, and is still the same at both ends.
+// In a plan r1 is not 0 in one of three axes, since coordinates are rounded to 2^-16 mm.
 
-/* e1 = (p1 - p0) - change     the jump of the velocity: 0 in a smooth chain of equal spans
- * e2 = p2 - 2 p1 + p0         acceleration
- * e3 = p3 - 3 p2 + 3 p1 - p0  jerk
- *
- * each modulo 2^32. The three equations have a unit diagonal, so p1, p2, p3 are restored
- * exactly. */
+/* Bits of the form: for all axes e3, then r2, then r1. The frequent ones are low, so that a varint
+ * has one byte. */
+#define FORM_BITS (3 * LOFT_AXES)
+
+/* Differences in another number of ticks, to nearest. */
+static void stretch(uint32_t difference[LOFT_AXES], uint16_t ticks, uint16_t before)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const bool negative = difference[i] & 0x80000000u;
+        uint32_t size = negative ? 0u - difference[i] : difference[i];
+
+        size          = (size * ticks + before / 2u) / before;
+        difference[i] = negative ? 0u - size : size;
+    }
+}
+
+/* Expect a span of `ticks`. Before the first span and after an action all differences are 0, and so
+ * are the ticks. */
+static void expect_ticks(loft_predictor *p, uint16_t ticks)
+{
+    if (p->ticks != 0 && p->ticks != ticks) {
+        stretch(p->change, ticks, p->ticks);
+        stretch(p->bend, ticks, p->ticks);
+        stretch(p->bend, ticks, p->ticks);
+    }
+    p->ticks = ticks;
+}
+
 static uint8_t put_span(uint8_t *byte, const loft_predictor *p, const loft_item *item)
 {
-    if (is_action(LOFT_SPANS, item))
-        return loft_action_encode(byte, p, item);
-    uint8_t n = loft_varint_encode(byte, item->ticks);
+    uint32_t rest[FORM_BITS], form = 0;
+    loft_predictor to = *p;
+
+    expect_ticks(&to, item->ticks);
     for (int i = 0; i < LOFT_AXES; i++) {
         const uint32_t p0 = p->position[i],          p1 = (uint32_t)item->p[0][i];
         const uint32_t p2 = (uint32_t)item->p[1][i], p3 = (uint32_t)item->p[2][i];
-        n = (uint8_t)(n + loft_residual_encode(byte + n, p1 - p0 - p->change[i]));
-        n = (uint8_t)(n + loft_residual_encode(byte + n, p2 - 2u*p1 + p0));
-        n = (uint8_t)(n + loft_residual_encode(byte + n, p3 - 3u*p2 + 3u*p1 - p0));
+        rest[i]                 = p3 - 3u*p2 + 3u*p1 - p0;
+        rest[LOFT_AXES + i]     = p2 - 2u*p1 + p0 - to.bend[i];
+        rest[2 * LOFT_AXES + i] = p1 - p0 - to.change[i];
     }
+    for (int k = 0; k < FORM_BITS; k++)
+        form |= (uint32_t)(rest[k] != 0) << k;
+
+    uint8_t n = loft_varint_encode(byte, item->ticks);
+    n = (uint8_t)(n + loft_varint_encode(byte + n, form));
+    for (int k = 0; k < FORM_BITS; k++)
+        if (rest[k] != 0)
+            n = (uint8_t)(n + loft_residual_encode(byte + n, rest[k]));
     return n;
 }
 
-static const uint8_t *get_span(const uint8_t *byte, const loft_predictor *p, loft_item *item)
+/* The second difference is bend at p0, and bend + e3 at p3: adding them up gives the points, and
+ * what the next prediction needs. */
+static const uint8_t *get_span(const uint8_t *byte, loft_predictor *p, loft_item *item)
 {
-    if (LOFT_MACHINE_OUTPUTS > 0 && *byte == 0)
-        return loft_action_decode(byte, p, item);
+    uint32_t e3[LOFT_AXES] = { 0 }, *const to[3] = { e3, p->bend, p->change };
+
     item->ticks = (uint16_t)loft_varint_decode(&byte);
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const uint32_t p0 = p->position[i];
-        const uint32_t p1 = loft_residual_decode(&byte) + p0 + p->change[i];
-        const uint32_t p2 = loft_residual_decode(&byte) + 2u*p1 - p0;
-        const uint32_t p3 = loft_residual_decode(&byte) + 3u*(p2 - p1) + p0;
-        item->p[0][i] = loft_word_signed(p1);
-        item->p[1][i] = loft_word_signed(p2);
-        item->p[2][i] = loft_word_signed(p3);
+    expect_ticks(p, item->ticks);
+    uint32_t form = loft_varint_decode(&byte);
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < LOFT_AXES; i++, form >>= 1)
+            if (form & 1u)
+                to[k][i] += loft_residual_decode(&byte);
+
+    for (int k = 0; k < 3; k++) {
+        if (k == 2)
+            add_to(p->bend, e3);
+        if (k > 0)
+            add_to(p->change, p->bend);
+        move_on(p, item->p[k]);
     }
     return byte;
 }
 
-/* The length of the span at byte[0]; 0 if it is not valid. */
+/* The length of the span at byte[0]; 0 if it is not valid, or not the shortest form. */
 static uint8_t span_size(const uint8_t *byte, uint8_t left)
 {
     const uint8_t *at = byte;
@@ -108,13 +177,20 @@ static uint8_t span_size(const uint8_t *byte, uint8_t left)
     if (size == 0 || size > 2)
         return 0;
     const uint32_t ticks = loft_varint_decode(&at);
-    if (ticks < 1 || ticks > LOFT_SPAN_TICKS_MAX)
+    const uint8_t n = loft_varint_size(at, (uint8_t)(left - size));
+    if (ticks < 1 || ticks > LOFT_SPAN_TICKS_MAX || n == 0)
         return 0;
-    for (uint8_t i = 0; i < 3 * LOFT_AXES; i++) {
-        const uint8_t n = loft_varint_size(byte + size, (uint8_t)(left - size));
-        if (n == 0)
+    const uint32_t form = loft_varint_decode(&at);
+    size = (uint8_t)(size + n);
+    if (form >> FORM_BITS != 0)
+        return 0;
+    for (uint32_t bits = form; bits != 0; bits >>= 1) {
+        if (!(bits & 1u))
+            continue;
+        const uint8_t more = loft_varint_size(byte + size, (uint8_t)(left - size));
+        if (more == 0 || byte[size] == 0)
             return 0;
-        size = (uint8_t)(size + n);
+        size = (uint8_t)(size + more);
     }
     return size;
 }
@@ -144,17 +220,19 @@ static uint8_t put_point(uint8_t *byte, enum loft_kind kind, const loft_predicto
 
 /* vel += r; pos += vel */
 static const uint8_t *get_point(const uint8_t *byte, bool still, enum loft_kind kind,
-                                const loft_predictor *p, loft_item *item)
+                                loft_predictor *p, loft_item *item)
 {
     uint32_t r[LOFT_AXES] = { 0 };
 
-    item->ticks = 1;
     if (!still)
         byte = loft_point_decode(byte, r);
     for (int i = 0; i < LOFT_AXES; i++) {
         item->p[0][i] = item->p[1][i] = 0;
-        item->p[2][i] = loft_word_signed(predicted_position(kind, p, i) + r[i]);
+        p->bend[i] = r[i] + (kind == LOFT_POINTS_FINE ? p->bend[i] : 0);
     }
+    add_to(p->change, p->bend);
+    move_on(p, item->p[2]);
+    item->ticks = 1;
     return byte;
 }
 
@@ -201,9 +279,10 @@ static uint16_t max_ticks(enum loft_kind kind)
 static uint8_t put_item(uint8_t *byte, enum loft_kind kind, const loft_predictor *p,
                         const loft_item *item)
 {
-    return kind == LOFT_CURVES ? loft_curve_encode(byte, p, item)
-           : kind == LOFT_SPANS ? put_span(byte, p, item)
-                                : put_point(byte, kind, p, item);
+    return kind == LOFT_CURVES     ? loft_curve_encode(byte, p, item)
+           : is_action(kind, item) ? loft_action_encode(byte, p, item)
+           : kind == LOFT_SPANS    ? put_span(byte, p, item)
+                                   : put_point(byte, kind, p, item);
 }
 
 enum loft_status loft_packer_push(loft_packer *p, const loft_item *item)
@@ -235,7 +314,7 @@ enum loft_status loft_packer_push(loft_packer *p, const loft_item *item)
 
 static uint8_t item_size(enum loft_kind kind, const uint8_t *byte, uint8_t left)
 {
-    return kind == LOFT_CURVES  ? loft_curve_size(byte, left)
+    return is_curve(kind)       ? loft_curve_size(byte, left)
            : kind == LOFT_SPANS ? span_size(byte, left)
                                 : loft_point_size(byte, left);
 }
@@ -268,8 +347,10 @@ bool loft_unpacker_next(loft_unpacker *u, loft_predictor *predictor, loft_item *
     u->count--;
 
     if (u->kind == LOFT_SPANS) {
-        u->byte = get_span(u->byte, predictor, out);
-    } else if (u->kind == LOFT_CURVES) {
+        const bool action = LOFT_MACHINE_OUTPUTS > 0 && *u->byte == 0;
+        u->byte = action ? loft_action_decode(u->byte, predictor, out)
+                         : get_span(u->byte, predictor, out);
+    } else if (is_curve((enum loft_kind)u->kind)) {
         u->byte = loft_curve_decode(u->byte, predictor, out);
     } else {
         if (u->run == 0 && *u->byte >= LOFT_POINT_RUN)
@@ -278,7 +359,6 @@ bool loft_unpacker_next(loft_unpacker *u, loft_predictor *predictor, loft_item *
         if (u->run > 0)
             u->run--;
     }
-    loft_predictor_next(predictor, (enum loft_kind)u->kind, out);
     return true;
 }
 

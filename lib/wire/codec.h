@@ -3,8 +3,8 @@
  *
  * A job is a row of items of one kind, numbered from 0:
  *
- *   spans     a cubic in time per axis, in mm as raw Q16.16, for a whole number of ticks; among
- *             them actions (action_code.h)
+ *   spans     a cubic in time per axis, in mm as raw Q16.16, for a whole number of ticks: its jerk,
+ *             where velocity and acceleration go on; among them actions (action_code.h)
  *   points    a position in machine steps, one per tick: its second difference or, in fine units,
  *             its third
  *   curves    a cubic in mm as raw Q16.16 and a feed, for a machine that plans
@@ -44,19 +44,20 @@ static inline uint16_t loft_item_lasts(const volatile loft_item *item)
     return LOFT_MACHINE_OUTPUTS > 0 && ticks == 0 ? 1 : ticks;
 }
 
-/* The largest size of a span or a point in bytes, with residuals of five bytes (curves:
+/* The largest size of a span or a point in bytes: ticks, form, residuals of five bytes (curves:
  * curve_code.h). A frame must have room for it. */
-#define LOFT_ITEM_BYTES (2 + 15 * LOFT_AXES)
-#if LOFT_FRAME_MAX < 13 + 15 * LOFT_AXES
-#  error "a frame must hold the largest item: LOFT_FRAME_MAX must be at least 13 + 15 * LOFT_AXES"
+#define LOFT_ITEM_BYTES (2 + (3 * LOFT_AXES + 6) / 7 + 15 * LOFT_AXES)
+#if LOFT_FRAME_MAX < 14 + 16 * LOFT_AXES
+#  error "a frame must hold the largest item: LOFT_FRAME_MAX must be at least 14 + 16 * LOFT_AXES"
 #endif
 
 /* The predictor: the state that both ends know before an item. */
 typedef struct {
     uint32_t position[LOFT_AXES];       /* the end of the last item */
     uint32_t change[LOFT_AXES];         /* spans, curves: its p3 - p2; points: its step */
-    uint32_t bend[LOFT_AXES];           /* points: the change of the step; curves: the feed is
-                                         * bend[0]; else 0 */
+    uint32_t bend[LOFT_AXES];           /* spans: its p3 - 2 p2 + p1; points: the change of the
+                                         * step; curves: 0 */
+    uint16_t ticks;                     /* spans: its ticks; curves: its feed; points: 0 */
 } loft_predictor;
 
 /* A packer: items become bytes. */
@@ -89,7 +90,7 @@ void loft_predictor_next(loft_predictor *p, enum loft_kind kind, const loft_item
 /* The seal of a frame, from the state before its first item: a CRC-32C of all its numbers.
  *
  *   error   two different states agree with probability 2^-32
- *   cost    12 LOFT_AXES CRC steps
+ *   cost    12 LOFT_AXES + 4 CRC steps
  */
 uint32_t loft_predictor_seal(const loft_predictor *p);
 
@@ -126,7 +127,8 @@ enum loft_status loft_unpacker_init(loft_unpacker *u, enum loft_kind kind, const
 
 /* Give the next item and move the predictor past it. Returns false when there are no more.
  *
- *   cost    additions and shifts only
+ *   cost    additions and shifts; for a span that lasts another time than the one before it also 3
+ *           products and quotients of 32 bits per axis
  */
 bool loft_unpacker_next(loft_unpacker *u, loft_predictor *predictor, loft_item *out);
 

@@ -48,7 +48,7 @@ static bool moves(const loft_predictor *p, const loft_item *item, int i)
 uint8_t loft_curve_encode(uint8_t byte[LOFT_CURVE_BYTES], const loft_predictor *p,
                           const loft_item *item)
 {
-    const bool straight = is_straight(p, item), feed = item->ticks != p->bend[0];
+    const bool straight = is_straight(p, item), feed = item->ticks != p->ticks;
     uint8_t n = 1;
 
     byte[0] = (uint8_t)((straight ? STRAIGHT : 0u) | (feed ? FEED : 0u));
@@ -71,11 +71,11 @@ uint8_t loft_curve_encode(uint8_t byte[LOFT_CURVE_BYTES], const loft_predictor *
     return n;
 }
 
-const uint8_t *loft_curve_decode(const uint8_t *byte, const loft_predictor *p, loft_item *item)
+const uint8_t *loft_curve_decode(const uint8_t *byte, loft_predictor *p, loft_item *item)
 {
     const uint8_t form = *byte++;
 
-    item->ticks = (uint16_t)(form & FEED ? loft_varint_decode(&byte) : p->bend[0]);
+    item->ticks = form & FEED ? (uint16_t)loft_varint_decode(&byte) : p->ticks;
     for (int i = 0; i < LOFT_AXES; i++) {
         const uint32_t p0 = p->position[i];
         uint32_t p1 = p0, p2 = p0, p3 = p0;
@@ -91,7 +91,11 @@ const uint8_t *loft_curve_decode(const uint8_t *byte, const loft_predictor *p, l
         item->p[0][i] = loft_word_signed(p1);
         item->p[1][i] = loft_word_signed(p2);
         item->p[2][i] = loft_word_signed(p3);
+        p->position[i] = p3;
+        p->change[i]   = p3 - p2;
+        p->bend[i]     = 0;
     }
+    p->ticks = item->ticks;
     return byte;
 }
 

@@ -22,7 +22,7 @@ uint8_t loft_curve_encode(uint8_t byte[LOFT_CURVE_BYTES], const loft_predictor *
                           const loft_item *item);
 
 /* Read a curve that loft_curve_size has accepted. Returns the address after it. */
-const uint8_t *loft_curve_decode(const uint8_t *byte, const loft_predictor *p, loft_item *item);
+const uint8_t *loft_curve_decode(const uint8_t *byte, loft_predictor *p, loft_item *item);
 
 /* The length of the curve at byte[0]; 0 if it is not valid. */
 uint8_t loft_curve_size(const uint8_t *byte, uint8_t left);

@@ -16,7 +16,7 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_WIRE_VERSION 2
+#define LOFT_WIRE_VERSION 3
 
 enum loft_message {
     LOFT_HELLO = 0x1,

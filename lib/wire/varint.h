@@ -10,11 +10,8 @@
 
 #include "num/num.h"    /* the integer types */
 
-/* The signed value of a word. */
-static inline int32_t loft_word_signed(uint32_t x)
-{
-    return x & 0x80000000u ? -(int32_t)~x - 1 : (int32_t)x;
-}
+/* The signed value of a word: each compiler takes it modulo 2^32. */
+static inline int32_t loft_word_signed(uint32_t x) { return (int32_t)x; }
 
 /* Write x. Returns the number of bytes, 1..5. */
 static inline uint8_t loft_varint_encode(uint8_t *byte, uint32_t x)

@@ -7,6 +7,7 @@
 #include "wire/action_code.h"   /* loft_action_item */
 #include "wire/codec.h"
 #include "wire/curve_code.h"    /* LOFT_CURVE_BYTES */
+#include "wire/varint.h"        /* loft_varint_encode */
 
 /* Any int32; extremes and small numbers are frequent. */
 static int32_t arb_int32(arb *a)
@@ -138,6 +139,7 @@ static loft_predictor arb_predictor(arb *a)
         p.change[i]   = (uint32_t)arb_int32(a);
         p.bend[i]     = (uint32_t)arb_int32(a);
     }
+    p.ticks = (uint16_t)arb_below(a, 1 + LOFT_SPAN_TICKS_MAX);
     return p;
 }
 
@@ -145,7 +147,7 @@ static bool same_predictor(const loft_predictor *a, const loft_predictor *b)
 {
     return memcmp(a->position, b->position, sizeof a->position) == 0 &&
            memcmp(a->change, b->change, sizeof a->change) == 0 &&
-           memcmp(a->bend, b->bend, sizeof a->bend) == 0;
+           memcmp(a->bend, b->bend, sizeof a->bend) == 0 && a->ticks == b->ticks;
 }
 
 enum { MANY = 300 };
@@ -265,7 +267,7 @@ static void ticks_out_of_range_are_refused(arb *a)
     CHECK(loft_packer_push(&p, &item) == LOFT_ERR_RANGE && p.size == 0);
 }
 
-/* The largest item: every residual needs five bytes (spans) or four (points). */
+/* The largest item: every residual needs five bytes (spans, curves) or four (points). */
 static void the_largest_item_fits_its_bytes(arb *a)
 {
     const int32_t zero[LOFT_AXES] = { 0 };
@@ -335,7 +337,7 @@ static void lines_take_one_residual_for_each_axis(arb *a)
 
     item.ticks = (uint16_t)(1 + arb_below(a, 65535));
     loft_packer_init(&p, LOFT_CURVES, &start, byte, 255);
-    p.predictor.bend[0] = item.ticks;
+    p.predictor.ticks = item.ticks;
     for (int i = 0; i < LOFT_AXES; i++) {
         const int32_t by = arb_below(a, 3)
                                ? (int32_t)(1 + arb_below(a, 1u << 27)) * (arb_below(a, 2) ? -1 : 1)
@@ -387,7 +389,7 @@ static void any_bytes_are_items_or_refused(arb *a)
 
     if (kind == LOFT_CURVES)                /* the first curve of a job must say its feed, which the
                                              * machine sees to */
-        start.bend[0] = 1 + arb_below(a, 65535);
+        start.ticks = (uint16_t)(1 + arb_below(a, 65535));
     for (int i = 0; i < size; i++)
         byte[i] = (uint8_t)(arb_below(a, 3) ? arb_below(a, 128) : arb_next(a));
     for (int count = 0; count < 256; count++) {
@@ -443,29 +445,73 @@ static void a_wrong_count_or_length_is_refused(arb *a)
 static void other_spellings_of_a_span_are_refused(arb *a)
 {
     uint8_t byte[LOFT_ITEM_BYTES + 4] = { 0 };
-    const uint8_t size = 1 + 3 * LOFT_AXES;
     loft_unpacker u;
     (void)a;
 
-    byte[0] = 1;
-    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, size, 1) == LOFT_OK);
-    byte[0] = 0;                                        /* an action: shorter */
+    byte[0] = 1;                                        /* all goes on as it did */
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, 2, 1) == LOFT_OK);
+    byte[0] = 0;                                        /* an action */
     CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(3 + LOFT_AXES), 1) == LOFT_OK);
     CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(2 + LOFT_AXES), 1) == LOFT_ERR_DATA);
     byte[1] = 0x10;                                     /* what there is not */
     CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(3 + LOFT_AXES), 1) == LOFT_ERR_DATA);
     byte[0] = 0x80, byte[1] = 0x08;                                     /* 1024 ticks */
-    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 1), 1) == LOFT_ERR_DATA);
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, 3, 1) == LOFT_ERR_DATA);
     byte[0] = 0xFF, byte[1] = 0x07;                                     /* 1023 ticks */
-    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 1), 1) == LOFT_OK);
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, 3, 1) == LOFT_OK);
     byte[0] = 0x81, byte[1] = 0x00;                                     /* 1, in two bytes */
-    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 1), 1) == LOFT_ERR_DATA);
-    byte[0] = 1, byte[1] = 0x80, byte[2] = 0;           /* residual 0 in two bytes */
-    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 1), 1) == LOFT_ERR_DATA);
-    byte[1] = byte[2] = byte[3] = byte[4] = 0xFF, byte[5] = 0x0F;       /* 2^32 - 1 */
-    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 4), 1) == LOFT_OK);
-    byte[5] = 0x1F;                                                     /* 2^33 - 1 */
-    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(size + 4), 1) == LOFT_ERR_DATA);
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, 3, 1) == LOFT_ERR_DATA);
+    byte[0] = 1, byte[1] = 0x80, byte[2] = 0;           /* a form in two bytes for one */
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, 3, 1) == LOFT_ERR_DATA);
+    byte[1] = 1;                                        /* a residual of 0 */
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, 3, 1) == LOFT_ERR_DATA);
+    byte[2] = 1;
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, 3, 1) == LOFT_OK);
+    byte[2] = byte[3] = byte[4] = byte[5] = 0xFF, byte[6] = 0x0F;       /* 2^32 - 1 */
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, 7, 1) == LOFT_OK);
+    byte[6] = 0x1F;                                                     /* 2^33 - 1 */
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, 7, 1) == LOFT_ERR_DATA);
+
+    const uint32_t beyond = (uint32_t)1 << 3 * LOFT_AXES;       /* of no axis */
+    const uint8_t n = loft_varint_encode(byte + 1, beyond);
+    byte[1 + n] = 1;
+    CHECK(loft_unpacker_init(&u, LOFT_SPANS, byte, (uint8_t)(2 + n), 1) == LOFT_ERR_DATA);
+}
+
+/* Where velocity and acceleration go on, a span is its ticks, its form, and a number for each axis
+ * that has jerk: also if it lasts some times as long. */
+static void a_smooth_span_is_its_jerk(arb *a)
+{
+    loft_predictor at;
+    uint32_t change[LOFT_AXES], bend[LOFT_AXES];
+    uint8_t byte[255];
+
+    loft_predictor_init(&at, (const int32_t[LOFT_AXES]){ 0 });
+    at.ticks = (uint16_t)(1 + arb_below(a, 100));
+    for (int i = 0; i < LOFT_AXES; i++) {
+        at.position[i] = (uint32_t)arb_next(a);
+        at.change[i] = change[i] = (uint32_t)((int32_t)arb_below(a, 20001) - 10000);
+        at.bend[i] = bend[i] = (uint32_t)((int32_t)arb_below(a, 2001) - 1000);
+    }
+    for (int n = 0; n < 20; n++) {
+        const uint16_t times = (uint16_t)(1 + (n == 5) * arb_below(a, 10));
+        loft_item item = { .ticks = (uint16_t)(at.ticks * times) };
+        uint8_t size = (uint8_t)((item.ticks < 128 ? 1 : 2) + 1), jerks = 0;
+        loft_packer p;
+        for (int i = 0; i < LOFT_AXES; i++) {
+            const uint32_t e3 = (uint32_t)arb_below(a, 41) - 20u;
+            change[i] *= times;
+            bend[i] *= times * (uint32_t)times;
+            uint32_t place = at.position[i];
+            item.p[0][i] = (int32_t)(place += change[i]);
+            item.p[1][i] = (int32_t)(place += change[i] += bend[i]);
+            item.p[2][i] = (int32_t)(place + (change[i] += bend[i] += e3));
+            jerks = (uint8_t)(jerks + (e3 != 0));
+        }
+        loft_packer_init(&p, LOFT_SPANS, &at, byte, 255);
+        CHECK(loft_packer_push(&p, &item) == LOFT_OK && p.size == size + jerks);
+        at = p.predictor;
+    }
 }
 
 static void other_spellings_of_a_curve_are_refused(arb *a)
@@ -556,6 +602,7 @@ int main(void)
     PROPERTY(any_bytes_are_items_or_refused, 3000);
     PROPERTY(a_wrong_count_or_length_is_refused, 500);
     PROPERTY(other_spellings_of_a_span_are_refused, 1);
+    PROPERTY(a_smooth_span_is_its_jerk, 1000);
     PROPERTY(items_are_spans_of_the_library, 3000);
     PROPERTY(spans_out_of_range_become_no_items, 100);
     return check_failures();

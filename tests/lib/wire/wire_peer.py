@@ -43,14 +43,15 @@ def signed(x):
 
 
 class Decoder:
-    """position, change and bend per axis: where the next item is expected"""
+    """position, change and bend per axis, and ticks: where the next item is expected"""
 
     def job(self, start):
         self.position, self.change, self.bend = list(start), [0] * AXES, [0] * AXES
+        self.ticks = 0
 
     def seal(self):
         words = [x & WORD for a in zip(self.position, self.change, self.bend) for x in a]
-        return crc32c(struct.pack('<%dI' % (3 * AXES), *words))
+        return crc32c(struct.pack('<%dI' % (3 * AXES + 1), *words, self.ticks))
 
     def varint(self, data):
         x = shift = 0
@@ -69,16 +70,26 @@ class Decoder:
             if data[0] == 0:
                 yield self.action(data)
                 continue
-            ticks, points = self.varint(data), []
+            before, self.ticks = self.ticks, self.varint(data)
+            form, points = self.varint(data), []
+            rest = [self.residual(data) if form >> k & 1 else 0 for k in range(3 * AXES)]
             for i in range(AXES):
                 p0 = self.position[i]
-                p1 = self.residual(data) + p0 + self.change[i]
-                p2 = self.residual(data) + 2 * p1 - p0
-                p3 = self.residual(data) + 3 * p2 - 3 * p1 + p0
+                p1 = p0 + self.stretched(self.change[i], before) + rest[2 * AXES + i]
+                bend = self.stretched(self.stretched(self.bend[i], before), before)
+                p2 = 2 * p1 - p0 + bend + rest[AXES + i]
+                p3 = rest[i] + 3 * p2 - 3 * p1 + p0
                 points.append([signed(p) for p in (p1, p2, p3)])
                 self.position[i], self.change[i] = signed(p3), signed(p3 - p2)
+                self.bend[i] = signed(p3 - 2 * p2 + p1)
             p1, p2, p3 = (','.join(map(str, p)) for p in zip(*points))
-            yield 'ticks=%d p1=%s p2=%s p3=%s' % (ticks, p1, p2, p3)
+            yield 'ticks=%d p1=%s p2=%s p3=%s' % (self.ticks, p1, p2, p3)
+
+    def stretched(self, x, before):
+        if before in (0, self.ticks):
+            return x
+        size = (abs(x) * self.ticks + before // 2 & WORD) // before
+        return signed(size if x >= 0 else -size)
 
     def action(self, data):
         what = data[1]
@@ -86,11 +97,13 @@ class Decoder:
         power = self.varint(data)
         for i in range(AXES):
             self.position[i], self.change[i] = self.position[i] + self.residual(data), 0
+            self.bend[i] = 0
+        self.ticks = 0
         return 'what=%d level=%d feed=%d p3=%s' % (
             what, power & 65535, power >> 16, ','.join(map(str, self.position)))
 
     def curves(self, data, _):
-        feed = self.bend[0]
+        feed = self.ticks
         while data:
             form, points = data.pop(0), []
             feed = self.varint(data) if form & 128 else feed
@@ -106,7 +119,7 @@ class Decoder:
                     p3 = self.residual(data) + 3 * p2 - 3 * p1 + p0
                 points.append([signed(p) for p in (p1, p2, p3)])
                 self.position[i], self.change[i], self.bend[i] = signed(p3), signed(p3 - p2), 0
-            self.bend[0] = feed
+            self.ticks = feed
             p1, p2, p3 = (','.join(map(str, p)) for p in zip(*points))
             yield 'feed=%d p1=%s p2=%s p3=%s' % (feed, p1, p2, p3)
 
