@@ -3,8 +3,8 @@
  */
 #include "curve/forward.h"
 
-#if defined(__AVR__)
-#  define APART __attribute__((noinline))
+#if defined(__AVR__) || defined(__thumb__)
+#  define APART __attribute__((noinline, cold))
 #else
 #  define APART
 #endif
@@ -79,30 +79,26 @@ enum loft_status loft_forward_init(loft_forward *w, const loft_bezier *b, uint32
     return LOFT_OK;
 }
 
-
-static inline void step_axes(loft_forward *w, loft_vec *out, unsigned degree)
+/* A cubic need not save the registers of this. */
+static APART bool step_any(loft_forward *w, loft_vec *out)
 {
+    const unsigned degree = w->degree;
+
     for (int i = 0; i < LOFT_AXES; i++) {
         out->axis[i] = loft_walk_step(&w->axis[i], degree);
         if (w->left == 0)
             out->axis[i] = loft_walk_end(&w->axis[i], out->axis[i]);
     }
+    return true;
 }
-
-/* A cubic need not save the registers of this. */
-static APART void step_any(loft_forward *w, loft_vec *out) { step_axes(w, out, w->degree); }
 
 bool loft_forward_next(loft_forward *w, loft_vec *out)
 {
-    if (w->left == 0)
+    if (!loft_walk_count(&w->left))
         return false;
-    w->left--;
-
-    if (w->degree != 3)
-        step_any(w, out);
-    else if (!loft_walk_step_axes(w->axis, out->axis))
-        step_axes(w, out, 3);           /* a constant: no loop over it */
-    return true;
+    if (w->degree == 3)
+        return loft_walk_step_axes(w->axis, out->axis, w->left == 0);
+    return step_any(w, out);
 }
 
 uint32_t loft_forward_run(loft_forward *w, loft_vec out[], uint32_t count)

@@ -34,11 +34,11 @@
  *
  *   loft_step_next           330      140     110     loft_step 128
  *   loft_step_take           220       90      60
- *   loft_step_give         1,600    1,000     700     (20 slots)
+ *   loft_step_give         1,600    1,010     700     (20 slots)
  *   loft_step_load         1,600      410     130
  *   loft_pace_next         1,500      270     170     loft_pace 16
- *   loft_forward_next        640      100      60     loft_forward 152
- *   loft_steps_of            200       30      10
+ *   loft_forward_next        500       70      50     loft_forward 152
+ *   loft_steps_of            150       30      10
  *   loft_step_position       670      280     100
  *   loft_span_walk        24,300   11,000   2,900     loft_span 52
  */

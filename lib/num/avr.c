@@ -41,14 +41,23 @@
     op " __tmp_reg__, r23\n st X+, __tmp_reg__\n dec r24\n brne 2b\n dec r25\n brne 1b\n ret\n"
 #define BYTE(k, a)              "mov r" #k ", r" #a "\n clr r" #a "\n"
 
-/* Byte k of a step: d[1] in r18..r25, d[2] in r8..r15. Before, d[0] is in r8..r15. */
-#define STEP0(add, k, d1, sum) \
-    "ldd r" #d1 ", Z+8+" #k "\n ldd r" #sum ", Z+" #k "\n " add " r" #sum ", r" #d1 "\n" \
-    "std Z+" #k ", r" #sum "\n"
-#define STEP1(add, k, d1, d2) \
+/* Byte k of a step: of the low half upwards, d[1] in r18..r21, d[2] in r22..r25; of the high half
+ * downwards, so that each sum still finds the other number as it was. */
+#define LOW0(add, k, d1) \
+    "ldd r" #d1 ", Z+8+" #k "\n ldd __tmp_reg__, Z+" #k "\n " add " __tmp_reg__, r" #d1 "\n" \
+    "std Z+" #k ", __tmp_reg__\n"
+#define LOW1(add, k, d1, d2) \
     "ldd r" #d2 ", Z+16+" #k "\n " add " r" #d1 ", r" #d2 "\n std Z+8+" #k ", r" #d1 "\n"
-#define STEP2(add, k, d2) \
+#define LOW2(add, k, d2) \
     "ldd __tmp_reg__, Z+24+" #k "\n " add " r" #d2 ", __tmp_reg__\n std Z+16+" #k ", r" #d2 "\n"
+#define HIGH2(k, d2) \
+    "ldd r" #d2 ", Z+16+" #k "\n ldd __tmp_reg__, Z+24+" #k "\n adc __tmp_reg__, r" #d2 "\n" \
+    "std Z+16+" #k ", __tmp_reg__\n"
+#define HIGH1(k, d1, d2) \
+    "ldd r" #d1 ", Z+8+" #k "\n adc r" #d2 ", r" #d1 "\n std Z+8+" #k ", r" #d2 "\n"
+#define HIGH0(k, d1) \
+    "ldd __tmp_reg__, Z+" #k "\n adc __tmp_reg__, r" #d1 "\n std Z+" #k ", __tmp_reg__\n" \
+    "st X+, __tmp_reg__\n"
 /* Byte k of a run: d[0] in r2..r9, d[1] in r10..r17, d[2] in r18..r25. */
 #define LOAD3(k, d0, d1, d2) \
     "ldd r" #d0 ", Y+" #k "\n ldd r" #d1 ", Y+8+" #k "\n ldd r" #d2 ", Y+16+" #k "\n"
@@ -68,21 +77,20 @@ __asm__ (
     "adc r17, __tmp_reg__\n ret\n"
     END_FUNCTION(loft_avr_negate)
 
+    /* Halves of the numbers fit in the registers that a function may change. r1 keeps the carries
+     * of d[0] and d[1] from half to half. */
+    ".macro loft_avr_axis\n"
+    LOW0("add", 0, 18) LOW0("adc", 1, 19) LOW0("adc", 2, 20) LOW0("adc", 3, 21) "rol r1\n"
+    LOW1("add", 0, 18, 22) LOW1("adc", 1, 19, 23) LOW1("adc", 2, 20, 24) LOW1("adc", 3, 21, 25)
+    "rol r1\n" LOW2("add", 0, 22) LOW2("adc", 1, 23) LOW2("adc", 2, 24) LOW2("adc", 3, 25)
+    HIGH2(4, 22) HIGH2(5, 23) HIGH2(6, 24) HIGH2(7, 25) "ror r1\n"
+    HIGH1(4, 18, 22) HIGH1(5, 19, 23) HIGH1(6, 20, 24) HIGH1(7, 21, 25) "ror r1\n"
+    HIGH0(4, 18) HIGH0(5, 19) HIGH0(6, 20) HIGH0(7, 21)
+    ".endm\n"
     BEGIN_FUNCTION(loft_avr_step3)
-    "push r8\n push r9\n push r10\n push r11\n push r12\n push r13\n push r14\n push r15\n"
-    "push r16\n mov r16, r20\n movw r30, r24\n movw r26, r22\n"
-    "1:" STEP0("add", 0, 18, 8) STEP0("adc", 1, 19, 9) STEP0("adc", 2, 20, 10)
-    STEP0("adc", 3, 21, 11) STEP0("adc", 4, 22, 12) STEP0("adc", 5, 23, 13)
-    STEP0("adc", 6, 24, 14) STEP0("adc", 7, 25, 15)
-    "st X+, r12\n st X+, r13\n st X+, r14\n st X+, r15\n"
-    STEP1("add", 0, 18, 8) STEP1("adc", 1, 19, 9) STEP1("adc", 2, 20, 10)
-    STEP1("adc", 3, 21, 11) STEP1("adc", 4, 22, 12) STEP1("adc", 5, 23, 13)
-    STEP1("adc", 6, 24, 14) STEP1("adc", 7, 25, 15)
-    STEP2("add", 0, 8) STEP2("adc", 1, 9) STEP2("adc", 2, 10) STEP2("adc", 3, 11)
-    STEP2("adc", 4, 12) STEP2("adc", 5, 13) STEP2("adc", 6, 14) STEP2("adc", 7, 15)
-    "adiw r30, 48\n dec r16\n breq 2f\n rjmp 1b\n"
-    "2: pop r16\n pop r15\n pop r14\n pop r13\n pop r12\n pop r11\n pop r10\n pop r9\n pop r8\n"
-    "ret\n"
+    "movw r30, r24\n movw r26, r22\n"
+    ".rept " TEXT(LOFT_AXES) " - 1\n loft_avr_axis\n adiw r30, 48\n .endr\n loft_avr_axis\n"
+    "clr __zero_reg__\n ldi r24, 1\n ret\n"
     END_FUNCTION(loft_avr_step3)
 
     /* r1 is `bytes`, X what is left */

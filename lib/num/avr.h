@@ -7,6 +7,7 @@
 #ifndef LOFT_NUM_AVR_H
 #define LOFT_NUM_AVR_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "config.h"     /* names: the symbols carry their number type        */
@@ -84,12 +85,11 @@ void loft_avr_scale_wide(uint8_t a[12], const uint32_t inverse[3]);
 void loft_avr_start3(uint64_t d[4], const int32_t p[4], const uint32_t inverse[3][3],
                      uint8_t room[40]);
 
-/* One step of cubic walks: d[0] += d[1], d[1] += d[2], d[2] += d[3], each as they were, and the
- * upper half of d[0] in out[0]; then those of d + 6 and out + 1, `axes` times.
+/* One step of LOFT_AXES cubic walks: d[0] += d[1], d[1] += d[2], d[2] += d[3], each as they were,
+ * and the upper half of d[0] in out[0]; then those of d + 6 and out + 1, and so on. Returns true.
  *
- *   range   axes >= 1
- *   cost    149 cycles for each axis and 53 */
-void loft_avr_step3(uint64_t d[], int32_t out[], uint8_t axes);
+ *   cost    150 cycles for each axis, and 10; 192 bytes for each axis */
+bool loft_avr_step3(uint64_t d[], int32_t out[]);
 
 /* `count` steps of one cubic walk, with its state in registers: the upper half of d[0] after each
  * in `out`, `bytes` further each time.

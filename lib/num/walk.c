@@ -192,14 +192,7 @@ void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride
 
 #endif
 
-#if defined(__has_builtin) && LOFT_NUM == LOFT_Q16
-#  if __has_builtin(__builtin_shufflevector) &&                                                    \
-    (defined(__SSE2__) || (defined(__ARM_NEON) && defined(__AARCH64EL__)))
-#    define TWO_AT_ONCE
-#  endif
-#endif
-
-#if defined(TWO_AT_ONCE)
+#if defined(LOFT_WALK_TWO)
 
 typedef uint64_t two_states __attribute__((vector_size(16)));
 typedef int32_t four_words __attribute__((vector_size(16)));
@@ -251,18 +244,6 @@ bool loft_walk_run2(loft_walk w[2], unsigned degree, loft_real out[], size_t str
         w[i].d[2] = d2[i];
     }
     return true;
-}
-
-#else
-
-bool loft_walk_run2(loft_walk w[2], unsigned degree, loft_real out[], size_t stride, uint32_t count)
-{
-    (void)w;
-    (void)degree;
-    (void)out;
-    (void)stride;
-    (void)count;
-    return false;
 }
 
 #endif

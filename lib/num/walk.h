@@ -204,17 +204,68 @@ static inline loft_real loft_walk_step(loft_walk *w, unsigned degree)
     return loft_state_real(w->d);
 }
 
-/* One step of the cubics w[0..LOFT_AXES-1], ended or not, where they are faster together: if not,
- * it returns false and does nothing. */
-static inline bool loft_walk_step_axes(loft_walk w[], loft_real out[])
+/* Count one of the steps that are left; returns false if none is. An AVR touches one byte of the
+ * four as a rule, in 8 cycles instead of 29. */
+static inline bool loft_walk_count(uint32_t *left)
+{
+#if defined(__AVR__)
+    __asm__ goto("ld __tmp_reg__, Z\n sec\n sbc __tmp_reg__, __zero_reg__\n brcc 1f\n rjmp %l1\n"
+                 "1: st Z, __tmp_reg__\n"
+                 :
+                 : "z"(left)
+                 : "memory"
+                 : borrow);
+    return true;
+borrow:
+#endif
+    if (*left == 0)
+        return false;
+    --*left;
+    return true;
+}
+
+#define LOFT_WALK_TEXT_(x) #x
+#define LOFT_WALK_TEXT(x)  LOFT_WALK_TEXT_(x)
+#if defined(__thumb2__)
+#  define LOFT_WALK_MORE "r12", "lr",
+#  define LOFT_WALK_STEP_AXES                                                                      \
+    ".rept " LOFT_WALK_TEXT(LOFT_AXES) "\n"                                                        \
+    "ldmia r0, {r2-r7}\n ldrd r12, lr, [r0, #24]\n"                                               \
+    "adds r2, r4\n adcs r3, r5\n adds r4, r6\n adcs r5, r7\n adds r6, r12\n adc r7, lr\n"         \
+    "str r3, [r1], #4\n stmia r0, {r2-r7}\n adds r0, #48\n .endr\n"
+#else
+#  define LOFT_WALK_MORE
+#  define LOFT_WALK_STEP_AXES                                                                      \
+    ".syntax unified\n .rept " LOFT_WALK_TEXT(LOFT_AXES) "\n"                                      \
+    "ldmia r0!, {r2-r7}\n adds r2, r2, r4\n adcs r3, r5\n adds r4, r4, r6\n adcs r5, r7\n"         \
+    "subs r0, #24\n stmia r0!, {r2-r5}\n stmia r1!, {r3}\n ldr r2, [r0, #8]\n ldr r3, [r0, #12]\n"  \
+    "adds r6, r6, r2\n adcs r7, r3\n stmia r0!, {r6, r7}\n adds r0, #24\n .endr\n"
+#endif
+
+/* One step of the cubics w[0..LOFT_AXES-1]; the last step gives the last control values. Returns
+ * true. What a function may change, and four registers more, is enough: gcc saves all. */
+static inline bool loft_walk_step_axes(loft_walk w[], loft_real out[], bool last)
 {
 #if defined(__AVR__) && LOFT_NUM == LOFT_Q16
-    loft_avr_step3(w->d, out, LOFT_AXES);
+    (void)last;
+    return loft_avr_step3(w->d, out);
+#elif defined(__thumb__) && defined(__ARMEL__) && LOFT_NUM == LOFT_Q16
+    register loft_state *d __asm__("r0") = w->d;
+    register loft_real *at __asm__("r1") = out;
+
+    (void)last;
+    __asm__ volatile(LOFT_WALK_STEP_AXES
+                     : "+r"(d), "+r"(at)
+                     :
+                     : "r2", "r3", "r4", "r5", "r6", "r7", LOFT_WALK_MORE "cc", "memory");
     return true;
 #else
-    (void)w;
-    (void)out;
-    return false;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        out[i] = loft_walk_step(&w[i], 3);
+        if (last)
+            out[i] = loft_walk_end(&w[i], out[i]);
+    }
+    return true;
 #endif
 }
 
@@ -259,8 +310,27 @@ void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride
 
 /* The same for the cubics w[0] and w[1], whose values go to out[0] and out[1], out[stride] and so
  * on, where they are faster together: if not, it returns false and does nothing. */
+#if defined(__has_builtin) && LOFT_NUM == LOFT_Q16
+#  if __has_builtin(__builtin_shufflevector) &&                                                    \
+    (defined(__SSE2__) || (defined(__ARM_NEON) && defined(__AARCH64EL__)))
+#    define LOFT_WALK_TWO
+#  endif
+#endif
+#if defined(LOFT_WALK_TWO)
 bool loft_walk_run2(loft_walk w[2], unsigned degree, loft_real out[], size_t stride,
                     uint32_t count);
+#else
+static inline bool loft_walk_run2(loft_walk w[2], unsigned degree, loft_real out[], size_t stride,
+                                  uint32_t count)
+{
+    (void)w;
+    (void)degree;
+    (void)out;
+    (void)stride;
+    (void)count;
+    return false;
+}
+#endif
 
 /* Turn a[k], the coefficient of t^k for steps of 1, into the k-th difference at 0, for k =
  * 1..degree, in place. */

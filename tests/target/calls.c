@@ -18,7 +18,7 @@
 #define SPANS  40
 #define SLOTS  40
 #define MOVES  40
-#define BATCH  20           /* of loft_step_give, loft_forward_run */
+#define BATCH  20           /* of loft_step_give */
 #define STATES 20000u       /* of a step of walks */
 
 int main(void);
@@ -28,6 +28,8 @@ int main(void);
 #  include <avr/io.h>
 #  include <avr/sleep.h>
 
+#  define WRAPS true
+#  define LONG  20           /* of loft_forward_run: the memory that there is */
 static volatile uint16_t wraps;
 ISR(TIMER1_OVF_vect) { wraps++; }
 
@@ -66,6 +68,8 @@ static void stop(void)
 #else
 #  include "meter.h"        /* meter_start, meter_now */
 
+#  define WRAPS false
+#  define LONG  64
 void debugger_put(char c);
 static uint32_t now(void)   { return meter_now(); }
 static void put(char c)     { debugger_put(c); }
@@ -86,10 +90,13 @@ static loft_pace pace;
 static loft_step step;
 static loft_forward walk;
 
-/* Not inlined: else the code around a call depends on all others. */
+/* Not inlined: else the code around a call depends on all others. A short call in which the counter
+ * of an ATmega328P wraps is left out: it has the interrupt of that in it. */
 __attribute__((noinline)) static void took(int call, uint32_t end, uint32_t begin)
 {
     const uint32_t cost = end - begin - empty;
+    if (WRAPS && cost < 32768 && (end ^ begin) > 65535)
+        return;
     worst[call] = cost > worst[call] ? cost : worst[call];
 }
 
@@ -169,19 +176,20 @@ static void spans(void)
     }
 }
 
-static void runs(void)
+/* Its points are not in the frame of main. */
+__attribute__((noinline)) static void runs(void)
 {
-    loft_vec at[BATCH];
-    loft_span s = { .ticks = SPANS * BATCH };
+    loft_vec at[LONG];
+    loft_span s = { .ticks = SPANS * LONG / 4 };
 
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < LOFT_AXES; i++)
             s.p[k].axis[i] = (loft_real)(any() << 2);
     if (loft_span_walk(&walk, &s) != LOFT_OK)
         return;
-    for (unsigned n = 0; n < SPANS; n++) {
+    for (unsigned n = 0; n < SPANS / 4; n++) {
         const uint32_t begin = now();
-        (void)loft_forward_run(&walk, at, BATCH);
+        (void)loft_forward_run(&walk, at, LONG);
         took(RUN, now(), begin);
     }
 }

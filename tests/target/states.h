@@ -31,8 +31,7 @@ static inline uint32_t wrong_axes(void)
     for (int i = 0; i < LOFT_AXES; i++)
         for (int k = 0; k <= LOFT_WALK_DEGREE_MAX; k++)
             w[i].d[k] = sum[i].d[k] = any_state();
-    if (!loft_walk_step_axes(w, out))
-        return 0;
+    (void)loft_walk_step_axes(w, out, false);
     for (int i = 0; i < LOFT_AXES; i++) {
         for (int k = 0; k < 3; k++)
             sum[i].d[k] += sum[i].d[k + 1];
