@@ -1,15 +1,23 @@
-/* host-tools/engine/engine_sheet.h -- surfaces as the sheets of lib/toolpath; part of
- * engine_surface.c
+/* host-tools/engine/engine_sheet.h -- surfaces as the sheets of lib/toolpath and as the nets of
+ * lib/surface/net.h; part of engine_surface.c
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_HOST_ENGINE_SHEET_H
 #define LOFT_HOST_ENGINE_SHEET_H
 
 #include "engine/engine_num.h"      /* ENGINE_OF */
+#include "surface/net.h"            /* loft_net */
 #include "toolpath/sheet.h"         /* loft_sheet */
 
 /* Make 4^level sheets of a tensor patch, or one of another surface, which is kept open. Returns
  * their number, or a negative enum loft_status: LOFT_ERR_ARG for kinds that have none. */
 int ENGINE_OF(engine_sheets)(engine_surface *e, unsigned level, loft_sheet out[]);
+
+/* Visit the nets of a surface: the spans of a NURBS surface, or one. Parameter k of the surface is
+ * from[k] + share[k] times that of the net. A visit that returns other than 0 ends it. Returns 0,
+ * what the visit returned, or a negative enum loft_status: LOFT_ERR_ARG for kinds without nets. */
+typedef int engine_net_visit(void *context, loft_net net, const double from[2],
+                             const double share[2]);
+int ENGINE_OF(engine_nets)(engine_surface *e, engine_net_visit *visit, void *context);
 
 #endif

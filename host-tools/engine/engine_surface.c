@@ -461,9 +461,10 @@ static int convert_surface(engine_surface *e)
         status = loft_tensor_from_bicubic(&e->as.bicubic, e->net);
         return status ? status : (int)loft_tensor_init(&e->as.tensor, e->net, 3, 3);
     }
-    if (e->s->kind == SURFACE_COONS && e->s->orders == 1) {
-        status = loft_tensor_from_coons(&e->as.coons, e->net);
-        return status ? status : (int)loft_tensor_init(&e->as.tensor, e->net, e->s->m, e->s->n);
+    if (e->s->kind == SURFACE_COONS) {
+        unsigned m, n;
+        status = loft_tensor_from_coons_blended(&e->as.coons, &m, &n, e->net);
+        return status ? status : (int)loft_tensor_init(&e->as.tensor, e->net, m, n);
     }
     if (e->s->kind == SURFACE_PN) {
         loft_pn_net(&e->as.pn, e->net);
@@ -493,6 +494,68 @@ int ENGINE_OF(engine_sheets)(engine_surface *e, unsigned level, loft_sheet out[]
             status = loft_sheet_from_triangle(out, &e->as.triangle);
     }
     return status ? status : 1;
+}
+
+static int visit_spans(const engine_surface *e, engine_net_visit *visit, void *context)
+{
+    const loft_nurbs_surface *s = &e->as.nurbs;
+    const loft_knots *knots[2] = { &s->u, &s->v };
+    loft_weighted weighted[(SURFACE_DEGREE_MAX + 1) * (SURFACE_DEGREE_MAX + 1)];
+    unsigned span[2] = { 0, 0 };
+    int status = LOFT_OK;
+
+    while (status == LOFT_OK && loft_nurbs_surface_next(s, span, weighted)) {
+        const unsigned m = s->u.degree, n = s->v.degree;
+        double from[2], share[2];
+        loft_tensor_rational r;
+        loft_tensor t;
+        for (int k = 0; k < 2; k++) {
+            const loft_real *at = knots[k]->k, low = at[knots[k]->degree];
+            const double all = (double)at[knots[k]->points] - (double)low;
+            from[k]  = ((double)at[span[k]] - (double)low) / all;
+            share[k] = ((double)at[span[k] + 1] - (double)at[span[k]]) / all;
+        }
+        if (s->weighted) {
+            status = loft_tensor_rational_init(&r, weighted, m, n);
+            if (status == LOFT_OK)
+                status = visit(context, loft_net_from_tensor_rational(&r), from, share);
+            continue;
+        }
+        for (unsigned k = 0; k < (m + 1) * (n + 1); k++)
+            e->net[k] = weighted[k].p;
+        status = loft_tensor_init(&t, e->net, m, n);
+        if (status == LOFT_OK)
+            status = visit(context, loft_net_from_tensor(&t), from, share);
+    }
+    return status;
+}
+
+int ENGINE_OF(engine_nets)(engine_surface *e, engine_net_visit *visit, void *context)
+{
+    static const double from[2] = { 0, 0 }, share[2] = { 1, 1 };
+    const enum surface_kind kind = e->s->kind;
+    const bool weighted = e->s->rational || kind == SURFACE_OCTANT;
+
+    if (kind == SURFACE_NURBS) {
+        e->net = tool_grow(e->net,
+                           (SURFACE_DEGREE_MAX + 1) * (SURFACE_DEGREE_MAX + 1) * sizeof *e->net);
+        return visit_spans(e, visit, context);
+    }
+    if (kind == SURFACE_BICUBIC || kind == SURFACE_COONS || kind == SURFACE_PN) {
+        const int status = convert_surface(e);
+        if (status != LOFT_OK)
+            return status;
+    } else if (kind != SURFACE_TENSOR && kind != SURFACE_TRIANGLE && kind != SURFACE_OCTANT)
+        return LOFT_ERR_ARG;
+    if (surface_is_triangle(e->s))
+        return visit(context,
+                     weighted ? loft_net_from_triangle_rational(&e->as.triangle_rational)
+                              : loft_net_from_triangle(&e->as.triangle),
+                     from, share);
+    return visit(context,
+                 weighted ? loft_net_from_tensor_rational(&e->as.tensor_rational)
+                          : loft_net_from_tensor(&e->as.tensor),
+                 from, share);
 }
 
 const engine_surfaces ENGINE_OF(engine_surfaces) = { .open = surface_open,

@@ -1226,7 +1226,24 @@ case_decide() {
             job_fails "ray $num: $(cat "$tmp/out")"
         run 0 "$loft" decide nearest --num $num --of=5,1,0 "$tmp/plane.loft"
         says out '^0 u 1 v 0.5 distance 3 at 2 1 0'
+        # of an octant the distance from its radius; of a B-spline surface that is this plane twice;
+        # of a tetrahedron of triangles a sixth of its box
+        printf 'octant 20\n' >"$tmp/octant.loft"
+        run 0 "$loft" decide nearest --num $num --of=8,9,12 "$tmp/octant.loft"
+        awk '{ off = $7 - 3; exit !(off < 1e-3 && off > -1e-3) }' "$tmp/out" ||
+            job_fails "octant $num: $(cat "$tmp/out")"
+        printf 'nurbs-surface 1 1 3 2\n0 0 0\n0 2 0\n2 0 0\n2 2 0\n4 0 0\n4 2 0\n' >"$tmp/two.loft"
+        run 0 "$loft" decide ray --num $num --of=2,0.5,5,0,0,-2 "$tmp/two.loft"
+        [ "$(cat "$tmp/out")" = "0 t 2.5 u 0.5 v 0.25 edge" ] ||
+            job_fails "ray of two spans $num: $(cat "$tmp/out")"
+        run 0 "$loft" decide area --num $num "$tmp/two.loft"; says out '^0 area 8$'
+        for face in '0 0 0 0 6 0 6 0 0' '0 0 0 6 0 0 0 0 6' '6 0 0 0 6 0 0 0 6' \
+                    '0 6 0 0 0 0 0 0 6'; do
+            printf 'triangle 1\n%d %d %d\n%d %d %d\n%d %d %d\n' $face
+        done >"$tmp/tetra.loft"
+        run 0 "$loft" decide volume --num $num "$tmp/tetra.loft"; says out '^volume 36$'
     done
+    one_line 65 'of kind octant: give those without weights' "$loft" decide area "$tmp/octant.loft"
     one_line 64 'not known to decide'  "$loft" decide nothing
     one_line 64 'positive: --of has 0 numbers: give Bernstein'   "$loft" decide positive
     one_line 64 'bend: --of has 0 numbers: give parameters'      "$loft" decide bend -

@@ -15,7 +15,7 @@
 #include "curve/reduce.h"
 #include "polygon/zheng_ball.h"
 #include "surface/barycentric.h"
-#include "surface/tensor/volume.h"
+#include "surface/volume.h"
 #include "surface/triangle/triangle_integral.h"
 
 #define MOST (LOFT_DEGREE_MAX + 1)
@@ -383,6 +383,7 @@ static void volume_patches(row *r)
     static loft_vec p[PATCHES * MOST * MOST];
     static loft_tensor s[PATCHES];
     const unsigned k = row_count(r, "k", PATCHES);
+    loft_net net[PATCHES];
     const char *text = row_text(r, "mn");
     unsigned degree[PATCHES][2] = { { 0 } }, at = 0;
     loft_acc volume = 0;
@@ -406,9 +407,11 @@ static void volume_patches(row *r)
     for (unsigned i = 0; i < k; i++, at += (degree[i-1][0] + 1) * (degree[i-1][1] + 1))
         if (loft_tensor_init(&s[i], p + at, degree[i][0], degree[i][1]) != LOFT_OK)
             row_complain(r, "a patch was refused");
+        else
+            net[i] = loft_net_from_tensor(&s[i]);
     if (r->complaint[0])
         return;
-    const enum loft_status status = loft_tensor_volume(s, k, &volume);
+    const enum loft_status status = loft_net_volume(net, k, &volume);
     const long double cube = k * extent * extent * extent;
     if (as_given(r))
         expect_acc_within(r, "volume", status, &volume, 1, fminl(0.501L + cube * 0x1p-36L, 8),

@@ -8,8 +8,8 @@
 
 #include "vectors/vectors_points.h"         /* as_given; row, answer, law */
 #include "curve/crossings.h"
-#include "surface/tensor/tensor_nearest.h"
-#include "surface/tensor/tensor_ray.h"
+#include "surface/net_nearest.h"
+#include "surface/net_ray.h"
 
 #define MOST (LOFT_DEGREE_MAX + 1)
 
@@ -102,7 +102,8 @@ static void patch_ray(row *r)
     read_patch(r, net, &s);
     row_points(r, "O_q16", 1, 3, &from);
     row_points(r, "D_q16", 1, 3, &direction);
-    const enum loft_status status = loft_tensor_ray(&s, from, direction, hit, 32, &count);
+    const enum loft_status status = loft_net_ray(loft_net_from_tensor(&s), from, direction, hit, 32,
+                                                 &count);
     if (!as_given(r))
         return;
     if (status != LOFT_OK)
@@ -127,12 +128,13 @@ static void patch_closest(row *r)
 {
     static loft_vec net[MOST * MOST];
     loft_tensor s = { net, 0, 0 };
-    loft_tensor_near near = { 0 };
+    loft_net_near near = { 0 };
     loft_vec x = { { 0 } };
 
     read_patch(r, net, &s);
     row_points(r, "X_q16", 1, 3, &x);
-    const enum loft_status status = loft_tensor_nearest(&s, x, LOFT_REAL(1.0 / 65536), &near);
+    const enum loft_status status = loft_net_nearest(loft_net_from_tensor(&s), x,
+                                                     LOFT_REAL(1.0 / 65536), &near);
     if (!as_given(r))
         return;
     if (status != LOFT_OK)

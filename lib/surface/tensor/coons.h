@@ -148,6 +148,19 @@ enum loft_status loft_coons_bezier_deriv(const loft_coons_bezier *c, unsigned j,
  */
 enum loft_status loft_tensor_from_coons(const loft_coons_bezier *c, loft_vec net[]) LOFT_CHECKED;
 
+/* The patch itself as a tensor product, with slopes and curvatures if it has them: of the highest
+ * degree of the curves along u and of the blending, 2 orders - 1; along v likewise.
+ *
+ *   shape   net[(*m + 1) (*n + 1)], row by row, at most 100 points
+ *   range   LOFT_ERR_RANGE when a point does not fit; net[] is then undefined
+ *   error   q16: 1/2 LSB + 2^-18 LSB   f32: 1/2 ulp of the result + 1/2 ulp   f64: 64 (n + 1)^2
+ *           ulp, n the highest degree of a curve
+ *   cost    orders (2 orders + 4) products of num/sci.h per point and axis; q16: 6 kB of stack
+ *   see     Farin, ch. 22: the bicubically blended Coons patch
+ */
+enum loft_status loft_tensor_from_coons_blended(const loft_coons_bezier *c, unsigned *m,
+                                                unsigned *n, loft_vec net[]) LOFT_CHECKED;
+
 LOFT_END_C
 
 #endif

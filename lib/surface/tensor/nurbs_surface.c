@@ -352,3 +352,95 @@ enum loft_status loft_nurbs_surface_differential(const loft_nurbs_surface *s, lo
     set_basis(s, &at);
     return fill_differential(s, &at, out);
 }
+
+
+/* Spans */
+
+/* The blossom of a span's polynomial at `from`, all but `ends` times, and `ends` times at `to`. c[]
+ * is overwritten. */
+static loft_sci blossom(const loft_knots *knots, unsigned span, unsigned ends, loft_sci c[])
+{
+    const unsigned degree = knots->degree;
+
+    for (unsigned row = 1; row <= degree; row++)
+        for (unsigned i = 0; i + row <= degree; i++) {
+            const loft_sci low = loft_sci_from_real(knots->k[span - degree + row + i]),
+                           high = loft_sci_from_real(knots->k[span + 1 + i]),
+                           u = loft_sci_from_real(knots->k[row <= ends ? span + 1 : span]);
+            c[i] = loft_sci_lerp(c[i], c[i + 1],
+                                 loft_sci_div(loft_sci_sub(u, low), loft_sci_sub(high, low)));
+        }
+    return c[0];
+}
+
+/* From the coefficients of B-splines to those of Bernstein polynomials, every `stride`-th, in
+ * place. */
+static void make_bernstein(const loft_knots *knots, unsigned span, unsigned stride, loft_sci c[])
+{
+    loft_sci all[MOST], copy[MOST];
+
+    for (unsigned k = 0; k <= knots->degree; k++)
+        all[k] = c[k * stride];
+    for (unsigned k = 0; k <= knots->degree; k++) {
+        for (unsigned i = 0; i <= knots->degree; i++)
+            copy[i] = all[i];
+        c[k * stride] = blossom(knots, span, k, copy);
+    }
+}
+
+/* A coordinate times the weight, of the patch on a span; axis LOFT_AXES: the weight. */
+static void span_form(const loft_nurbs_surface *s, const unsigned span[2], int axis,
+                      loft_sci c[MOST * MOST])
+{
+    const unsigned m = s->u.degree, n = s->v.degree;
+
+    for (unsigned i = 0; i <= m; i++)
+        for (unsigned j = 0; j <= n; j++) {
+            const size_t k = (size_t)(span[0] - m + i) * s->v.points + span[1] - n + j;
+            const loft_vec *p = s->weighted ? &s->weighted[k].p : &s->p[k];
+            const loft_sci w = s->weighted ? loft_sci_from_real(s->weighted[k].w) : loft_sci_one();
+            c[i * (n + 1) + j] = axis == LOFT_AXES
+                                     ? w
+                                     : loft_sci_mul(w, loft_sci_from_real(p->axis[axis]));
+        }
+    for (unsigned i = 0; i <= m; i++)
+        make_bernstein(&s->v, span[1], 1, c + i * (n + 1));
+    for (unsigned j = 0; j <= n; j++)
+        make_bernstein(&s->u, span[0], n + 1, c + j);
+}
+
+static loft_real real_of(loft_sci x)
+{
+    loft_acc out = 0;
+    /* in the hull of the points, or of the weights: it fits */
+    return loft_sci_to_acc(x, &out) ? loft_acc_round(out) : 0;
+}
+
+static void span_patch(const loft_nurbs_surface *s, const unsigned span[2], loft_weighted out[])
+{
+    const unsigned count = (s->u.degree + 1u) * (s->v.degree + 1u);
+    loft_sci c[MOST * MOST], w[MOST * MOST];
+
+    span_form(s, span, LOFT_AXES, w);
+    for (int axis = 0; axis < LOFT_AXES; axis++) {
+        span_form(s, span, axis, c);
+        for (unsigned k = 0; k < count; k++)
+            out[k].p.axis[axis] = real_of(s->weighted ? loft_sci_div(c[k], w[k]) : c[k]);
+    }
+    for (unsigned k = 0; k < count; k++)
+        out[k].w = s->weighted ? loft_weight_clamp(real_of(w[k])) : LOFT_REAL(1);
+}
+
+bool loft_nurbs_surface_next(const loft_nurbs_surface *s, unsigned span[2], loft_weighted out[])
+{
+    const bool first = span[0] == 0;
+
+    span[1] = loft_knots_next(&s->v, first ? 0 : span[1]);
+    if (first || span[1] == 0)
+        span[0] = loft_knots_next(&s->u, span[0]);
+    if (span[0] != 0 && span[1] == 0)
+        span[1] = loft_knots_next(&s->v, 0);
+    if (span[0] != 0)
+        span_patch(s, span, out);
+    return span[0] != 0;
+}

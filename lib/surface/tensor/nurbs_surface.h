@@ -89,6 +89,21 @@ bool loft_nurbs_surface_regular(const loft_nurbs_surface *s, loft_real u, loft_r
 enum loft_status loft_nurbs_surface_differential(const loft_nurbs_surface *s, loft_real u,
                                                  loft_real v, loft_differential *out) LOFT_CHECKED;
 
+/* The next span as a Bezier patch: (degree_u + 1) (degree_v + 1) points, row by row, all weights 1
+ * without weights. Spans along v follow each other, then the next ones along u; empty ones are
+ * skipped. span[] is { 0, 0 } before the first span, then the indices of the knots where it begins.
+ * After the last span the result is false.
+ *
+ *   error   points q16: 1/2 LSB + 2^-20 LSB   f32: 1 ulp   f64: 8 (degree_u + degree_v + 2) R ulp,
+ *           R the largest weight over the smallest; weights q16: 1/2 LSB, which may move the patch
+ *           by more   f32: 1 ulp   f64: 8 (degree_u + degree_v) ulp
+ *   cost    per coordinate, and for the weights, degree^2 (degree + 1) / 2 lerps and quotients of
+ *           num/sci.h for each row and column; q16: 4 kB of stack
+ *   see     Piegl and Tiller, The NURBS Book, ch. 5: decomposition of a surface
+ */
+bool loft_nurbs_surface_next(const loft_nurbs_surface *s, unsigned span[2],
+                             loft_weighted out[]) LOFT_CHECKED;
+
 /* Make a loft_surface of it, its domain over 0..1; it must outlive that.
  *
  *   error   a point: that of loft_nurbs_surface_eval, at parameters of loft_nurbs_surface_at

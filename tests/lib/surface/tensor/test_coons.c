@@ -142,6 +142,43 @@ static void tensor_is_the_same_patch(arb *a)
     }
 }
 
+/* With slopes and curvatures too: the tensor product is the patch, whatever its curves. */
+static void blended_tensors_are_the_same_patch(arb *a)
+{
+    const unsigned orders = 1 + arb_below(a, LOFT_COONS_ORDERS);
+    static loft_vec p[4 * LOFT_COONS_ORDERS][COUNT], net[COUNT * COUNT];
+    loft_bezier u[LOFT_COONS_ORDERS][2], v[LOFT_COONS_ORDERS][2];
+    loft_coons_bezier c;
+    loft_tensor tensor;
+    loft_vec want = { { 0 } };
+    long double size = 0;
+    unsigned m, n;
+
+    for (unsigned k = 0; k < 4 * orders; k++) {
+        const unsigned degree = arb_below(a, 10);
+        for (unsigned i = 0; i <= degree; i++)
+            p[k][i] = arb_vec(a, 100);
+        CHECK(loft_bezier_init(k % 2 ? &v[k / 4][k / 2 % 2] : &u[k / 4][k / 2 % 2], p[k], degree) ==
+              LOFT_OK);
+    }
+    CHECK(loft_coons_bezier_init(&c, (const loft_bezier(*)[2])u, (const loft_bezier(*)[2])v, orders,
+                                 LOFT_REAL(1000)) == LOFT_OK);
+    CHECK(loft_tensor_from_coons_blended(&c, &m, &n, net) == LOFT_OK);
+    CHECK(loft_tensor_init(&tensor, net, m, n) == LOFT_OK);
+    for (unsigned k = 0; k < (m + 1) * (n + 1); k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            size = fmaxl(size, fabsl(exact_of(net[k].axis[i])));
+    for (int times = 0; times < 8; times++) {
+        const loft_unit s = arb_unit(a), t = arb_unit(a);
+        if (loft_coons_bezier_eval(&c, s, t, &want) != LOFT_OK)
+            continue;
+        const loft_vec got = loft_tensor_eval(&tensor, s, t);
+        for (int i = 0; i < LOFT_AXES; i++)
+            CHECK_NEAR(exact_of(got.axis[i]), exact_of(want.axis[i]),
+                       BY_NUM(2, 3, 128 * 100) * ulp(size));
+    }
+}
+
 /* Moving all curves by whole millimetres moves every point by exactly that; halving halves it. */
 static void moves_with_its_curves(arb *a)
 {
@@ -600,6 +637,7 @@ int main(void)
     PROPERTY(boundary_is_followed, 300);
     PROPERTY(bilinear_keeps_its_bound, 1000);
     PROPERTY(tensor_is_the_same_patch, 200);
+    PROPERTY(blended_tensors_are_the_same_patch, 60);
     PROPERTY(moves_with_its_curves, 200);
     PROPERTY(any_curve_is_a_side, 200);
     PROPERTY(refuses_curves_that_do_not_meet, 50);

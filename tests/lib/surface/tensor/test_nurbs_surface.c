@@ -199,6 +199,59 @@ static void mistakes_are_refused(arb *a)
                                     s->degree[0], s->knot[1], s->degree[1]) == LOFT_ERR_ARG);
 }
 
+/* Every span is given once, in order; in its middle its patch is the surface. */
+static void spans_are_the_surface(arb *a)
+{
+    const sample *s = arb_sample(a);
+    static loft_weighted net[25];
+    static loft_vec plain[25];
+    unsigned span[2] = { 0, 0 }, before[2] = { 0, 0 }, count = 0, all[2] = { 0, 0 };
+    long double least = 256;
+
+    if (!s->valid)
+        return;
+    for (unsigned i = 0; i < s->rows * s->columns; i++)
+        least = fminl(least, exact_of(s->p[i].w));
+    while (loft_nurbs_surface_next(&s->s, span, net)) {
+        const loft_unit half = LOFT_UNIT(0.5);
+        loft_real middle[2];
+        loft_vec want, got;
+        bool exact = true;
+        CHECK(span[0] > before[0] || (span[0] == before[0] && span[1] > before[1]));
+        for (int k = 0; k < 2; k++) {
+            const loft_real *knot = s->knot[k] + span[k];
+            before[k] = span[k];
+            middle[k] = loft_lerp(knot[0], knot[1], half);
+            exact = exact && exact_of(knot[0]) + exact_of(knot[1]) == 2 * exact_of(middle[k]);
+        }
+        count++;
+        if (!exact || loft_nurbs_surface_eval(&s->s, middle[0], middle[1], &want) != LOFT_OK)
+            continue;
+        if (s->weighted) {
+            loft_tensor_rational patch;
+            if (loft_tensor_rational_init(&patch, net, s->degree[0], s->degree[1]) != LOFT_OK)
+                continue;               /* a rounded weight below 1/256 */
+            got = loft_tensor_rational_eval(&patch, half, half);
+        } else {
+            loft_tensor patch;
+            for (unsigned i = 0; i < (s->degree[0] + 1) * (s->degree[1] + 1); i++)
+                plain[i] = net[i].p;
+            CHECK(loft_tensor_init(&patch, plain, s->degree[0], s->degree[1]) == LOFT_OK);
+            got = loft_tensor_eval(&patch, half, half);
+        }
+        /* two points of 1/2 LSB (1 ulp); a weight of 2^-17 more or less turns the quotient */
+        const long double weights = s->weighted ? BY_NUM(0x1p-16L / least, 0, 0) : 0;
+        for (int i = 0; i < LOFT_AXES; i++)
+            CHECK_NEAR(exact_of(got.axis[i]), exact_of(want.axis[i]),
+                       BY_NUM(2, 4, 200) * ulp(2 * s->size) * (s->weighted ? s->ratio : 1) +
+                           2 * s->size * weights);
+    }
+    for (int k = 0; k < 2; k++)
+        for (unsigned i = s->degree[k]; i < (k ? s->columns : s->rows); i++)
+            all[k] += s->knot[k][i] < s->knot[k][i + 1];
+    CHECK(count == all[0] * all[1]);
+}
+
 int main(void)
 {
     PROPERTY(points_and_derivatives_are_within_their_bound, 200);
@@ -206,5 +259,6 @@ int main(void)
     PROPERTY(one_span_is_a_bezier_patch,                    500);
     PROPERTY(as_a_surface_it_has_the_domain,                300);
     PROPERTY(mistakes_are_refused,                           50);
+    PROPERTY(spans_are_the_surface, 100);
     return check_failures();
 }

@@ -1,4 +1,4 @@
-/* lib/surface/tensor/volume.c
+/* lib/surface/volume.c
  * SPDX-License-Identifier: MIT
  *
  * Coordinates are relative to the first point of the first patch, which changes the integral by a
@@ -10,7 +10,7 @@
  * + 1. n has the degrees 2 m - 1 and 2 n - 1. Coefficients multiplied by their binomials make all
  * of this plain products.
  */
-#include "surface/tensor/volume.h"
+#include "surface/volume.h"
 #include "basis/integral.h"     /* loft_binomial_sci */
 
 #if LOFT_AXES >= 3
@@ -29,31 +29,24 @@ typedef struct {
     loft_sci c[WIDE][WIDE];
 } scaled_wide;
 
-static loft_sci rise_of(const loft_vec *p, const loft_vec *from, int axis)
-{
-    return loft_sci_of(loft_to_acc(p->axis[axis]) - loft_to_acc(from->axis[axis]));
-}
-
 static loft_sci binomials(unsigned m, unsigned i, unsigned n, unsigned j)
 {
     return loft_sci_mul(loft_binomial_sci(m, i), loft_binomial_sci(n, j));
 }
 
 /* The coordinate, or its derivative by u (du = 1) or v (dv = 1), degrees permitting. */
-static void load_scaled(const loft_tensor *s, int axis, unsigned du, unsigned dv,
-                        const loft_vec *origin, scaled *out)
+static void load_scaled(const loft_sci_net *x, unsigned du, unsigned dv, scaled *out)
 {
-    const unsigned stride = s->n + 1u;
-    const int32_t factor = (int32_t)(du ? s->m : dv ? s->n : 1);
+    const int32_t factor = (int32_t)(du ? x->m : dv ? x->n : 1);
 
-    out->m = s->m - du;
-    out->n = s->n - dv;
+    out->m = x->m - du;
+    out->n = x->n - dv;
     for (unsigned i = 0; i <= out->m; i++)
         for (unsigned j = 0; j <= out->n; j++) {
-            const loft_vec *p = &s->p[i * stride + j];
-            const loft_vec *from = du || dv ? p : origin;
-            const loft_sci x = rise_of(p + du * stride + dv, from, axis);
-            out->c[i][j] = loft_sci_mul(loft_sci_mul(loft_sci_from_int(factor), x),
+            loft_sci at = x->c[i + du][j + dv];
+            if (du || dv)
+                at = loft_sci_sub(at, x->c[i][j]);
+            out->c[i][j] = loft_sci_mul(loft_sci_mul(loft_sci_from_int(factor), at),
                                         binomials(out->m, i, out->n, j));
         }
 }
@@ -72,21 +65,21 @@ static void add_product(const scaled *a, const scaled *b, bool minus, scaled_wid
 }
 
 /* The component `axis` of P_u x P_v. */
-static void load_normal(const loft_tensor *s, int axis, const loft_vec *origin, scaled_wide *out)
+static void load_normal(const loft_net_form *s, int axis, scaled_wide *out)
 {
     const int y = (axis + 1) % 3, z = (axis + 2) % 3;
     scaled a, b;
 
-    out->m = 2u * s->m - 1;
-    out->n = 2u * s->n - 1;
+    out->m = 2u * s->axis[y].m - 1;
+    out->n = 2u * s->axis[y].n - 1;
     for (unsigned i = 0; i <= out->m; i++)
         for (unsigned j = 0; j <= out->n; j++)
             out->c[i][j] = loft_sci_zero();
-    load_scaled(s, y, 1, 0, origin, &a);
-    load_scaled(s, z, 0, 1, origin, &b);
+    load_scaled(&s->axis[y], 1, 0, &a);
+    load_scaled(&s->axis[z], 0, 1, &b);
     add_product(&a, &b, false, out);
-    load_scaled(s, z, 1, 0, origin, &a);
-    load_scaled(s, y, 0, 1, origin, &b);
+    load_scaled(&s->axis[z], 1, 0, &a);
+    load_scaled(&s->axis[y], 0, 1, &b);
     add_product(&a, &b, true, out);
 }
 
@@ -105,26 +98,39 @@ static loft_sci integral_of(const scaled *x, const scaled_wide *n)
     return loft_sci_div(sum, loft_sci_from_int((int32_t)((p + 1) * (q + 1))));
 }
 
-enum loft_status loft_tensor_volume(const loft_tensor s[], unsigned count, loft_acc *out)
+static loft_sci flow_through(loft_net s, loft_vec origin)
 {
     loft_sci sum = loft_sci_zero();
+    loft_net_form form;
     scaled x;
     scaled_wide normal;
 
+    loft_net_load(s, origin, &form);
+    for (int axis = 0; axis < 3 && s.m > 0 && s.n > 0; axis++) {
+        load_scaled(&form.axis[axis], 0, 0, &x);
+        load_normal(&form, axis, &normal);
+        sum = loft_sci_add(sum, integral_of(&x, &normal));
+    }
+    return sum;
+}
+
+enum loft_status loft_net_volume(const loft_net s[], unsigned count, loft_acc *out)
+{
+    loft_sci sum = loft_sci_zero();
+
     if (count < 1)
         return LOFT_ERR_ARG;
-    for (unsigned k = 0; k < count; k++)
-        for (int axis = 0; axis < 3 && s[k].m > 0 && s[k].n > 0; axis++) {
-            load_scaled(&s[k], axis, 0, 0, &s[0].p[0], &x);
-            load_normal(&s[k], axis, &s[0].p[0], &normal);
-            sum = loft_sci_add(sum, integral_of(&x, &normal));
-        }
+    for (unsigned k = 0; k < count; k++) {
+        if (s[k].weighted)
+            return LOFT_ERR_ARG;
+        sum = loft_sci_add(sum, flow_through(s[k], s[0].p[0]));
+    }
     return loft_sci_to_acc(loft_sci_div(sum, loft_sci_from_int(3)), out) ? LOFT_OK : LOFT_ERR_RANGE;
 }
 
 #else
 
-enum loft_status loft_tensor_volume(const loft_tensor s[], unsigned count, loft_acc *out)
+enum loft_status loft_net_volume(const loft_net s[], unsigned count, loft_acc *out)
 {
     (void)s;
     (void)count;

@@ -1,8 +1,9 @@
-/* tests/lib/surface/tensor/test_volume.c -- properties of lib/surface/tensor/volume.h
+/* tests/lib/surface/test_volume.c -- properties of lib/surface/volume.h
  * SPDX-License-Identifier: MIT
  */
 #include "support/exact_spline.h"       /* bound_by_num; CHECK, PROPERTY, BY_NUM */
-#include "surface/tensor/volume.h"
+#include "surface/triangle/triangle_pieces.h"
+#include "surface/volume.h"
 
 #if LOFT_AXES < 3
 #  error "volumes need space"
@@ -14,6 +15,15 @@ typedef struct {
     loft_vec p[6][MOST * MOST];
     loft_tensor s[6];
 } box;
+
+static enum loft_status volume_of(const box *b, unsigned count, loft_acc *out)
+{
+    loft_net net[6];
+
+    for (unsigned k = 0; k < 6; k++)
+        net[k] = loft_net_from_tensor(&b->s[k]);
+    return loft_net_volume(net, count, out);
+}
 
 /* Which coordinate is fixed, at which side, and which two run along u and v: outward. */
 static const int side[6][4] = { { 0, 1, 1, 2 }, { 0, 0, 2, 1 }, { 1, 1, 2, 0 },
@@ -64,7 +74,7 @@ static void boxes_have_their_volume(arb *a)
         most = fmaxl(most, size[i] + 2);
     }
     box *b = arb_box(a, from, size);
-    CHECK(loft_tensor_volume(b->s, 6, &got) == LOFT_OK);
+    CHECK(volume_of(b, 6, &got) == LOFT_OK);
     /* thirds of a side are rounded alike on both faces that meet there: nothing is lost */
     CHECK_EXACT(exact_acc(got), volume,
                 bound_by_num(0x1p-32L + 6 * most * most * most * 0x1p-52L, most * most * 0x1p-16L,
@@ -87,7 +97,7 @@ static void a_bulge_adds_its_integral(arb *a)
             at->axis[2] = loft_real_from_int(8 + (i == 1 && j == 1 ? height : 0));
         }
     CHECK(loft_tensor_init(&b->s[4], p, 2, 2) == LOFT_OK);
-    CHECK(loft_tensor_volume(b->s, 6, &got) == LOFT_OK);
+    CHECK(volume_of(b, 6, &got) == LOFT_OK);
     CHECK_EXACT(exact_acc(got), 512 + 64 * height / 9.0L, bound_by_num(0x1p-31L, 1e-3L, 1e-9L));
 }
 
@@ -98,15 +108,55 @@ static void inside_out_it_is_negative(arb *a)
     static loft_vec turned[6][MOST * MOST];
     loft_acc got[2] = { 0, 0 };
 
-    CHECK(loft_tensor_volume(b->s, 6, &got[0]) == LOFT_OK);
+    CHECK(volume_of(b, 6, &got[0]) == LOFT_OK);
     for (int f = 0; f < 6; f++) {
         const unsigned m = b->s[f].m, n = b->s[f].n;
         loft_tensor_transpose(&b->s[f], turned[f]);
         CHECK(loft_tensor_init(&b->s[f], turned[f], n, m) == LOFT_OK);
     }
-    CHECK(loft_tensor_volume(b->s, 6, &got[1]) == LOFT_OK);
+    CHECK(volume_of(b, 6, &got[1]) == LOFT_OK);
     CHECK_EXACT(exact_acc(got[0]), -exact_acc(got[1]), bound_by_num(0x1p-31L, 1e-9L, 1e-9L));
-    CHECK(loft_tensor_volume(b->s, 0, &got[0]) == LOFT_ERR_ARG);
+    CHECK(volume_of(b, 0, &got[0]) == LOFT_ERR_ARG);
+}
+
+/* Four plane triangles, raised: a sixth of the determinant of the sides. */
+static void a_tetrahedron_of_triangles_is_exact(arb *a)
+{
+    static const unsigned face[4][3] = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
+    const unsigned degree = 1 + arb_below(a, 5);
+    loft_vec corner[4], p[4][LOFT_TRIANGLE_POINTS(6)];
+    loft_triangle t[4];
+    loft_net net[4];
+    loft_acc got;
+    long double leg[3][3], most = 1;
+
+    for (int k = 0; k < 4; k++) {
+        corner[k] = (loft_vec) { { 0 } };
+        for (int axis = 0; axis < 3; axis++)
+            corner[k].axis[axis] = loft_real_from_int(60 * ((int32_t)arb_below(a, 9) - 4));
+    }
+    for (int k = 0; k < 4; k++) {
+        const loft_vec ends[3] = { corner[face[k][0]], corner[face[k][1]], corner[face[k][2]] };
+        loft_triangle flat;
+        CHECK(loft_triangle_init(&flat, ends, 1) == LOFT_OK);
+        CHECK(loft_triangle_elevate(&flat, degree - 1, p[k]) == LOFT_OK);  /* multiples of 60 */
+        CHECK(loft_triangle_init(&t[k], p[k], degree) == LOFT_OK);
+        net[k] = loft_net_from_triangle(&t[k]);
+    }
+    for (int k = 0; k < 3; k++)
+        for (int axis = 0; axis < 3; axis++) {
+            leg[k][axis] = exact_of(corner[k + 1].axis[axis]) - exact_of(corner[0].axis[axis]);
+            most = fmaxl(most, fabsl(leg[k][axis]));
+        }
+    long double want = 0;
+    for (int i = 0; i < 3; i++)
+        want += leg[0][i] *
+                (leg[1][(i + 1) % 3] * leg[2][(i + 2) % 3] -
+                 leg[1][(i + 2) % 3] * leg[2][(i + 1) % 3]) /
+                6;
+    CHECK(loft_net_volume(net, 4, &got) == LOFT_OK);
+    CHECK_NEAR(exact_acc(got), want,
+               4 * most * most * most * BY_NUM(0x1p-50L, 0x1p-42L, 0x1p-42L) + 0x1p-32L);
 }
 
 int main(void)
@@ -114,5 +164,6 @@ int main(void)
     PROPERTY(boxes_have_their_volume,   50);
     PROPERTY(a_bulge_adds_its_integral, 30);
     PROPERTY(inside_out_it_is_negative, 30);
+    PROPERTY(a_tetrahedron_of_triangles_is_exact, 20);
     return check_failures();
 }

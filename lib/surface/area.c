@@ -1,4 +1,4 @@
-/* lib/surface/tensor/area.c
+/* lib/surface/area.c
  * SPDX-License-Identifier: MIT
  *
  * The area is the integral of |N|, N = P_u x P_v. N is a vector polynomial of degrees 2 m - 1 and
@@ -18,7 +18,7 @@
  * N is 0. The pieces are the leaves of a binary tree (basis/dyadic.h). Every other bit of k is the
  * side in u, the rest are the side in v.
  */
-#include "surface/tensor/area.h"
+#include "surface/area.h"
 #include "basis/dyadic.h"   /* loft_dyad */
 #include "geom/vec_exact.h" /* loft_vec_exact_valid */
 #include "num/sci.h"        /* loft_sci: areas of any size */
@@ -39,14 +39,18 @@ typedef struct {
     loft_sci lower, upper;
 } bounds;
 
-static void load_patch(patch *x, const loft_tensor *s)
+static void load_patch(patch *x, const loft_net *s)
 {
+    loft_net_form form;
+
+    loft_net_load(*s, s->p[0], &form);
     x->m = s->m;
     x->n = s->n;
-    for (unsigned k = 0; k < (s->m + 1u) * (s->n + 1u); k++)
-        for (int i = 0; i < 3; i++)
-            x->c[k].axis[i] = loft_sci_of(loft_to_acc(loft_vec_axis(&s->p[k], i)) -
-                                          loft_to_acc(loft_vec_axis(&s->p[0], i)));
+    for (unsigned i = 0; i <= x->m; i++)
+        for (unsigned j = 0; j <= x->n; j++)
+            for (int axis = 0; axis < 3; axis++)
+                x->c[i * (x->n + 1) + j].axis[axis] = axis < LOFT_AXES ? form.axis[axis].c[i][j]
+                                                                       : loft_sci_zero();
 }
 
 /* One half of the curve c[0], c[stride] .. De Casteljau's algorithm leaves the left half at the
@@ -151,25 +155,27 @@ static bounds bounds_of(const patch *x)
     return r;
 }
 
-static bool points_valid(const loft_tensor *s)
+static bool points_valid(const loft_net *s)
 {
-    return loft_vec_exact_valid(s->p, (s->m + 1u) * (s->n + 1u), LOFT_AXES);
+    const unsigned count = s->triangle ? LOFT_TRIANGLE_POINTS(s->m) : (s->m + 1u) * (s->n + 1u);
+    return loft_vec_exact_valid(s->p, count, LOFT_AXES);
 }
 
-enum loft_status loft_tensor_area(const loft_tensor *s, loft_real tol, loft_acc *out)
+enum loft_status loft_net_area(loft_net s, loft_real tol, loft_acc *out)
 {
     const loft_sci two = loft_sci_from_int(2);
     loft_dyad piece = { 0, 0 };
     loft_sci twice = loft_sci_zero();       /* the area, times 2 */
-    patch x;
+    patch whole, x;
 
-    if (!(tol > 0))
+    if (!(tol > 0) || s.weighted)
         return LOFT_ERR_ARG;
-    if (!points_valid(s))
+    if (!points_valid(&s))
         return LOFT_ERR_RANGE;
+    load_patch(&whole, &s);
     do {
         for (;;) {
-            load_patch(&x, s);
+            x = whole;
             cut_patch(&x, piece);
             const bounds b = bounds_of(&x);
             const loft_sci share = loft_sci_div(loft_sci_mul(two, loft_sci_from_real(tol)),

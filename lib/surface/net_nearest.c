@@ -1,7 +1,8 @@
-/* lib/surface/tensor/tensor_nearest.c
+/* lib/surface/net_nearest.c
  * SPDX-License-Identifier: MIT
  *
- * Branch and bound over dyadic parts, with all coordinates relative to p. For any direction e, no
+ * Branch and bound over dyadic parts, with all coordinates relative to p. Control points divided by
+ * their weights hold a part in their hull, as weights are positive. For any direction e, no
  * point of a part is nearer than min <b_ij, e> over its net. e points to the middle of the part: if
  * the foot is in it, e is off the normal by the width h of the part over the distance, so the bound
  * is short by about h^2 (|P'|^2 / distance + |P''|). The distance from the box of the net bounds
@@ -13,14 +14,13 @@
  * Newton's method, or of Gauss and Newton's where the second derivatives are not positive, are
  * halved until the distance shrinks. At last the distance is flat to its rounding while the step
  * still improves: steps that shrink are then taken as well. */
-#include "surface/tensor/tensor_nearest.h"
-#include "surface/tensor/tensor_part.h" /* loft_tensor_part, loft_sci_net */
+#include "surface/net_nearest.h"
 
 #define ROUNDS 60
 
-/* The patch relative to p, a part of it, and the best place found. */
+/* The surface relative to p, the control points of a part of it, and the best place found. */
 typedef struct {
-    loft_sci_net whole[LOFT_AXES], piece[LOFT_AXES];
+    loft_net_form whole, piece;
     loft_sci u, v, best, tol;
 } search;
 
@@ -42,19 +42,12 @@ static loft_sci dot_of(const loft_sci a[LOFT_AXES], const loft_sci b[LOFT_AXES])
     return sum;
 }
 
-static void derivs_at(const search *z, unsigned a, unsigned b, loft_sci u, loft_sci v,
-                      loft_sci out[LOFT_AXES])
-{
-    for (int i = 0; i < LOFT_AXES; i++)
-        out[i] = loft_sci_net_deriv(&z->whole[i], a, b, u, v);
-}
-
 static loft_sci distance_at(const search *z, loft_sci u, loft_sci v)
 {
-    loft_sci d[LOFT_AXES];
+    loft_sci d[LOFT_NET_JET][LOFT_AXES];
 
-    derivs_at(z, 0, 0, u, v, d);
-    return length_of(d);
+    loft_net_form_jet(&z->whole, 0, u, v, d);
+    return length_of(d[LOFT_NET_POINT]);
 }
 
 /* Keep a parameter that is at an end and wants to leave. */
@@ -96,22 +89,19 @@ static bool solve_step(const loft_sci h[3], const loft_sci g[2], const bool held
 /* The step downhill; false at a minimum, or where there is none to take. */
 static bool step_from(const search *z, loft_sci u, loft_sci v, loft_sci x[2])
 {
-    loft_sci d[LOFT_AXES], du[LOFT_AXES], dv[LOFT_AXES], second[LOFT_AXES], h[3], gauss[3];
+    loft_sci d[LOFT_NET_JET][LOFT_AXES], h[3], gauss[3];
 
-    derivs_at(z, 0, 0, u, v, d);
-    derivs_at(z, 1, 0, u, v, du);
-    derivs_at(z, 0, 1, u, v, dv);
-    const loft_sci g[2] = { dot_of(d, du), dot_of(d, dv) };
+    loft_net_form_jet(&z->whole, 2, u, v, d);
+    const loft_sci g[2] = { dot_of(d[LOFT_NET_POINT], d[LOFT_NET_BY_X]),
+                            dot_of(d[LOFT_NET_POINT], d[LOFT_NET_BY_Y]) };
     const bool held[2] = { is_held(u, g[0]), is_held(v, g[1]) };
     if (held[0] && held[1])
         return false;
-    gauss[0] = dot_of(du, du);
-    gauss[1] = dot_of(du, dv);
-    gauss[2] = dot_of(dv, dv);
-    for (unsigned k = 0; k < 3; k++) {
-        derivs_at(z, 2 - k, k, u, v, second);
-        h[k] = loft_sci_add(gauss[k], dot_of(d, second));
-    }
+    gauss[0] = dot_of(d[LOFT_NET_BY_X], d[LOFT_NET_BY_X]);
+    gauss[1] = dot_of(d[LOFT_NET_BY_X], d[LOFT_NET_BY_Y]);
+    gauss[2] = dot_of(d[LOFT_NET_BY_Y], d[LOFT_NET_BY_Y]);
+    for (unsigned k = 0; k < 3; k++)
+        h[k] = loft_sci_add(gauss[k], dot_of(d[LOFT_NET_POINT], d[LOFT_NET_BY_XX + k]));
     return solve_step(h, g, held, x) || solve_step(gauss, g, held, x);
 }
 
@@ -158,7 +148,7 @@ static loft_sci box_bound(const search *z)
     loft_sci d[LOFT_AXES];
 
     for (int axis = 0; axis < LOFT_AXES; axis++) {
-        const loft_sci_net *x = &z->piece[axis];
+        const loft_sci_net *x = &z->piece.axis[axis];
         loft_sci low = x->c[0][0], high = low;
         for (unsigned i = 0; i <= x->m; i++)
             for (unsigned j = 0; j <= x->n; j++) {
@@ -175,14 +165,15 @@ static loft_sci box_bound(const search *z)
 /* The distance of p from the plane in front of the net, seen from the middle of the part. */
 static loft_sci plane_bound(const search *z, const loft_sci middle[LOFT_AXES], loft_sci far)
 {
-    const loft_sci_net *x = z->piece;
+    const loft_sci_net *x = &z->piece.axis[0];
     loft_sci least = far;
 
     for (unsigned i = 0; i <= x->m; i++)
         for (unsigned j = 0; j <= x->n; j++) {
             loft_sci along = loft_sci_zero();
             for (int axis = 0; axis < LOFT_AXES; axis++)
-                along = loft_sci_add(along, loft_sci_mul(z->piece[axis].c[i][j], middle[axis]));
+                along = loft_sci_add(along,
+                                     loft_sci_mul(z->piece.axis[axis].c[i][j], middle[axis]));
             along = loft_sci_div(along, far);
             if (loft_sci_less(along, least))
                 least = along;
@@ -195,18 +186,18 @@ static bool is_part_open(search *z, const loft_tensor_part *part)
 {
     const loft_sci half = loft_sci_power2(-1);
     const loft_sci limit = loft_sci_sub(z->best, z->tol);
-    loft_sci middle[LOFT_AXES];
+    loft_sci middle[LOFT_NET_JET][LOFT_AXES];
 
-    for (int axis = 0; axis < LOFT_AXES; axis++) {
-        loft_sci_net_sub(&z->whole[axis], part, &z->piece[axis]);
-        middle[axis] = loft_sci_net_deriv(&z->piece[axis], 0, 0, half, half);
-    }
+    loft_net_form_sub(&z->whole, part, &z->piece);
+    loft_net_form_jet(&z->piece, 0, half, half, middle);
+    loft_net_form_points(&z->piece);
     if (!loft_sci_less(box_bound(z), limit))
         return false;
-    const loft_sci far = length_of(middle);
+    const loft_sci far = length_of(middle[LOFT_NET_POINT]);
     if (loft_sci_less(far, z->best))
         descend(z, loft_dyad_place(part->u, half), loft_dyad_place(part->v, half));
-    return loft_sci_sign(far) <= 0 || loft_sci_less(plane_bound(z, middle, far), limit);
+    return loft_sci_sign(far) <= 0 ||
+           loft_sci_less(plane_bound(z, middle[LOFT_NET_POINT], far), limit);
 }
 
 /* Is the net longer along u? By its longest leg. */
@@ -215,7 +206,7 @@ static bool is_longer_along_u(const search *z)
     loft_sci most[2] = { loft_sci_zero(), loft_sci_zero() };
 
     for (int axis = 0; axis < LOFT_AXES; axis++) {
-        const loft_sci_net *x = &z->piece[axis];
+        const loft_sci_net *x = &z->piece.axis[axis];
         for (unsigned i = 0; i <= x->m; i++)
             for (unsigned j = 0; j <= x->n; j++) {
                 if (i > 0) {
@@ -231,19 +222,6 @@ static bool is_longer_along_u(const search *z)
             }
     }
     return !loft_sci_less(most[0], most[1]);
-}
-
-static void load_patch(search *z, const loft_tensor *s, loft_vec p)
-{
-    for (int axis = 0; axis < LOFT_AXES; axis++) {
-        loft_sci_net *x = &z->whole[axis];
-        const loft_acc from = loft_to_acc(p.axis[axis]);
-        x->m = s->m;
-        x->n = s->n;
-        for (unsigned i = 0; i <= s->m; i++)
-            for (unsigned j = 0; j <= s->n; j++)
-                x->c[i][j] = loft_sci_of(loft_to_acc(s->p[i * (s->n + 1u) + j].axis[axis]) - from);
-    }
 }
 
 /* The nearest of 5 x 5 points and its minimum: a good start makes the bound sharp. */
@@ -272,7 +250,7 @@ static void start_search(search *z)
 static bool walk_parts(search *z)
 {
     loft_tensor_part part;
-    uint32_t left = LOFT_TENSOR_NEAREST_PARTS;
+    uint32_t left = LOFT_NET_NEAREST_PARTS;
 
     loft_tensor_part_start(&part);
     do {
@@ -289,33 +267,34 @@ static bool walk_parts(search *z)
     return true;
 }
 
-enum loft_status loft_tensor_nearest(const loft_tensor *s, loft_vec p, loft_real tol,
-                                     loft_tensor_near *out)
+enum loft_status loft_net_nearest(loft_net s, loft_vec p, loft_real tol, loft_net_near *out)
 {
-    loft_tensor_near near;
-    loft_sci d[LOFT_AXES];
+    loft_sci d[LOFT_NET_JET][LOFT_AXES];
+    loft_unit at[2];
+    loft_net_near near;
     search z;
 
     if (!(tol > 0))
         return LOFT_ERR_ARG;
     if (!loft_vec_valid(p))
         return LOFT_ERR_RANGE;
-    load_patch(&z, s, p);
+    loft_net_load(s, p, &z.whole);
     z.tol = loft_sci_from_real(tol);
     start_search(&z);
     const bool proved = walk_parts(&z);
 
-    derivs_at(&z, 0, 0, z.u, z.v, d);
+    loft_net_form_jet(&z.whole, 0, z.u, z.v, d);
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         loft_acc x;
-        if (!loft_sci_to_acc(d[axis], &x))
+        if (!loft_sci_to_acc(d[LOFT_NET_POINT][axis], &x))
             return LOFT_ERR_RANGE;
         near.point.axis[axis] = loft_acc_round(loft_to_acc(p.axis[axis]) + x);
     }
     if (!loft_sci_to_acc(z.best, &near.distance))
         return LOFT_ERR_RANGE;
-    near.u = loft_sci_to_unit(z.u);
-    near.v = loft_sci_to_unit(z.v);
+    loft_net_form_place(&z.whole, z.u, z.v, at);
+    near.u = at[0];
+    near.v = at[1];
     *out = near;
     return proved ? LOFT_OK : LOFT_MORE;
 }

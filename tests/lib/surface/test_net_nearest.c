@@ -1,11 +1,11 @@
-/* tests/lib/surface/tensor/test_tensor_nearest.c -- properties of
- * lib/surface/tensor/tensor_nearest.h
+/* tests/lib/surface/test_net_nearest.c -- properties of
+ * lib/surface/net_nearest.h
  * SPDX-License-Identifier: MIT
  *
  * The reference samples the patch densely in long double.
  */
 #include "support/exact.h"          /* exact_of, exact_acc, exact_eval; CHECK, PROPERTY */
-#include "surface/tensor/tensor_nearest.h"
+#include "surface/net_nearest.h"
 
 #if LOFT_AXES < 3
 #  error "patches need space"
@@ -57,9 +57,9 @@ static void no_sample_is_nearer(arb *a)
     const loft_tensor s = arb_patch(a, 3);
     const loft_vec p = arb_point(a, arb_below(a, 2) ? 20 : 60);
     const loft_real tol = LOFT_REAL(0.0001);
-    loft_tensor_near near;
+    loft_net_near near;
 
-    CHECK(loft_tensor_nearest(&s, p, tol, &near) == LOFT_OK);
+    CHECK(loft_net_nearest(loft_net_from_tensor(&s), p, tol, &near) == LOFT_OK);
     const long double found = exact_acc(near.distance);
     CHECK_NEAR(distance_at(&s, exact_unit(near.u), exact_unit(near.v), p), found,
                BY_NUM(120 * 0x1p-24L, 120 * 0x1p-23L, 1e-12L));
@@ -76,16 +76,16 @@ static void a_place_of_the_patch_is_its_own_foot(arb *a)
     const loft_unit u = loft_unit_of(arb_below(a, 257), 256),
                     v = loft_unit_of(arb_below(a, 257), 256);
     const loft_vec p = loft_tensor_eval(&s, u, v);
-    loft_tensor_near near;
+    loft_net_near near;
 
-    CHECK(loft_tensor_nearest(&s, p, LOFT_REAL(0.0001), &near) == LOFT_OK);
+    CHECK(loft_net_nearest(loft_net_from_tensor(&s), p, LOFT_REAL(0.0001), &near) == LOFT_OK);
     CHECK(exact_acc(near.distance) <= BY_NUM(2 * 0x1p-16L, 20 * 0x1p-22L, 1e-12L));
 }
 
 static void far_beyond_a_corner_the_corner_is_exact(arb *a)
 {
     loft_tensor s = { net, 0, 0 };
-    loft_tensor_near near;
+    loft_net_near near;
 
     for (unsigned i = 0; i <= 2; i++)
         for (unsigned j = 0; j <= 2; j++) {
@@ -100,7 +100,7 @@ static void far_beyond_a_corner_the_corner_is_exact(arb *a)
         loft_vec p = { { 0 } };
         p.axis[0] = corner & 1 ? LOFT_REAL(50) : LOFT_REAL(-30);
         p.axis[1] = corner & 2 ? LOFT_REAL(50) : LOFT_REAL(-30);
-        CHECK(loft_tensor_nearest(&s, p, LOFT_REAL(0.001), &near) == LOFT_OK);
+        CHECK(loft_net_nearest(loft_net_from_tensor(&s), p, LOFT_REAL(0.001), &near) == LOFT_OK);
         CHECK(corner & 1 ? !(near.u < LOFT_UNIT(1)) : !(near.u > 0));
         CHECK(corner & 2 ? !(near.v < LOFT_UNIT(1)) : !(near.v > 0));
         CHECK(loft_vec_equal(near.point, net[(corner & 1 ? 6 : 0) + (corner & 2 ? 2 : 0)]));
@@ -111,7 +111,7 @@ static void collapsed_patches_have_a_nearest_point(arb *a)
 {
     loft_tensor s = arb_patch(a, 3);
     const loft_vec p = arb_point(a, 30);
-    loft_tensor_near near;
+    loft_net_near near;
 
     if (arb_below(a, 2))                                /* an edge, or all, in one point */
         for (unsigned j = 0; j <= s.n; j++)
@@ -119,7 +119,7 @@ static void collapsed_patches_have_a_nearest_point(arb *a)
     else
         for (unsigned k = 0; k < (s.m + 1u) * (s.n + 1u); k++)
             net[k] = net[0];
-    CHECK(loft_tensor_nearest(&s, p, LOFT_REAL(0.001), &near) == LOFT_OK);
+    CHECK(loft_net_nearest(loft_net_from_tensor(&s), p, LOFT_REAL(0.001), &near) == LOFT_OK);
     for (unsigned i = 0; i <= 8; i++)
         for (unsigned j = 0; j <= 8; j++)
             CHECK(exact_acc(near.distance) <= distance_at(&s, i / 8.0L, j / 8.0L, p) + 0.0011L);
@@ -128,9 +128,9 @@ static void collapsed_patches_have_a_nearest_point(arb *a)
 static void bad_arguments_are_refused(arb *a)
 {
     const loft_tensor s = arb_patch(a, 2);
-    loft_tensor_near near = { .u = LOFT_UNIT(0.5) };
+    loft_net_near near = { .u = LOFT_UNIT(0.5) };
 
-    CHECK(loft_tensor_nearest(&s, net[0], 0, &near) == LOFT_ERR_ARG);
+    CHECK(loft_net_nearest(loft_net_from_tensor(&s), net[0], 0, &near) == LOFT_ERR_ARG);
     CHECK(!(near.u < LOFT_UNIT(0.5)) && !(near.u > LOFT_UNIT(0.5)));
 }
 

@@ -1,4 +1,4 @@
-/* lib/surface/tensor/tensor_ray.c
+/* lib/surface/net_ray.c
  * SPDX-License-Identifier: MIT
  *
  * Let k be the axis of the longest component of the direction d, and i one of the others. P is on
@@ -18,8 +18,7 @@
  *
  * Rounding: f and g are within 2^-46 of the largest product, for double as well as for the 62 bits
  * of q16: 3 (m + n) + 4 roundings and a guard. A coefficient is of one sign if it is larger. */
-#include "surface/tensor/tensor_ray.h"
-#include "surface/tensor/tensor_part.h" /* loft_tensor_part, loft_sci_net */
+#include "surface/net_ray.h"
 
 #if LOFT_AXES >= 3
 
@@ -29,23 +28,19 @@ typedef struct {
     loft_sci_net whole[2], piece[2];
     loft_sci noise[2];              /* of f and g, then of h in this part */
     loft_sci jacobian[4];           /* f_u, f_v, g_u, g_v in the middle of the part */
-    const loft_tensor *s;
+    loft_net s;
     loft_vec from, direction;
     loft_ray_hit *out;
     unsigned room, *count;
     bool fits, full;
 } search;
 
-static loft_sci rise_of(loft_real a, loft_real from)
-{
-    return loft_sci_of(loft_to_acc(a) - loft_to_acc(from));
-}
-
 static void load_nets(search *z)
 {
-    const loft_tensor *s = z->s;
+    loft_net_form form;
     int k = 0;
 
+    loft_net_load(z->s, z->from, &form);
     for (int i = 1; i < 3; i++)
         if (loft_acc_abs(loft_to_acc(z->direction.axis[i])) >
             loft_acc_abs(loft_to_acc(z->direction.axis[k])))
@@ -56,13 +51,12 @@ static void load_nets(search *z)
         const loft_sci di = loft_sci_from_real(z->direction.axis[axis]);
         loft_sci_net *x = &z->whole[f];
         loft_sci most = loft_sci_zero();
-        x->m = s->m;
-        x->n = s->n;
-        for (unsigned i = 0; i <= s->m; i++)
-            for (unsigned j = 0; j <= s->n; j++) {
-                const loft_vec *p = &s->p[i * (s->n + 1u) + j];
-                const loft_sci one = loft_sci_mul(dk, rise_of(p->axis[axis], z->from.axis[axis])),
-                               two = loft_sci_mul(di, rise_of(p->axis[k], z->from.axis[k]));
+        x->m = form.axis[0].m;
+        x->n = form.axis[0].n;
+        for (unsigned i = 0; i <= x->m; i++)
+            for (unsigned j = 0; j <= x->n; j++) {
+                const loft_sci one = loft_sci_mul(dk, form.axis[axis].c[i][j]),
+                               two = loft_sci_mul(di, form.axis[k].c[i][j]);
                 x->c[i][j] = loft_sci_sub(one, two);
                 if (loft_sci_less(most, loft_sci_abs(one)))
                     most = loft_sci_abs(one);
@@ -182,24 +176,26 @@ static bool find_root(const search *z, loft_sci x[2])
 }
 
 /* t of the place; false if it is behind the start. */
-static bool ray_place(search *z, loft_sci u, loft_sci v, loft_acc *t)
+static bool ray_place(search *z, loft_sci u, loft_sci v, loft_acc *t, loft_unit at[2])
 {
     loft_sci above = loft_sci_zero(), below = loft_sci_zero(), size = loft_sci_zero();
-    loft_sci_net *x = &z->piece[0];
+    loft_sci p[LOFT_NET_JET][LOFT_AXES];
+    loft_net_form form;
 
     *t = 0;
-    x->m = z->s->m;
-    x->n = z->s->n;
+    loft_net_load(z->s, z->from, &form);
+    loft_net_form_place(&form, u, v, at);
+    loft_net_form_jet(&form, 0, u, v, p);
+    loft_net_form_points(&form);
     for (int axis = 0; axis < 3; axis++) {
         const loft_sci d = loft_sci_from_real(z->direction.axis[axis]);
-        for (unsigned i = 0; i <= x->m; i++)
-            for (unsigned j = 0; j <= x->n; j++) {
-                x->c[i][j] = rise_of(z->s->p[i * (x->n + 1) + j].axis[axis], z->from.axis[axis]);
-                const loft_sci product = loft_sci_abs(loft_sci_mul(x->c[i][j], d));
+        for (unsigned i = 0; i <= form.axis[axis].m; i++)
+            for (unsigned j = 0; j <= form.axis[axis].n; j++) {
+                const loft_sci product = loft_sci_abs(loft_sci_mul(form.axis[axis].c[i][j], d));
                 if (loft_sci_less(size, product))
                     size = product;
             }
-        above = loft_sci_add(above, loft_sci_mul(d, loft_sci_net_deriv(x, 0, 0, u, v)));
+        above = loft_sci_add(above, loft_sci_mul(d, p[LOFT_NET_POINT][axis]));
         below = loft_sci_add(below, loft_sci_mul(d, d));
     }
     if (loft_sci_less(above, loft_sci_mul(size, loft_sci_power2(-40))))
@@ -242,16 +238,18 @@ static void add_place(search *z, const loft_tensor_part *part, const loft_sci x[
 {
     const loft_sci zero = loft_sci_zero(), one = loft_sci_one();
     loft_sci at[2] = { loft_dyad_place(part->u, x[0]), loft_dyad_place(part->v, x[1]) };
+    loft_unit place[2];
     loft_ray_hit hit;
 
     hit.touch = touch;
     hit.edge = is_on_edge(at[0]) || is_on_edge(at[1]);
     for (int k = 0; k < 2; k++)
         at[k] = loft_sci_less(at[k], zero) ? zero : loft_sci_less(one, at[k]) ? one : at[k];
-    hit.u = loft_sci_to_unit(at[0]);
-    hit.v = loft_sci_to_unit(at[1]);
-    if (ray_place(z, at[0], at[1], &hit.t))
+    if (ray_place(z, at[0], at[1], &hit.t, place)) {
+        hit.u = place[0];
+        hit.v = place[1];
         add_hit(z, &hit);
+    }
 }
 
 /* Is nothing left to do in this part? */
@@ -297,7 +295,7 @@ static bool walk_parts(search *z)
 {
     const loft_sci middle[2] = { loft_sci_power2(-1), loft_sci_power2(-1) };
     loft_tensor_part part;
-    uint32_t left = LOFT_TENSOR_RAY_PARTS;
+    uint32_t left = LOFT_NET_RAY_PARTS;
 
     loft_tensor_part_start(&part);
     do {
@@ -305,7 +303,8 @@ static bool walk_parts(search *z)
             const bool last_u = part.u.level == LAST, last_v = part.v.level == LAST;
             if (left-- == 0)
                 return false;
-            if (last_u && last_v) {
+            const bool corner = z->s.triangle && last_u && part.u.k == 0;
+            if (corner || (last_u && last_v)) {
                 add_place(z, &part, middle, true);
                 break;
             }
@@ -317,8 +316,8 @@ static bool walk_parts(search *z)
 
 #endif
 
-enum loft_status loft_tensor_ray(const loft_tensor *s, loft_vec from, loft_vec direction,
-                                 loft_ray_hit out[], unsigned room, unsigned *count)
+enum loft_status loft_net_ray(loft_net s, loft_vec from, loft_vec direction, loft_ray_hit out[],
+                              unsigned room, unsigned *count)
 {
     *count = 0;
 #if LOFT_AXES < 3

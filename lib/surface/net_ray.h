@@ -1,19 +1,20 @@
-/* lib/surface/tensor/tensor_ray.h -- where a ray meets a patch
+/* lib/surface/net_ray.h -- where a ray meets a patch or a triangle
  * SPDX-License-Identifier: MIT
  *
  *     loft_ray_hit hit[8];
  *     unsigned     count;
- *     if (loft_tensor_ray(&s, from, direction, hit, 8, &count) == LOFT_OK && count > 0)
+ *     const loft_net net = loft_net_from_tensor(&s);
+ *     if (loft_net_ray(net, from, direction, hit, 8, &count) == LOFT_OK && count > 0)
  *         use(hit[0].u, hit[0].v);                    // the first place that it meets
  */
-#ifndef LOFT_SURFACE_TENSOR_TENSOR_RAY_H
-#define LOFT_SURFACE_TENSOR_TENSOR_RAY_H
+#ifndef LOFT_SURFACE_NET_RAY_H
+#define LOFT_SURFACE_NET_RAY_H
 
-#include "surface/tensor/tensor.h"  /* loft_tensor */
+#include "surface/net.h"    /* loft_net */
 
 LOFT_BEGIN_C
 
-#define LOFT_TENSOR_RAY_PARTS ((uint32_t)1 << 15)
+#define LOFT_NET_RAY_PARTS ((uint32_t)1 << 15)
 
 typedef struct {
     loft_acc  t;                /* the place on the ray, in units of the direction */
@@ -26,7 +27,7 @@ typedef struct {
 
 /* Find all places where from + t direction, t >= 0, meets the patch, sorted by t: out[room].
  * LOFT_SINGULAR: at least one is a touch. LOFT_MORE: there are more than `room`, or more than
- * LOFT_TENSOR_RAY_PARTS parts were examined, as where the ray runs within the patch; out[] then
+ * LOFT_NET_RAY_PARTS parts were examined, as where the ray runs within the patch; out[] then
  * holds those found.
  *
  *   range   three axes and a direction that is not 0, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE if a
@@ -36,13 +37,13 @@ typedef struct {
  *           size behind `from`, where t is 0
  *           t, u, v: 2^-42 over the sine of the angle, of the size of the patch in their
  *           units, and q16: 2^-25   f32: 2^-25
- *   cost    some 5 to 100 parts per hit, each twice loft_sci_net_sub; q16: 8 kB of stack; not for
+ *   cost    some 5 to 100 parts per hit, each twice loft_sci_net_sub; q16: 16 kB of stack; not for
  *           small chips
  *   see     Nishita, Sederberg and Kakimoto, Ray tracing trimmed rational surface patches (1990);
  *           Kearfott, Rigorous Global Search, ch. 1: roots that are unique
  */
-enum loft_status loft_tensor_ray(const loft_tensor *s, loft_vec from, loft_vec direction,
-                                 loft_ray_hit out[], unsigned room, unsigned *count) LOFT_CHECKED;
+enum loft_status loft_net_ray(loft_net s, loft_vec from, loft_vec direction, loft_ray_hit out[],
+                              unsigned room, unsigned *count) LOFT_CHECKED;
 
 LOFT_END_C
 

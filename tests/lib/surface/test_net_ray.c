@@ -1,8 +1,8 @@
-/* tests/lib/surface/tensor/test_tensor_ray.c -- properties of lib/surface/tensor/tensor_ray.h
+/* tests/lib/surface/test_net_ray.c -- properties of lib/surface/net_ray.h
  * SPDX-License-Identifier: MIT
  */
 #include "support/exact.h"          /* exact_of, exact_acc, exact_eval; CHECK, PROPERTY */
-#include "surface/tensor/tensor_ray.h"
+#include "surface/net_ray.h"
 
 #if LOFT_AXES < 3
 #  error "patches need space"
@@ -59,7 +59,8 @@ static void hits_lie_on_the_ray_and_a_known_one_is_found(arb *a)
     for (int axis = 0; axis < 3; axis++)
         from.axis[axis] = arb_real(a, 30);
     const loft_vec d = loft_vec_sub(at, from);
-    const enum loft_status status = loft_tensor_ray(&s, from, d, hit, ROOM, &count);
+    const enum loft_status status = loft_net_ray(loft_net_from_tensor(&s), from, d, hit, ROOM,
+                                                 &count);
     CHECK(status == LOFT_OK || status == LOFT_SINGULAR);
     for (unsigned k = 0; k < count; k++) {
         long double p[3];
@@ -88,15 +89,18 @@ static void an_upright_ray_meets_a_height_once(arb *a)
     from.axis[1] = loft_real_from_raw((int32_t)(y * 8 * s.n * 256));
     from.axis[2] = LOFT_REAL(-40);
     up.axis[2] = LOFT_REAL(2);
-    CHECK(loft_tensor_ray(&s, from, up, hit, ROOM, &count) == LOFT_OK && count == 1);
+    CHECK(loft_net_ray(loft_net_from_tensor(&s), from, up, hit, ROOM, &count) == LOFT_OK &&
+          count == 1);
     CHECK_NEAR(exact_unit(hit[0].u), x / 256.0L, 0x1p-23L);
     CHECK_NEAR(exact_unit(hit[0].v), y / 256.0L, 0x1p-23L);
     CHECK(!hit[0].edge && !hit[0].touch);
     from.axis[2] = LOFT_REAL(40);
-    CHECK(loft_tensor_ray(&s, from, up, hit, ROOM, &count) == LOFT_OK && count == 0);
+    CHECK(loft_net_ray(loft_net_from_tensor(&s), from, up, hit, ROOM, &count) == LOFT_OK &&
+          count == 0);
     from.axis[0] = LOFT_REAL(-1);
     from.axis[2] = LOFT_REAL(-40);
-    CHECK(loft_tensor_ray(&s, from, up, hit, ROOM, &count) == LOFT_OK && count == 0);
+    CHECK(loft_net_ray(loft_net_from_tensor(&s), from, up, hit, ROOM, &count) == LOFT_OK &&
+          count == 0);
 }
 
 /* z = (x^2 + y^2) / 8 over -8..8, and a ray at a height of some LSB. */
@@ -120,7 +124,8 @@ static void a_bowl_is_crossed_touched_or_missed(arb *a)
     d.axis[0] = LOFT_REAL(1) + arb_real(a, 1) / 2;
     for (int32_t height = -1; height <= 1; height++) {
         from.axis[2] = loft_real_from_raw(height);
-        const enum loft_status status = loft_tensor_ray(&s, from, d, hit, ROOM, &count);
+        const enum loft_status status = loft_net_ray(loft_net_from_tensor(&s), from, d, hit, ROOM,
+                                                     &count);
         if (height < 0)
             CHECK(status == LOFT_OK && count == 0);
         else if (height > 0)
@@ -141,10 +146,11 @@ static void a_ray_within_the_patch_is_told(arb *a)
     const loft_vec from = loft_tensor_eval(&s, LOFT_UNIT(0.5), LOFT_UNIT(0.25));
     loft_vec d = { { 0 } };
     d.axis[0] = LOFT_REAL(1);
-    const enum loft_status status = loft_tensor_ray(&s, from, d, hit, 3, &count);
+    const enum loft_status status = loft_net_ray(loft_net_from_tensor(&s), from, d, hit, 3, &count);
     CHECK(status == LOFT_MORE);
     d.axis[0] = 0;
-    CHECK(loft_tensor_ray(&s, from, d, hit, 3, &count) == LOFT_ERR_ARG && count == 0);
+    CHECK(loft_net_ray(loft_net_from_tensor(&s), from, d, hit, 3, &count) == LOFT_ERR_ARG &&
+          count == 0);
 }
 
 static void a_ray_through_a_corner_says_so(arb *a)
@@ -156,7 +162,7 @@ static void a_ray_through_a_corner_says_so(arb *a)
 
     from.axis[2] = LOFT_REAL(-40);
     const loft_vec d = loft_vec_sub(net[0], from);      /* a corner is exact */
-    CHECK(loft_tensor_ray(&s, from, d, hit, ROOM, &count) >= 0 && count > 0);
+    CHECK(loft_net_ray(loft_net_from_tensor(&s), from, d, hit, ROOM, &count) >= 0 && count > 0);
     bool edge = false;
     for (unsigned k = 0; k < count; k++)
         edge = edge ||

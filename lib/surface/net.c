@@ -1,0 +1,160 @@
+/* lib/surface/net.c
+ * SPDX-License-Identifier: MIT
+ *
+ * With the shares x (1 - y) of T2 and x y of T3 a triangular polynomial of degree n is
+ *
+ *     sum over i of B_i^n(x)  sum over k of B_k^i(y) b_(n-i)(i-k)k
+ *
+ * as the multinomial n! / (n-i)! (i-k)! k! is C(n, i) C(i, k). The inner sum is raised from degree
+ * i to n:  c_k <- (k c_(k-1) + (d + 1 - k) c_k) / (d + 1).
+ *
+ * P = N / W gives  P_x = (N_x - P W_x) / W,  P_xx = (N_xx - 2 P_x W_x - P W_xx) / W,
+ * P_xy = (N_xy - P_x W_y - P_y W_x - P W_xy) / W.
+ */
+#include "surface/net.h"
+
+#define SIDE (LOFT_DEGREE_MAX + 1)
+
+static loft_net net_of(const loft_vec p[], const loft_weighted weighted[], uint8_t m, uint8_t n,
+                       bool triangle)
+{
+    const loft_net s = { p, weighted, m, n, triangle };
+    return s;
+}
+
+loft_net loft_net_from_tensor(const loft_tensor *s)
+{
+    return net_of(s->p, NULL, s->m, s->n, false);
+}
+loft_net loft_net_from_tensor_rational(const loft_tensor_rational *s)
+{
+    return net_of(NULL, s->p, s->m, s->n, false);
+}
+loft_net loft_net_from_triangle(const loft_triangle *s)
+{
+    return net_of(s->p, NULL, s->degree, s->degree, true);
+}
+loft_net loft_net_from_triangle_rational(const loft_triangle_rational *s)
+{
+    return net_of(NULL, s->p, s->degree, s->degree, true);
+}
+
+/* A coordinate seen from the origin, times the weight; axis LOFT_AXES: the weight. */
+static loft_sci coefficient_of(const loft_net *s, unsigned k, const loft_vec *origin, int axis)
+{
+    const loft_sci w = s->weighted ? loft_sci_from_real(s->weighted[k].w) : loft_sci_one();
+
+    if (axis == LOFT_AXES)
+        return w;
+    const loft_vec *p = s->weighted ? &s->weighted[k].p : &s->p[k];
+    const loft_sci x = loft_sci_of(loft_to_acc(p->axis[axis]) - loft_to_acc(origin->axis[axis]));
+    return s->weighted ? loft_sci_mul(x, w) : x;
+}
+
+static void raise_row(loft_sci c[], unsigned degree, unsigned to)
+{
+    for (unsigned d = degree; d < to; d++) {
+        const loft_sci all = loft_sci_from_int((int32_t)d + 1);
+        c[d + 1] = c[d];
+        for (unsigned k = d; k > 0; k--)
+            c[k] = loft_sci_lerp(c[k], c[k - 1], loft_sci_div(loft_sci_from_int((int32_t)k), all));
+    }
+}
+
+static void load_axis(const loft_net *s, const loft_vec *origin, int axis, loft_sci_net *out)
+{
+    out->m = s->m;
+    out->n = s->n;
+    for (unsigned i = 0; i <= s->m; i++) {
+        const unsigned last = s->triangle ? i : s->n;
+        for (unsigned j = 0; j <= last; j++)
+            out->c[i][j] = coefficient_of(
+                s, s->triangle ? loft_triangle_place(i - j, j) : i * (s->n + 1u) + j, origin, axis);
+        raise_row(out->c[i], last, s->n);
+    }
+}
+
+void loft_net_load(loft_net s, loft_vec origin, loft_net_form *out)
+{
+    out->weighted = s.weighted != NULL;
+    out->triangle = s.triangle;
+    for (int axis = 0; axis < LOFT_AXES; axis++)
+        load_axis(&s, &origin, axis, &out->axis[axis]);
+    if (out->weighted)
+        load_axis(&s, &origin, LOFT_AXES, &out->w);
+}
+
+void loft_net_form_sub(const loft_net_form *x, const loft_tensor_part *part, loft_net_form *out)
+{
+    out->weighted = x->weighted;
+    out->triangle = x->triangle;
+    for (int axis = 0; axis < LOFT_AXES; axis++)
+        loft_sci_net_sub(&x->axis[axis], part, &out->axis[axis]);
+    if (x->weighted)
+        loft_sci_net_sub(&x->w, part, &out->w);
+}
+
+/* The orders by x and y. */
+static const unsigned char by[LOFT_NET_JET][2] = { { 0, 0 }, { 1, 0 }, { 0, 1 },
+                                                   { 2, 0 }, { 1, 1 }, { 0, 2 } };
+
+static loft_sci minus_product(loft_sci from, loft_sci a, loft_sci b)
+{
+    return loft_sci_sub(from, loft_sci_mul(a, b));
+}
+
+/* From N to P, in place. */
+static void divide_jet(loft_sci n[LOFT_NET_JET], const loft_sci w[LOFT_NET_JET], unsigned count)
+{
+    const loft_sci two = loft_sci_from_int(2);
+
+    n[0] = loft_sci_div(n[0], w[0]);
+    for (unsigned k = 1; k < count; k++) {
+        n[k] = minus_product(n[k], n[0], w[k]);
+        if (k == LOFT_NET_BY_XX || k == LOFT_NET_BY_YY) {
+            const unsigned one = k == LOFT_NET_BY_XX ? LOFT_NET_BY_X : LOFT_NET_BY_Y;
+            n[k] = minus_product(n[k], loft_sci_mul(two, n[one]), w[one]);
+        }
+        if (k == LOFT_NET_BY_XY) {
+            n[k] = minus_product(n[k], n[LOFT_NET_BY_X], w[LOFT_NET_BY_Y]);
+            n[k] = minus_product(n[k], n[LOFT_NET_BY_Y], w[LOFT_NET_BY_X]);
+        }
+        n[k] = loft_sci_div(n[k], w[0]);
+    }
+}
+
+void loft_net_form_jet(const loft_net_form *f, unsigned order, loft_sci x, loft_sci y,
+                       loft_sci out[LOFT_NET_JET][LOFT_AXES])
+{
+    const unsigned count = order == 0 ? 1 : order == 1 ? 3 : LOFT_NET_JET;
+    loft_sci n[LOFT_NET_JET], w[LOFT_NET_JET];
+
+    for (unsigned k = 0; k < count && f->weighted; k++)
+        w[k] = loft_sci_net_deriv(&f->w, by[k][0], by[k][1], x, y);
+    for (int axis = 0; axis < LOFT_AXES; axis++) {
+        for (unsigned k = 0; k < count; k++)
+            n[k] = loft_sci_net_deriv(&f->axis[axis], by[k][0], by[k][1], x, y);
+        if (f->weighted)
+            divide_jet(n, w, count);
+        for (unsigned k = 0; k < count; k++)
+            out[k][axis] = n[k];
+    }
+}
+
+void loft_net_form_points(loft_net_form *f)
+{
+    for (int axis = 0; axis < LOFT_AXES && f->weighted; axis++)
+        for (unsigned i = 0; i <= f->w.m; i++)
+            for (unsigned j = 0; j <= f->w.n; j++)
+                f->axis[axis].c[i][j] = loft_sci_div(f->axis[axis].c[i][j], f->w.c[i][j]);
+}
+
+void loft_net_form_place(const loft_net_form *f, loft_sci x, loft_sci y, loft_unit out[2])
+{
+    const loft_sci share = loft_sci_mul(x, y);
+
+    out[0] = loft_sci_to_unit(f->triangle ? loft_sci_sub(x, share) : x);
+    out[1] = loft_sci_to_unit(f->triangle ? share : y);
+    if (f->triangle && out[1] > LOFT_UNIT(1) - out[0])
+        out[1] = LOFT_UNIT(1) - out[0];
+}
