@@ -120,6 +120,7 @@
 #include "surface/surface.h"
 #include "surface/sphere.h"
 #include "surface/area.h"
+#include "surface/level.h"
 #include "surface/net.h"
 #include "surface/net_nearest.h"
 #include "surface/net_ray.h"

@@ -1,10 +1,13 @@
-/* host-tools/cmd/cmd_contour.c -- loft contour: waterlines of surfaces, as curves or as rows
+/* host-tools/cmd/cmd_contour.c -- loft contour: waterlines, sections by planes, isophotes and
+ * silhouettes of surfaces, as curves or as rows
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "num/status.h"     /* LOFT_ERR_ARG */
 
 #include "draw/contour.h"   /* contour_heights */
 #include "engine/print.h"   /* print_words */
@@ -22,7 +25,7 @@ typedef struct {
     bool rows;
     tool_list heights;
     size_t surface;             /* the number of the current surface */
-    double height;
+    engine_level level;         /* heights, distances or angles */
     double (*point)[ENGINE_AXES];       /* points of the curve that is followed */
     size_t points, room, curves;
 } contouring;
@@ -31,17 +34,20 @@ typedef struct {
 // Curves
 // ------
 
+static const char *const level_name[] = { "z", "distance", "angle" };
+
 static void print_curve_of(contouring *c)
 {
     if (c->points < 2)          /* a corner that is only touched */
         return;
     if (!c->rows)
-        printf("line                # surface %zu, z = %.9g%s\n", c->surface, c->height,
+        printf("line                # surface %zu, %s = %.9g%s\n", c->surface,
+               level_name[c->level.of], c->level.value,
                memcmp(c->point[0], c->point[c->points - 1], sizeof c->point[0]) == 0 ? ", closed"
                                                                                      : "");
     for (size_t i = 0; i < c->points; i++) {
         if (c->rows)
-            printf("%zu,%.9g,%zu", c->surface, c->height, c->curves);
+            printf("%zu,%.9g,%zu", c->surface, c->level.value, c->curves);
         for (int k = 0; k < (c->p.solid ? ENGINE_AXES : 2); k++) {
             fputs(c->rows ? "," : k ? " " : "", stdout);
             print_number(c->p.e, c->point[i][k]);
@@ -76,13 +82,19 @@ static int one_surface(contouring *c, const surface *s)
 
     if (status == 0) {
         for (size_t i = 0; i < c->heights.count && status == 0; i++) {
-            c->height = c->heights.value[i];
-            status = make->contour(held, c->height, c->tol, c->n, take_point, c);
+            c->level.value = c->heights.value[i];
+            status = make->contour(held, &c->level, c->tol, c->n, take_point, c);
             print_curve_of(c);
             c->points = 0;
         }
         make->close(held);
     }
+    if (status == LOFT_ERR_ARG && c->level.of == ENGINE_LEVEL_ANGLE &&
+        (s->kind == SURFACE_SPHERE || surface_is_sided(s)))
+        return tool_error(EX_DATAERR,
+                          "%s:%u: %s: no angles of this kind: give octants for a sphere, or leave "
+                          "patches with n sides out",
+                          c->file, s->line, surface_name(s->kind));
     return status == 0 ? EX_OK
                        : tool_error(EX_DATAERR, "%s:%u: %s: %s", c->file, s->line,
                                     surface_name(s->kind), surface_status(s, status));
@@ -92,6 +104,12 @@ static int one_surface(contouring *c, const surface *s)
 // Heights
 // -------
 
+static double distance_along(const double d[ENGINE_AXES], const double p[ENGINE_AXES])
+{
+    return (d[0] * p[0] + d[1] * p[1] + d[2] * p[2]) /
+           sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+}
+
 static int find_heights(contouring *c, const surfaces *all, unsigned levels, double extent[2])
 {
     mesh m   = { 0 };
@@ -100,6 +118,8 @@ static int find_heights(contouring *c, const surfaces *all, unsigned levels, dou
     extent[0] = INFINITY;
     extent[1] = -INFINITY;
     for (size_t i = 0; i < m.vertices && code == 0; i++) {
+        if (c->level.of == ENGINE_LEVEL_PLANE)
+            m.vertex[i].p[2] = distance_along(c->level.direction, m.vertex[i].p);
         extent[0] = fmin(extent[0], m.vertex[i].p[2]);
         extent[1] = fmax(extent[1], m.vertex[i].p[2]);
     }
@@ -111,8 +131,8 @@ static int find_heights(contouring *c, const surfaces *all, unsigned levels, dou
 
 static int print_contours(contouring *c, const surfaces *all, unsigned levels)
 {
-    double extent[2];
-    int code = find_heights(c, all, levels, extent);
+    double extent[2] = { 0, 0 };
+    int code = c->level.of == ENGINE_LEVEL_ANGLE ? 0 : find_heights(c, all, levels, extent);
 
     if (code == 0 && c->rows)
         printf("surface,height,curve,x,y%s\n", c->p.solid ? ",z" : "");
@@ -121,12 +141,45 @@ static int print_contours(contouring *c, const surfaces *all, unsigned levels)
         code = one_surface(c, &all->surface[i]);
     }
     if (code == 0 && c->curves == 0)
-        code = tool_error(
-            EX_DATAERR,
-            "%s: no waterline: the surfaces reach from z = %.6g to %.6g mm, give --heights between",
-            c->file, extent[0], extent[1]);
+        code = c->level.of == ENGINE_LEVEL_ANGLE
+                   ? tool_error(EX_DATAERR,
+                                "%s: no line: no normal has such an angle: give other "
+                                "--heights, or another --light",
+                                c->file)
+                   : tool_error(EX_DATAERR,
+                                "%s: no waterline: the surfaces reach from %s = %.6g to %.6g mm, "
+                                "give --heights between",
+                                c->file, level_name[c->level.of], extent[0], extent[1]);
     free(c->point);
     return code;
+}
+
+/* Heights, or what --along and --light ask for. */
+static int take_direction(contouring *c, const tool_list *along, const tool_list *light,
+                          unsigned *levels)
+{
+    const tool_list *given = along->count ? along : light;
+    double length = 0;
+
+    if (along->count == 0 && light->count == 0)
+        return 0;
+    if (along->count > 0 && light->count > 0)
+        return tool_error(EX_USAGE, "--along and --light: give one of them");
+    for (size_t i = 0; i < given->count && i < ENGINE_AXES; i++) {
+        c->level.direction[i] = given->value[i];
+        length += fabs(given->value[i]);
+    }
+    if (given->count != 3 || !(length > 0))
+        return tool_error(EX_USAGE, "--%s: give a direction X,Y,Z that is not 0",
+                          along->count ? "along" : "light");
+    c->level.of = along->count ? ENGINE_LEVEL_PLANE : ENGINE_LEVEL_ANGLE;
+    if (along->count > 0 || c->heights.count > 0)
+        return 0;
+    const unsigned n = *levels ? *levels : 1;           /* angles within 0..180 */
+    for (unsigned k = 0; k < n && k < TOOL_LIST_MAX; k++)
+        c->heights.value[c->heights.count++] = 180.0 * (k + 1) / (n + 1);
+    *levels = 0;
+    return 0;
 }
 
 static int run_contour(const tool_command *self, int argc, char **argv)
@@ -134,15 +187,23 @@ static int run_contour(const tool_command *self, int argc, char **argv)
     contouring c    = { .p = { &engine_q16, true }, .tol = 0.001, .n = 128 };
     unsigned levels = 0;
     bool flat       = false;
+    tool_list along = { .count = 0 }, light = { .count = 0 };
     surfaces all    = { 0 };
     int first;
 
     const tool_option options[] = {
         TOOL_COUNT("levels", "N", &levels, 1, 200, "about N of them, at round heights (10)"),
         TOOL_LIST("heights", "Z,..", &c.heights, -1e5, 1e5, "at these heights"),
+        TOOL_LIST("along", "X,Y,Z", &along, -32768, 32767,
+                  "sections by planes at a right angle to this direction, not to z; heights are "
+                  "distances along it"),
+        TOOL_LIST("light", "X,Y,Z", &light, -32768, 32767,
+                  "isophotes of this direction: heights are angles between it and the normal, in "
+                  "degrees (90: the silhouette)"),
         TOOL_COUNT("n", "N", &c.n, 3, 1024,
                    "cells along each parameter in which they are looked for (128)"),
-        TOOL_NUMBER("tol", "MM", &c.tol, 0, 1000, "of the height (0.001)"),
+        TOOL_NUMBER("tol", "MM", &c.tol, 0, 1000,
+                    "of the height; of the cosine of an angle (0.001)"),
         TOOL_SWITCH("csv", &c.rows, "rows surface,height,curve,x,y,z, instead of .loft"),
         TOOL_SWITCH("flat", &flat, "without z: a map, which `loft stream` draws"),
         ENGINE_OPTION(&c.p.e, "number type (q16)"),
@@ -155,6 +216,9 @@ static int run_contour(const tool_command *self, int argc, char **argv)
         return tool_error(EX_USAGE, "contour: give one file: see `loft contour --help`");
     if (levels > 0 && c.heights.count > 0)
         return tool_error(EX_USAGE, "--levels and --heights: give one of them");
+    code = take_direction(&c, &along, &light, &levels);
+    if (code != 0)
+        return code;
     c.file    = source_name(argv[first]);
     c.p.solid = !flat;
     code = surfaces_read_only(&all, argv[first]);
@@ -165,7 +229,8 @@ static int run_contour(const tool_command *self, int argc, char **argv)
 }
 
 const tool_command command_contour = {
-    "contour", "[--levels N|--heights Z,..] FILE|-", "waterlines of surfaces, point by point",
+    "contour", "[--levels N|--heights Z,..] [--along X,Y,Z|--light X,Y,Z] FILE|-",
+    "waterlines, plane sections, isophotes, silhouettes of surfaces",
     "FILE has surfaces of any kind in the format of host-tools/LOFT.md. The curves of a\n"
     "height are found on a grid of N by N cells, and their points on the surface itself, in\n"
     "the number type. Prints a `line` in .loft for each curve, which all commands read. A\n"

@@ -121,6 +121,14 @@ typedef struct engine_surface engine_surface;
 /* A point of a contour; `first`: it begins a curve. */
 typedef void engine_contour_sink(void *context, bool first, const double point[ENGINE_AXES]);
 
+/* What a contour has the value of: z; the distance along a direction; the angle between it and the
+ * normal, in degrees (tol is of its cosine). */
+enum engine_level_of { ENGINE_LEVEL_HEIGHT, ENGINE_LEVEL_PLANE, ENGINE_LEVEL_ANGLE };
+typedef struct {
+    enum engine_level_of of;
+    double direction[ENGINE_AXES], value;
+} engine_level;
+
 typedef struct {
     double normal[ENGINE_AXES];
     double gauss, mean;         /* 1/mm^2, 1/mm: mean > 0: bends to the normal */
@@ -142,9 +150,9 @@ typedef struct {
     int (*look)(const engine_surface *s, unsigned kite, double u, double v, engine_look *out);
     /* The same at u, v as eval takes them; nothing moves. */
     int (*local)(const engine_surface *s, double u, double v, engine_look *out);
-    /* The curves with z = `height` in their order, z within tol. They are found on a grid of n x n
-     * cells (n sides: a multiple of them around). */
-    int (*contour)(const engine_surface *s, double height, double tol, unsigned n,
+    /* The lines of a level in their order, within tol in its unit. They are found on a grid of
+     * n x n cells (n sides: a multiple of them around). */
+    int (*contour)(const engine_surface *s, const engine_level *level, double tol, unsigned n,
                    engine_contour_sink *sink, void *context);
 } engine_surfaces;
 

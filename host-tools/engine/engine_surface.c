@@ -402,7 +402,23 @@ static int contour_surface(const engine_surface *e, sheet_room *room, loft_surfa
     return status;
 }
 
-static int surface_contour(const engine_surface *e, double height, double tol, unsigned n,
+static int level_of(const engine_level *of, loft_level *out)
+{
+    const double degree = 3.14159265358979323846 / 180;
+    const double wanted = of->of == ENGINE_LEVEL_ANGLE ? cos(of->value * degree) : of->value;
+    loft_vec direction;
+    loft_real value;
+
+    if (!real_of(wanted, &value) || !vec_of(of->direction, &direction))
+        return LOFT_ERR_RANGE;
+    switch (of->of) {
+    case ENGINE_LEVEL_PLANE: return loft_level_plane(out, direction, value);
+    case ENGINE_LEVEL_ANGLE: return loft_level_light(out, direction, value);
+    default:                 return loft_level_axis(out, 2, value);
+    }
+}
+
+static int surface_contour(const engine_surface *e, const engine_level *of, double tol, unsigned n,
                            engine_contour_sink *sink, void *context)
 {
     const unsigned sides = surface_is_sided(e->s) ? sided_count(e->s) : 1,
@@ -413,15 +429,18 @@ static int surface_contour(const engine_surface *e, double height, double tol, u
     sheet_room room;
     loft_surface target;
     loft_contour c;
-    loft_real z, within;
+    loft_level level;
+    loft_real within;
     loft_vec at;
 
-    if (!real_of(height, &z) || !tol_of(tol, &within))
+    if (!tol_of(tol, &within))
         return LOFT_ERR_RANGE;
     uint8_t *memory = tool_grow(NULL, bytes);
-    int status = contour_surface(e, &room, &target);
+    int status = level_of(of, &level);
     if (status == LOFT_OK)
-        status = loft_contour_init(&c, target, 2, z, within, n, around, memory, bytes);
+        status = contour_surface(e, &room, &target);
+    if (status == LOFT_OK)
+        status = loft_contour_init_level(&c, target, &level, within, n, around, memory, bytes);
     while (status == LOFT_OK && (step = loft_contour_next(&c, &at)) != LOFT_CONTOUR_OVER) {
         point_of(at, point);
         sink(context, step == LOFT_CONTOUR_START, point);

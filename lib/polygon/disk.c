@@ -474,6 +474,6 @@ static enum loft_status disk_at(const void *surface, loft_unit u, loft_unit v, l
 
 loft_surface loft_surface_from_disk(const loft_disk *r)
 {
-    const loft_surface s = { disk_at, r, LOFT_SURFACE_DISK };
+    const loft_surface s = { disk_at, r, LOFT_SURFACE_DISK, NULL };
     return s;
 }

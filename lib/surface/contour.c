@@ -109,14 +109,13 @@ static loft_unit unit_lerp(loft_unit a, loft_unit b, loft_unit s)
     return loft_unit_round(loft_acc_lerp(loft_unit_to_acc(a), loft_unit_to_acc(b), s));
 }
 
-/* False when the surface has no point there. */
-static bool eval_spot(const loft_contour *c, spot *s)
+static enum loft_status look_at(const loft_contour *c, spot *s)
 {
-    if (c->surface.eval(c->surface.surface, s->u, s->v, &s->p) != LOFT_OK)
-        return false;
-    s->off = loft_to_acc(s->p.axis[c->axis]) - loft_to_acc(c->height);
-    return true;
+    return loft_level_at(&c->level, &c->surface, s->u, s->v, &s->p, &s->off);
 }
+
+/* False when the surface has no point there. */
+static bool eval_spot(const loft_contour *c, spot *s) { return look_at(c, s) == LOFT_OK; }
 
 static bool eval_corner(const loft_contour *c, corner k, spot *s)
 {
@@ -186,21 +185,30 @@ enum loft_status loft_contour_init(loft_contour *c, loft_surface surface, unsign
                                    loft_real height, loft_real tol, unsigned rows, unsigned columns,
                                    uint8_t memory[], size_t count)
 {
+    loft_level level;
+
+    if (loft_level_axis(&level, axis, height) != LOFT_OK)
+        return LOFT_ERR_ARG;
+    return loft_contour_init_level(c, surface, &level, tol, rows, columns, memory, count);
+}
+
+enum loft_status loft_contour_init_level(loft_contour *c, loft_surface surface,
+                                         const loft_level *level, loft_real tol, unsigned rows,
+                                         unsigned columns, uint8_t memory[], size_t count)
+{
     const bool round = surface.over == LOFT_SURFACE_DISK,
                triangle = surface.over == LOFT_SURFACE_TRIANGLE;
     corner k;
 
     if (rows < 1 || rows > LOFT_CONTOUR_MAX || columns < (round ? 3u : 1u) ||
-        columns > LOFT_CONTOUR_MAX || (triangle && rows != columns) || axis >= LOFT_AXES ||
-        !(tol >= 0) || !loft_real_valid(height))
+        columns > LOFT_CONTOUR_MAX || (triangle && rows != columns) || !(tol >= 0))
         return LOFT_ERR_ARG;
     if (count < LOFT_CONTOUR_BYTES(rows, columns))
         return LOFT_ERR_SPACE;
     for (uint32_t i = 0; i < LOFT_CONTOUR_BYTES(rows, columns); i++)
         memory[i] = 0;
     c->surface = surface;
-    c->axis = (uint8_t)axis;
-    c->height = height;
+    c->level = *level;
     c->tol = tol;
     c->rows = (uint16_t)rows;
     c->columns = (uint16_t)columns;
@@ -210,11 +218,12 @@ enum loft_status loft_contour_init(loft_contour *c, loft_surface surface, unsign
     for (k.i = 0; k.i <= rows; k.i++)
         for (k.j = 0; k.j <= (triangle ? rows - k.i : columns); k.j++) {
             spot s;
-            const loft_unit u = loft_unit_of(k.i, rows), v = loft_unit_of(k.j, columns);
-            const enum loft_status status = surface.eval(surface.surface, u, v, &s.p);
+            s.u = loft_unit_of(k.i, rows);
+            s.v = loft_unit_of(k.j, columns);
+            const enum loft_status status = look_at(c, &s);
             if (status != LOFT_OK)
                 return status;
-            if (s.p.axis[axis] >= height)
+            if (s.off >= 0)
                 set_bit(c, corner_bit(c, k));
         }
     return LOFT_OK;

@@ -1,4 +1,4 @@
-/* lib/surface/contour.h -- contour lines: the curves of equal height on a surface, point by point
+/* lib/surface/contour.h -- contour lines: curves of equal height, distance or light on a surface
  * SPDX-License-Identifier: MIT
  *
  *     static uint8_t memory[LOFT_CONTOUR_BYTES(32, 32)];
@@ -19,7 +19,7 @@
 #ifndef LOFT_SURFACE_CONTOUR_H
 #define LOFT_SURFACE_CONTOUR_H
 
-#include "surface/surface.h"      /* loft_surface */
+#include "surface/level.h"        /* loft_level, loft_surface */
 
 LOFT_BEGIN_C
 
@@ -40,10 +40,10 @@ typedef struct {
 typedef struct {
     loft_unit u, v;
     loft_surface surface;
-    loft_real height, tol;
+    loft_level level;
+    loft_real tol;
     uint8_t *memory;
     uint16_t rows, columns;
-    uint8_t axis;
     bool walking, closed;       /* on a curve; all curves from the border are done      */
     uint32_t next;              /* the next triangle to search for a start              */
     loft_contour_cell at;
@@ -63,6 +63,18 @@ typedef struct {
 enum loft_status loft_contour_init(loft_contour *c, loft_surface surface, unsigned axis,
                                    loft_real height, loft_real tol, unsigned rows, unsigned columns,
                                    uint8_t memory[], size_t count) LOFT_CHECKED;
+
+/* The same for any level: a section by a plane, an isophote, a silhouette (level.h). tol is in its
+ * unit; the higher side is that of larger distances or cosines.
+ *
+ *   range   as above; also the status of loft_level_at
+ *   error   none, but for that of loft_level_at: a corner closer than that may count as higher
+ *   cost    (rows + 1) (columns + 1) times loft_level_at
+ */
+enum loft_status loft_contour_init_level(loft_contour *c, loft_surface surface,
+                                         const loft_level *level, loft_real tol, unsigned rows,
+                                         unsigned columns, uint8_t memory[],
+                                         size_t count) LOFT_CHECKED;
 
 enum loft_contour_step {
     LOFT_CONTOUR_OVER,          /* there are no more points         */

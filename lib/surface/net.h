@@ -1,4 +1,4 @@
-/* lib/surface/net.h -- surfaces with control nets, as polynomials of two parameters x, y for searches
+/* lib/surface/net.h -- surfaces with control nets, as polynomials of x and y for searches
  * SPDX-License-Identifier: MIT
  *
  * net_nearest.h and net_ray.h work on any surface with a net:

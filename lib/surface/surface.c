@@ -49,41 +49,87 @@ static enum loft_status sphere_at(const void *surface, loft_unit u, loft_unit v,
                             loft_lerp(0, LOFT_REAL(180), u), out);
 }
 
-static loft_surface surface_of(enum loft_status (*eval)(const void *, loft_unit, loft_unit,
-                                                        loft_vec *),
-                               const void *surface, enum loft_surface_over over)
+static enum loft_status tensor_slopes(const void *surface, loft_unit u, loft_unit v,
+                                      loft_differential *out)
 {
-    const loft_surface s = { eval, surface, over };
-    return s;
+    return loft_tensor_differential((const loft_tensor *)surface, u, v, out);
+}
+
+static enum loft_status tensor_rational_slopes(const void *surface, loft_unit u, loft_unit v,
+                                               loft_differential *out)
+{
+    return loft_tensor_rational_differential((const loft_tensor_rational *)surface, u, v, out);
+}
+
+static enum loft_status triangle_slopes(const void *surface, loft_unit u, loft_unit v,
+                                        loft_differential *out)
+{
+    const loft_bary at = { u, v };
+    return loft_triangle_differential((const loft_triangle *)surface, loft_bary_clamp(at), out);
+}
+
+static enum loft_status triangle_rational_slopes(const void *surface, loft_unit u, loft_unit v,
+                                                 loft_differential *out)
+{
+    const loft_bary at = { u, v };
+    return loft_triangle_rational_differential((const loft_triangle_rational *)surface,
+                                               loft_bary_clamp(at), out);
+}
+
+static enum loft_status bicubic_slopes(const void *surface, loft_unit u, loft_unit v,
+                                       loft_differential *out)
+{
+    loft_vec net[16];
+    loft_tensor tensor;
+    enum loft_status status = loft_tensor_from_bicubic((const loft_bicubic *)surface, net);
+
+    if (status == LOFT_OK)
+        status = loft_tensor_init(&tensor, net, 3, 3);
+    return status == LOFT_OK ? loft_tensor_differential(&tensor, u, v, out) : status;
+}
+
+static enum loft_status coons_slopes(const void *surface, loft_unit u, loft_unit v,
+                                     loft_differential *out)
+{
+    return loft_coons_bezier_differential((const loft_coons_bezier *)surface, u, v, out);
 }
 
 loft_surface loft_surface_from_tensor(const loft_tensor *s)
 {
-    return surface_of(tensor_at, s, LOFT_SURFACE_SQUARE);
+    const loft_surface made = { tensor_at, s, LOFT_SURFACE_SQUARE, tensor_slopes };
+    return made;
 }
 loft_surface loft_surface_from_tensor_rational(const loft_tensor_rational *s)
 {
-    return surface_of(tensor_rational_at, s, LOFT_SURFACE_SQUARE);
+    const loft_surface made = { tensor_rational_at, s, LOFT_SURFACE_SQUARE,
+                                tensor_rational_slopes };
+    return made;
 }
 loft_surface loft_surface_from_triangle(const loft_triangle *s)
 {
-    return surface_of(triangle_at, s, LOFT_SURFACE_TRIANGLE);
+    const loft_surface made = { triangle_at, s, LOFT_SURFACE_TRIANGLE, triangle_slopes };
+    return made;
 }
 loft_surface loft_surface_from_triangle_rational(const loft_triangle_rational *s)
 {
-    return surface_of(triangle_rational_at, s, LOFT_SURFACE_TRIANGLE);
+    const loft_surface made = { triangle_rational_at, s, LOFT_SURFACE_TRIANGLE,
+                                triangle_rational_slopes };
+    return made;
 }
 loft_surface loft_surface_from_bicubic(const loft_bicubic *s)
 {
-    return surface_of(bicubic_at, s, LOFT_SURFACE_SQUARE);
+    const loft_surface made = { bicubic_at, s, LOFT_SURFACE_SQUARE, bicubic_slopes };
+    return made;
 }
 loft_surface loft_surface_from_coons(const loft_coons_bezier *s)
 {
-    return surface_of(coons_at, s, LOFT_SURFACE_SQUARE);
+    const loft_surface made = { coons_at, s, LOFT_SURFACE_SQUARE, coons_slopes };
+    return made;
 }
 loft_surface loft_surface_from_sphere(const loft_sphere *s)
 {
-    return surface_of(sphere_at, s, LOFT_SURFACE_DISK);
+    const loft_surface made = { sphere_at, s, LOFT_SURFACE_DISK, NULL };
+    return made;
 }
 
 /* Lines */

@@ -16,6 +16,7 @@
 #ifndef LOFT_SURFACE_SURFACE_H
 #define LOFT_SURFACE_SURFACE_H
 
+#include "surface/differential.h"                   /* loft_differential */
 #include "surface/tensor/bicubic.h"                 /* loft_bicubic */
 #include "surface/tensor/coons.h"                   /* loft_coons_bezier */
 #include "surface/sphere.h"                         /* loft_sphere */
@@ -37,6 +38,9 @@ typedef struct {
     enum loft_status (*eval)(const void *surface, loft_unit u, loft_unit v, loft_vec *out);
     const void *surface;
     enum loft_surface_over over;
+    /* Derivatives there, for its normal; NULL if the kind has none. */
+    enum loft_status (*differential)(const void *surface, loft_unit u, loft_unit v,
+                                     loft_differential *out);
 } loft_surface;
 
 /* Make a loft_surface of a surface, which must outlive it. On a sphere u runs from the pole down, v

@@ -1250,6 +1250,30 @@ case_decide() {
     one_line 64 'ray: --of has 3 numbers: give a point and'      "$loft" decide ray --of=1,2,3 -
     one_line 65 'holds no surface' "$loft" decide ray --of=1,2,3,4,5,6 "$tmp/touch.txt"
 }
+# z = (x^2 + y^2) / 8 over -8..8: the plane x + y = 4 cuts it within that plane; the silhouette from
+# (1, 1, 0) is the line x + y = 0; the normal has 60 degrees to z on the circle of radius 4 sqrt 3
+case_sections_and_silhouettes() {
+    printf 'tensor 2 2\n-8 -8 16\n-8 0 0\n-8 8 16\n0 -8 0\n0 0 -16\n0 8 0\n' >"$tmp/bowl.loft"
+    printf '8 -8 16\n8 0 0\n8 8 16\n' >>"$tmp/bowl.loft"
+    lines_where() {         # EXPRESSION of x, y, z that is 0
+        awk '/^line/ { n++; next } NF { x = $1; y = $2; z = $3; off = '"$1"'
+               if (off > 2e-3 || off < -2e-3 || (z - (x * x + y * y) / 8) ^ 2 > 1e-8) exit 1 }
+             END { exit n != 1 }' "$tmp/out" || job_fails "$num, $1: $(head -5 "$tmp/out")"
+    }
+    for num in q16 f32 f64; do
+        run 0 "$loft" contour --num $num --along 1,1,0 --heights 2.8284271247 "$tmp/bowl.loft"
+        lines_where 'x + y - 4'
+        run 0 "$loft" contour --num $num --tol 0 --light 1,1,0 "$tmp/bowl.loft"
+        lines_where 'x + y'
+        run 0 "$loft" contour --num $num --tol 0 --light 0,0,5 --heights 60 "$tmp/bowl.loft"
+        lines_where 'sqrt(x * x + y * y) - 4 * sqrt(3)'
+    done
+    printf 'sphere 5\n' >"$tmp/ball.loft"
+    one_line 65 'no angles of this kind' "$loft" contour --light 0,0,1 "$tmp/ball.loft"
+    one_line 64 'a direction X,Y,Z'      "$loft" contour --along 0,0,0 "$tmp/bowl.loft"
+    one_line 64 'give one of them'  "$loft" contour --along 1,0,0 --light 1,0,0 "$tmp/bowl.loft"
+    one_line 65 'no normal has such'     "$loft" contour --light 0,0,1 "$tmp/bowl.loft"
+}
 case_normals_and_curvatures() {         # of a sphere; of z = 32 x (10 - x) y (10 - y) / 10^4 on top
     printf 'sphere 10\n' >"$tmp/ball.loft"
     printf 'tensor 2 2\n0 0 0\n0 5 0\n0 10 0\n5 0 0\n5 5 8\n5 10 0\n10 0 0\n10 5 0\n10 10 0\n' \

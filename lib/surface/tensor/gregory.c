@@ -197,9 +197,15 @@ static enum loft_status gregory_at(const void *surface, loft_unit u, loft_unit v
     return loft_gregory_eval((const loft_gregory *)surface, u, v, out);
 }
 
+static enum loft_status gregory_slopes(const void *surface, loft_unit u, loft_unit v,
+                                       loft_differential *out)
+{
+    return loft_gregory_differential((const loft_gregory *)surface, u, v, out);
+}
+
 loft_surface loft_surface_from_gregory(const loft_gregory *g)
 {
-    const loft_surface made = { gregory_at, g, LOFT_SURFACE_SQUARE };
+    const loft_surface made = { gregory_at, g, LOFT_SURFACE_SQUARE, gregory_slopes };
     return made;
 }
 

@@ -177,9 +177,19 @@ static enum loft_status nurbs_surface_at(const void *surface, loft_unit u, loft_
     return loft_nurbs_surface_eval(s, at[0], at[1], out);
 }
 
+static enum loft_status nurbs_slopes(const void *surface, loft_unit u, loft_unit v,
+                                     loft_differential *out)
+{
+    const loft_nurbs_surface *s = (const loft_nurbs_surface *)surface;
+    loft_real at[2];
+
+    loft_nurbs_surface_at(s, u, v, at);
+    return loft_nurbs_surface_differential(s, at[0], at[1], out);
+}
+
 loft_surface loft_surface_from_nurbs(const loft_nurbs_surface *s)
 {
-    const loft_surface made = { nurbs_surface_at, s, LOFT_SURFACE_SQUARE };
+    const loft_surface made = { nurbs_surface_at, s, LOFT_SURFACE_SQUARE, nurbs_slopes };
     return made;
 }
 

@@ -255,6 +255,85 @@ static void a_plane_has_a_line(arb *a)
     CHECK(fabsl(fminl(x0, x1)) < 1e-4L && fabsl(fmaxl(x0, x1) - level) < 1e-4L);
 }
 
+/* Sections by planes at any angle: the exact distance of each point is the wanted one. */
+static void sections_lie_in_their_plane(arb *a)
+{
+    const scene *x = arb_scene(a);
+    const long double step = BY_NUM(0x1p-24L, 0x1p-24L, 0x1p-53L),
+                      eval = BY_NUM(0x1p-15L, 8 * 0x1p-17L, 0x1p-43L);
+    loft_vec direction = { { 0 } };
+    loft_level level;
+    loft_contour c;
+    long double length = 0;
+
+    for (int i = 0; i < 3 && i < LOFT_AXES; i++) {
+        direction.axis[i] = arb_real(a, 100);
+        length += powl(exact_of(direction.axis[i]), 2);
+    }
+    if (length == 0) {
+        CHECK(loft_level_plane(&level, direction, 0) == LOFT_ERR_ARG);
+        return;
+    }
+    CHECK(loft_level_plane(&level, direction, x->height) == LOFT_OK);
+    CHECK(loft_contour_init_level(&c, x->sheet, &level, x->tol, x->rows, x->columns, memory,
+                                  sizeof memory) == LOFT_OK);
+    const unsigned count = gather(&c);
+    for (unsigned k = 0; k < count; k++) {
+        long double along = 0;
+        for (int i = 0; i < 3 && i < LOFT_AXES; i++)
+            along += exact_of(list[k].p.axis[i]) * exact_of(direction.axis[i]);
+        CHECK(fabsl(along / sqrtl(length) - exact_of(x->height)) <=
+              exact_of(x->tol) + 2 * step * STEEPNESS + eval);
+    }
+}
+
+/* z = (x^2 + y^2) / 8 over -8..8: its normal is (-x, -y, 4) / sqrt(x^2 + y^2 + 16). Its silhouette
+ * in a direction (a, b, 0) is the line a x + b y = 0; isophotes from above are circles. */
+static void a_bowl_has_its_silhouettes_and_isophotes(arb *a)
+{
+    loft_vec p[9], from = { { 0 } };
+    loft_tensor s;
+    loft_level level;
+    loft_contour c;
+
+    if (LOFT_AXES < 3)
+        return;
+    for (int k = 0; k < 9; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            p[k].axis[i] = loft_real_from_int(i == 0   ? 8 * (k / 3 - 1)
+                                              : i == 1 ? 8 * (k % 3 - 1)
+                                              : i == 2
+                                                  ? (k / 3 == 1 ? -8 : 8) + (k % 3 == 1 ? -8 : 8)
+                                                  : 0);
+    CHECK(loft_tensor_init(&s, p, 2, 2) == LOFT_OK);
+    const long double b[2] = { 1 + arb_below(a, 5), (long double)arb_below(a, 7) - 3 };
+    for (int i = 0; i < 2; i++)
+        from.axis[i] = LOFT_REAL(b[i]);
+    CHECK(loft_level_light(&level, from, 0) == LOFT_OK);
+    CHECK(loft_contour_init_level(&c, loft_surface_from_tensor(&s), &level, 0, 13, 17, memory,
+                                  sizeof memory) == LOFT_OK);
+    unsigned count = gather(&c);
+    CHECK(count > 5);
+    for (unsigned k = 0; k < count; k++) {
+        CHECK(list[k].start == (k == 0));
+        CHECK_NEAR(b[0] * exact_of(list[k].p.axis[0]) + b[1] * exact_of(list[k].p.axis[1]), 0,
+                   BY_NUM(1e-3L, 1e-3L, 1e-9L));
+    }
+    from.axis[0] = from.axis[1] = 0;
+    from.axis[2] = LOFT_REAL(3);
+    const long double cosine = BY_NUM(49152, 0.75, 0.75) / BY_NUM(65536.0L, 1.0L, 1.0L);
+    CHECK(loft_level_light(&level, from, LOFT_REAL(0.75)) == LOFT_OK);
+    CHECK(loft_contour_init_level(&c, loft_surface_from_tensor(&s), &level, 0, 16, 16, memory,
+                                  sizeof memory) == LOFT_OK);
+    count = gather(&c);
+    CHECK(count > 20 && same(&list[0].p, &list[count - 1].p));
+    for (unsigned k = 0; k < count; k++)
+        CHECK_NEAR(powl(exact_of(list[k].p.axis[0]), 2) + powl(exact_of(list[k].p.axis[1]), 2),
+                   16 / (cosine * cosine) - 16, BY_NUM(1e-2L, 1e-2L, 1e-8L));
+    CHECK(loft_level_light(&level, from, LOFT_REAL(1.5)) == LOFT_ERR_ARG);
+    CHECK(loft_level_axis(&level, LOFT_AXES, 0) == LOFT_ERR_ARG);
+}
+
 static void what_is_wrong_is_refused(arb *a)
 {
     const scene *x = arb_scene(a);
@@ -319,6 +398,8 @@ int main(void)
     PROPERTY(curves_are_complete, 300);
     PROPERTY(a_sphere_has_rings, 60);
     PROPERTY(a_plane_has_a_line, 60);
+    PROPERTY(sections_lie_in_their_plane, 100);
+    PROPERTY(a_bowl_has_its_silhouettes_and_isophotes, 20);
     PROPERTY(what_is_wrong_is_refused, 20);
     PROPERTY(traces_are_lines_of_the_parameters, 60);
     return check_failures();
