@@ -186,10 +186,12 @@ HOST_PACKAGES := gcc g++ libc6-dev make pkg-config clang clang-format libclang-r
 deps:
 	@sh tests/house/deps.sh $(HOST_PACKAGES)
 
-## Install what else `make bench` compares with (AGG, GSL)
+## Install what else `make bench` compares with (AGG, GSL, SISL, OCCT, lyon, kurbo)
 .PHONY: deps-bench
 deps-bench:
-	@sh tests/house/deps.sh g++ libagg-dev libgsl-dev
+	@sh tests/house/deps.sh g++ libagg-dev libgsl-dev libsisl-dev libocct-foundation-dev \
+	    libocct-modeling-data-dev libocct-modeling-algorithms-dev librust-kurbo-dev \
+	    librust-lyon-geom-dev $(if $(shell command -v cargo),,cargo)
 
 ## Install what `make check-gcode` compares with (LinuxCNC's rs274)
 .PHONY: deps-gcode

@@ -346,6 +346,7 @@
 #define loft_forward_double        LOFT_NAME(loft_forward_double)
 #define loft_forward_exact_init    LOFT_NAME(loft_forward_exact_init)
 #define loft_forward_exact_next    LOFT_NAME(loft_forward_exact_next)
+#define loft_forward_flatten       LOFT_NAME(loft_forward_flatten)
 #define loft_forward_halve         LOFT_NAME(loft_forward_halve)
 #define loft_forward_init          LOFT_NAME(loft_forward_init)
 #define loft_forward_next          LOFT_NAME(loft_forward_next)

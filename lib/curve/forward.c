@@ -79,6 +79,56 @@ enum loft_status loft_forward_init(loft_forward *w, const loft_bezier *b, uint32
     return LOFT_OK;
 }
 
+/* The largest coordinate, and the largest second difference. */
+static void sizes_of(const loft_bezier *b, loft_acc *size, loft_acc *bend)
+{
+    *size = *bend = 0;
+    for (unsigned k = 0; k <= b->degree; k++) {
+        loft_acc d[LOFT_AXES];
+        for (int i = 0; i < LOFT_AXES; i++) {
+            const loft_acc x = loft_to_acc(b->p[k].axis[i]);
+            *size = loft_acc_max(*size, loft_acc_abs(x));
+            if (k >= 2)
+                d[i] = x - 2 * loft_to_acc(b->p[k - 1].axis[i]) + loft_to_acc(b->p[k - 2].axis[i]);
+        }
+        if (k >= 2)
+            *bend = loft_acc_max(*bend, loft_acc_hypot(d, LOFT_AXES));
+    }
+}
+
+/* The second derivative of a Bezier curve is at most degree (degree - 1) times the largest second
+ * difference D. A chord of a step h = 1/n is within h^2 / 8 of that, point by point, so
+ *
+ *     degree (degree - 1) D / (8 n^2) <= tol - e
+ *
+ * suffices, where e is what the points err by: for n within the law of ranges 1 LSB in each of at
+ * most 6 axes in q16, below 3; in f32 1/2 ulp and in f64 2^-37 of the largest coordinate. Roots err
+ * by 1/2 LSB of at least 511, or n is 1; so 1/512 is added to n. */
+enum loft_status loft_forward_flatten(loft_forward *w, const loft_bezier *b, loft_real tol)
+{
+    loft_acc size, bend;
+
+    if (b->degree > LOFT_FORWARD_DEGREE_MAX || !(tol > 0))
+        return LOFT_ERR_ARG;
+    if (!points_valid(b))
+        return LOFT_ERR_RANGE;
+    sizes_of(b, &size, &bend);
+    const loft_acc off = 3 * loft_real_ulp(size) + 65536 * loft_acc_ulp(size),
+                   room = loft_to_acc(tol) - off;
+    if (!loft_real_valid(tol) || room < off)
+        return LOFT_ERR_RANGE;
+    if (b->degree < 2)
+        return loft_forward_init(w, b, 1);
+
+    const loft_acc wide = loft_to_acc(
+        loft_acc_sqrt(loft_acc_ratio((int32_t)(b->degree * (b->degree - 1u)) * bend, 8)));
+    const loft_acc narrow = loft_to_acc(loft_acc_sqrt(room));
+    if (wide > 32000 * narrow)
+        return LOFT_ERR_RANGE;
+    const loft_real n = loft_acc_quot(wide + loft_acc_ratio(wide, 512), narrow);
+    return loft_forward_init(w, b, 1 + (uint32_t)loft_real_floor(n));
+}
+
 /* A cubic need not save the registers of this. */
 static APART bool step_any(loft_forward *w, loft_vec *out)
 {

@@ -161,6 +161,18 @@ static inline double    loft_difference_tail(double a, double b, double d)
     return (a - (d - t)) + (-b - t);
 }
 
+/* Each weight has a relative error of 3 roundings, its product one more, and the sum is the fifth.
+ * Neither weight is computed as 1 minus the other: if values of one sign differ greatly, the small
+ * one keeps all its digits. */
+static inline loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo,
+                                        loft_real hi)
+{
+    const loft_acc length = loft_to_acc(hi) - loft_to_acc(lo);
+
+    return (loft_to_acc(hi) - loft_to_acc(a)) / length * x +
+           (loft_to_acc(a) - loft_to_acc(lo)) / length * y;
+}
+
 /* error none; |a| < 2^31 */
 static inline int32_t   loft_real_floor(loft_real a)
 {

@@ -221,17 +221,6 @@ loft_real loft_acc_sqrt(loft_acc x) { return (loft_real)loft_sci_sqrt(x); }
 
 loft_real loft_acc_quot(loft_acc x, loft_acc y) { return (loft_real)(x / y); }
 
-/* Each weight has a relative error of 3 roundings, its product one more, and the sum is the fifth.
- * Neither weight is computed as 1 minus the other: if values of one sign differ greatly, the small
- * one keeps all its digits. */
-loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo, loft_real hi)
-{
-    const loft_acc length = loft_to_acc(hi) - loft_to_acc(lo);
-
-    return (loft_to_acc(hi) - loft_to_acc(a)) / length * x +
-           (loft_to_acc(a) - loft_to_acc(lo)) / length * y;
-}
-
 /* The vector is scaled by the largest component, so that no square overflows or underflows. */
 loft_acc loft_acc_hypot(const loft_acc x[], int n)
 {

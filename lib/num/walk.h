@@ -238,7 +238,8 @@ borrow:
 #  define LOFT_WALK_STEP_AXES                                                                      \
     ".syntax unified\n .rept " LOFT_WALK_TEXT(LOFT_AXES) "\n"                                      \
     "ldmia r0!, {r2-r7}\n adds r2, r2, r4\n adcs r3, r5\n adds r4, r4, r6\n adcs r5, r7\n"         \
-    "subs r0, #24\n stmia r0!, {r2-r5}\n stmia r1!, {r3}\n ldr r2, [r0, #8]\n ldr r3, [r0, #12]\n"  \
+    "subs r0, #24\n stmia r0!, {r2-r5}\n stmia r1!, {r3}\n ldr r2, [r0, #8]\n"                     \
+    "ldr r3, [r0, #12]\n"                                                                          \
     "adds r6, r6, r2\n adcs r7, r3\n stmia r0!, {r6, r7}\n adds r0, #24\n .endr\n"
 #endif
 
@@ -308,8 +309,6 @@ void loft_walk3_init(loft_walk3 *w, const loft_real p[4], const loft_powers3 *po
 /* `count` steps; the values go to out[0], out[stride] .. */
 void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride, uint32_t count);
 
-/* The same for the cubics w[0] and w[1], whose values go to out[0] and out[1], out[stride] and so
- * on, where they are faster together: if not, it returns false and does nothing. */
 #if defined(__has_builtin) && LOFT_NUM == LOFT_Q16
 #  if __has_builtin(__builtin_shufflevector) &&                                                    \
     (defined(__SSE2__) || (defined(__ARM_NEON) && defined(__AARCH64EL__)))
@@ -317,9 +316,14 @@ void loft_walk_run(loft_walk *w, unsigned degree, loft_real out[], size_t stride
 #  endif
 #endif
 #if defined(LOFT_WALK_TWO)
+
+/* The same for the cubics w[0] and w[1], whose values go to out[0] and out[1], out[stride] and so
+ * on, where they are faster together: if not, it returns false and does nothing. */
 bool loft_walk_run2(loft_walk w[2], unsigned degree, loft_real out[], size_t stride,
                     uint32_t count);
+
 #else
+
 static inline bool loft_walk_run2(loft_walk w[2], unsigned degree, loft_real out[], size_t stride,
                                   uint32_t count)
 {
@@ -330,6 +334,7 @@ static inline bool loft_walk_run2(loft_walk w[2], unsigned degree, loft_real out
     (void)count;
     return false;
 }
+
 #endif
 
 /* Turn a[k], the coefficient of t^k for steps of 1, into the k-th difference at 0, for k =

@@ -21,13 +21,47 @@ build/bench/bench%: tests/bench/bench.c build/q16x%/libloft.a \
 	    $(if $(BENCH_LIBS),$(shell pkg-config --libs $(BENCH_LIBS))) \
 	    $(if $(filter libagg,$(BENCH_LIBS)),-lstdc++) -lm
 
-## Time walking a cubic against de Casteljau, Horner, AGG, GSL and cairo (make deps-bench)
+# --- build/bench/peers: flattening, nearest points, crossings, B-splines, in double ---------------
+OCCT_DIR  := /usr/include/opencascade
+OCCT_LIBS := -lTKGeomAlgo -lTKGeomBase -lTKG3d -lTKG2d -lTKMath -lTKernel
+CRATES    := /usr/share/cargo/registry
+PEERS := $(if $(wildcard /usr/include/sisl.h),SISL) \
+         $(if $(wildcard $(OCCT_DIR)/Geom2dAPI_*),OCCT) \
+         $(if $(and $(wildcard $(CRATES)/kurbo-* $(CRATES)/lyon_geom-*),\
+                    $(shell command -v cargo)),RUST)
+
+build/bench/occt.o: tests/bench/bench_occt.cpp tests/bench/bench_peers.h
+	@mkdir -p $(@D)
+	$(SAY) "  CXX $@"
+	$(Q)$(CXX) -O2 -g $(CPPFLAGS) $(CXXFLAGS) -isystem $(OCCT_DIR) -c $< -o $@
+# Debian's crates, without a registry
+build/bench/rust/target/release/libpeers.a: tests/bench/rust/Cargo.toml tests/bench/rust/peers.rs
+	@mkdir -p build/bench/rust && cp $^ build/bench/rust
+	$(SAY) "  RS  $@"
+	$(Q)cd build/bench/rust && cargo build --release --offline --quiet --target-dir target \
+	    --config 'source.crates-io.replace-with="debian"' \
+	    --config 'source.debian.directory="$(CRATES)"'
+build/bench/peers: tests/bench/bench_peers.c tests/bench/bench_peers.h build/f64x2/libloft.a \
+                   $(if $(filter libagg,$(BENCH_LIBS)),build/bench/agg.o) \
+                   $(if $(filter OCCT,$(PEERS)),build/bench/occt.o) \
+                   $(if $(filter RUST,$(PEERS)),build/bench/rust/target/release/libpeers.a)
+	@mkdir -p $(@D)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(INCLUDE) $(BUILT) $(STD) -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=2 \
+	    $(BENCH_FLAGS) $(if $(filter libagg,$(BENCH_LIBS)),-DBENCH_AGG) \
+	    $(PEERS:%=-DBENCH_%) $(filter-out %.h,$^) -o $@ $(if $(filter SISL,$(PEERS)),-lsisl) \
+	    $(if $(filter OCCT,$(PEERS)),$(OCCT_LIBS)) \
+	    $(if $(BENCH_LIBS),$(shell pkg-config --libs $(BENCH_LIBS))) \
+	    $(if $(filter libagg,$(BENCH_LIBS))$(PEERS),-lstdc++ -ldl -lpthread) -lm
+
+## Time curves against Horner, AGG, GSL, cairo, SISL, OCCT, lyon and kurbo (make deps-bench)
 .PHONY: bench
 bench:
 	@for axes in 2 3; do \
 	    $(MAKE) -s --no-print-directory AXES=$$axes build/bench/bench$$axes && \
 	    build/bench/bench$$axes || exit 1; done
-	@for l in gsl cairo libagg; do case " $(BENCH_LIBS) " in *" $$l "*) ;; \
+	@$(MAKE) -s --no-print-directory AXES=2 build/bench/peers && build/bench/peers
+	@for l in gsl cairo libagg SISL OCCT RUST; do case " $(BENCH_LIBS) $(PEERS) " in *" $$l "*) ;; \
 	    *) echo "not compared: $$l is missing (make deps-bench)";; esac; done
 
 ## Count the instructions of a point of each patch with n sides on an emulated Cortex-M0 and M4

@@ -1,6 +1,7 @@
-// tests/bench/bench_agg.cpp -- Anti-Grain Geometry's incremental cubic, callable from C, for
-// bench.c
+// tests/bench/bench_agg.cpp -- Anti-Grain Geometry's cubics, callable from C, for bench.c and
+// bench_peers.c
 // SPDX-License-Identifier: MIT
+#include "bench_peers.h"
 #include <agg_curves.h>
 #include <cmath>
 
@@ -22,6 +23,23 @@ extern "C" unsigned bench_agg_curve4_inc(const double p[4][2], unsigned n, doubl
     while (!agg::is_stop(curve.vertex(&x, &y)) && count < n) {
         points[count][0] = x;
         points[count++][1] = y;
+    }
+    return count;
+}
+
+// Its tolerance is half a pixel of the scale.
+extern "C" unsigned bench_agg_curve4_div(double p[4][2], double tol, double (*out)[4])
+{
+    agg::curve4_div curve;
+    curve.approximation_scale(0.5 / tol);
+    curve.init(p[0][0], p[0][1], p[1][0], p[1][1], p[2][0], p[2][1], p[3][0], p[3][1]);
+
+    unsigned count = 0;
+    double x, y;
+    curve.vertex(&x, &y);           // the start
+    while (!agg::is_stop(curve.vertex(&x, &y)) && count < MOST) {
+        out[count][0] = x;
+        out[count++][1] = y;
     }
     return count;
 }

@@ -2,6 +2,7 @@
  * and few
  * SPDX-License-Identifier: MIT
  */
+#include "curve/forward.h"
 #include "curve/measure.h"
 #include "support/cubics.h"          /* the reference, CHECK, PROPERTY, arb_shape */
 
@@ -47,6 +48,39 @@ static void chords_and_curve_are_within_the_tolerance_of_each_other(arb *a)
     }
     CHECK(chords > 0 && loft_vec_equal(q, c.p[3]) && f.at == (uint32_t)1 << 24);
     CHECK(!accepted || !loft_flatten_next(&f, &p));
+}
+
+static void equal_steps_are_within_the_tolerance(arb *a)
+{
+    const loft_cubic c = arb_shape(a);
+    const exact e = exact_of(&c);
+    const int32_t raw = arb_tol(a, &e, 8);
+    loft_bezier b;
+    loft_forward w;
+    loft_vec p = c.p[0], q;
+
+    if (loft_bezier_init(&b, c.p, 3) != LOFT_OK || loft_forward_flatten(&w, &b, tol_of(raw)))
+        return;                         /* more steps than the law of ranges allows */
+    const uint32_t n = w.left;
+    for (uint32_t j = 1; loft_forward_next(&w, &q); j++, p = q)
+        if (j % 8 == 1 || j < 20)
+            check_chord(&e, point_of(p), point_of(q), (j - 1.0L) / n, (real)j / n, raw / 65536.0L);
+    CHECK(loft_vec_equal(p, c.p[3]));
+}
+
+/* The bound of a parabola is its distance from the chords. */
+static void equal_steps_along_a_parabola_are_few(arb *a)
+{
+    const int32_t h = 65536 << arb_below(a, 6);
+    loft_vec p[3] = { { { 0 } }, { { 0 } }, { { 0 } } };
+    loft_bezier b;
+    loft_forward w;
+
+    p[1].axis[0] = tol_of(h);
+    CHECK(loft_bezier_init(&b, p, 2) == LOFT_OK &&
+          loft_forward_flatten(&w, &b, tol_of(655)) == LOFT_OK);
+    const double n = sqrt(2.0 / 8 * 2 * h / 655);
+    CHECK(w.left >= n && w.left <= n * 1.006 + 2);
 }
 
 static uint32_t chords_of(const loft_cubic *c, int32_t raw)
@@ -218,6 +252,8 @@ static void a_point_is_one_chord(arb *a)
 int main(void)
 {
     PROPERTY(chords_and_curve_are_within_the_tolerance_of_each_other,        150);
+    PROPERTY(equal_steps_are_within_the_tolerance,                           300);
+    PROPERTY(equal_steps_along_a_parabola_are_few,                            50);
     PROPERTY(never_more_chords_than_halving_gives,                           150);
     PROPERTY(never_more_chords_than_halving_gives_for_drawings,             2000);
     PROPERTY(never_more_chords_than_halving_gives_where_a_piece_halts,       600);
