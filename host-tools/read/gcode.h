@@ -11,6 +11,7 @@
  *     gcode_cycle.c     drilling
  *     gcode_offset.c    coordinate systems, home, lengths of tools
  *     gcode_tool.c      tools
+ *     gcode_modes.c     modes that are saved and brought back
  *     gcode_radius.c    tool radius compensation
  *     gcode_draw.c      the motions as a drawing
  *

@@ -111,7 +111,10 @@ static void read_word(gcode_scanner *s, char letter)
         return;
     }
     if (gcode_has(s->b, letter)) {
-        snprintf(what, sizeof what, "%c twice in a line", letter);
+        snprintf(what, sizeof what, "%c twice in a line",
+                 letter == GCODE_RADIUS  ? '@'
+                 : letter == GCODE_ANGLE ? '^'
+                                         : letter);
         gcode_scan_fail(s, what, "leave one of them out");
         return;
     }
@@ -195,6 +198,8 @@ static void read_words(gcode_scanner *s)
                             "write the program out in the CAM's post-processor");
         else if (c == 'O')
             continue;
+        else if ((c == '@' || c == '^') && !s->b->printer)
+            read_word(s, c == '@' ? GCODE_RADIUS : GCODE_ANGLE);
         else if (c >= 'A' && c <= 'Z' && stands_alone(s))
             add_bare(s->b, c);
         else if (c >= 'A' && c <= 'Z')

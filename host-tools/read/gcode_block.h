@@ -18,6 +18,8 @@
 #define GCODE_NUMBERED  5603    /* parameters #1 .. #5602 */
 #define GCODE_NAMED     256     /* parameters #<name> */
 #define GCODE_NAME_MAX  64
+#define GCODE_RADIUS    ('Z' + 1)       /* @ and ^, polar coordinates, as if they were letters */
+#define GCODE_ANGLE     ('Z' + 2)
 
 typedef struct {
     char name[GCODE_NAME_MAX];
@@ -38,8 +40,8 @@ typedef struct {
     bool skip;                  /* leave out lines that begin with / */
     gcode_parameters *at;
     /* ---- */
-    uint32_t has;               /* bit n: the letter 'A' + n, except G and M */
-    double value[26];
+    uint32_t has;               /* bit n: the letter 'A' + n, except G and M; GCODE_RADIUS .. */
+    double value[28];
     short g[GCODE_CODES], m[GCODE_CODES];       /* in tenths: G5.1 is 51 */
     unsigned gs, ms;
     const char *say;            /* (MSG,text), or NULL, and its length */

@@ -39,24 +39,121 @@ static int peck(gcode_program *g, double r, double bottom, double step, bool who
     return code == 0 ? plunge(g, GCODE_LINE, bottom) : code;
 }
 
+/* The spindle turns this way now, 3, 4 or 0; where the program never started it, it stays off. */
+static int spin(gcode_program *g, int way)
+{
+    gcode_event e = { .kind = GCODE_SPINDLE, .way = way, .speed = g->timed ? g->speed : NAN };
+
+    return g->spindle != 0 ? gcode_give(g, &e, 0) : 0;
+}
+
+/* At the bottom: G74 and G84 turn a tap round, G86 and G88 stop the spindle. */
+static int turn_at_bottom(gcode_program *g)
+{
+    switch (g->cycle.code) {
+    case 740:
+    case 840: return spin(g, g->spindle == 3 ? 4 : 3);
+    case 860:
+    case 880: return spin(g, 0);
+    default: return 0;
+    }
+}
+
+static int turn_at_top(gcode_program *g)
+{
+    const int c = g->cycle.code;
+
+    return c == 740 || c == 840 || c == 860 || c == 880 ? spin(g, g->spindle) : 0;
+}
+
 /* One hole, from R down and up to `clear`. */
 static int drill_hole(gcode_program *g, double r, double bottom, double clear)
 {
-    const int c   = g->cycle.code;
-    const bool waits = c == 820 || c == 860 || c == 880 || c == 890,
-               feeds = c == 850 || c == 890 || c == 840 || c == 740;
+    const int c     = g->cycle.code;
+    const bool taps = c == 840 || c == 740, waits = c == 820 || c == 860 || c == 880 || c == 890;
     int code = c == 830 || c == 730 ? peck(g, r, bottom, g->cycle.q, c == 830)
                                     : plunge(g, GCODE_LINE, bottom);
 
-    if (code == 0 && (waits || g->cycle.p > 0) && c != 810 && c != 850 && c != 830 && c != 730)
+    if (code == 0 && taps)
+        code = turn_at_bottom(g);
+    if (code == 0 && (waits || (taps && g->cycle.p > 0)))
         code = gcode_wait(g, g->cycle.p);
-    if (code == 0 && c == 880) {
-        gcode_event stop = { .kind = GCODE_STOP };
-        code = gcode_give(g, &stop, 0);
+    if (code == 0 && !taps)
+        code = turn_at_bottom(g);
+    if (code == 0 && c == 880)
+        code = gcode_simple(g, GCODE_STOP);
+    if (code == 0 && c == 850)
+        code = plunge(g, GCODE_LINE, r);
+    if (code == 0)
+        code = plunge(g, taps || c == 890 ? GCODE_LINE : GCODE_RAPID, clear);
+    return code == 0 ? turn_at_top(g) : code;
+}
+
+/* Straight in the plane, to where the tool is beside the hole (1), or in its middle (0). */
+static int step_aside(gcode_program *g, const double hole[3], double by)
+{
+    double to[3];
+
+    for (int i = 0; i < 3; i++)
+        to[i] = i == g->plane ? g->at[i] : hole[i] + by * g->cycle.aside[i];
+    return gcode_go(g, GCODE_RAPID, to);
+}
+
+/* No output turns the spindle to a known angle: somebody does it by hand. */
+static int stop_to_turn(gcode_program *g)
+{
+    static const char text[] = "turn the spindle by hand: its edge away from the way aside";
+    gcode_event say = { .kind = GCODE_SAY, .text = text, .length = sizeof text - 1 },
+                stop = { .kind = GCODE_STOP };
+    int code = spin(g, 0);
+
+    if (code == 0)
+        code = gcode_give(g, &say, 0);
+    return code == 0 ? gcode_give(g, &stop, 0) : code;
+}
+
+/* G87, back boring: the tool goes down beside the middle, at I and J, bores up to K, and leaves as
+ * it came. */
+static int bore_back(gcode_program *g, const double hole[3], double bottom, double clear)
+{
+    const double end = (g->incremental ? bottom : 0) + g->cycle.aside[g->plane];
+    int code = step_aside(g, hole, 1);
+
+    if (code == 0)
+        code = stop_to_turn(g);
+    if (code == 0)
+        code = plunge(g, GCODE_RAPID, bottom);
+    if (code == 0)
+        code = step_aside(g, hole, 0);
+    if (code == 0)
+        code = spin(g, g->spindle);
+    if (code == 0)
+        code = plunge(g, GCODE_LINE, end);
+    if (code == 0)
+        code = plunge(g, GCODE_LINE, bottom);
+    if (code == 0)
+        code = stop_to_turn(g);
+    if (code == 0)
+        code = step_aside(g, hole, 1);
+    if (code == 0)
+        code = plunge(g, GCODE_RAPID, clear);
+    if (code == 0)
+        code = step_aside(g, hole, 0);
+    return code == 0 ? spin(g, g->spindle) : code;
+}
+
+/* G87 in the plane of x and y: I and J lead aside, K is where the bore ends; so in each plane. */
+static int take_sides(gcode_program *g, bool first)
+{
+    for (int i = 0; i < 3; i++) {
+        const char letter = (char)('I' + i);
+        if (gcode_has(&g->b, letter))
+            g->cycle.aside[i] = gcode_value(&g->b, letter);
+        else if (first)
+            return gcode_fails(g, "G87 without I, J and K",
+                               "give I and J, the way aside, and K, the end of the bore");
     }
-    if (code == 0 && feeds)
-        code = plunge(g, GCODE_LINE, c == 890 ? clear : r);
-    return code == 0 && c != 890 ? plunge(g, GCODE_RAPID, clear) : code;
+    return 0;
 }
 
 /* The words of the line; those that it does not give stay from the hole before. */
@@ -83,7 +180,7 @@ static int take_words(gcode_program *g)
     if (gcode_has(b, 'Q'))
         g->cycle.q = gcode_value(b, 'Q');
     g->cycle.code = g->motion;
-    return 0;
+    return g->motion == 870 ? take_sides(g, first) : 0;
 }
 
 /* The height before the first hole. */
@@ -101,7 +198,10 @@ static int drill_at(gcode_program *g, const double over[3], double r, double bot
 
     if (code == 0 && fabs(g->at[g->plane] - r) > 0)
         code = plunge(g, GCODE_RAPID, r);
-    return code == 0 ? drill_hole(g, r, bottom, clear) : code;
+    if (code != 0)
+        return code;
+    return g->cycle.code == 870 ? bore_back(g, over, bottom, clear)
+                                : drill_hole(g, r, bottom, clear);
 }
 
 int gcode_drill(gcode_program *g)
@@ -136,6 +236,8 @@ int gcode_drill(gcode_program *g)
         for (int i = 0; i < 3; i++)
             if (i != up && gcode_has(&g->b, (char)('X' + i)))
                 at[i] = g->incremental ? at[i] + step[i] : step[i];
+        if (gcode_has(&g->b, GCODE_RADIUS) || gcode_has(&g->b, GCODE_ANGLE))
+            gcode_polar_target(g, at, at);
         code   = drill_at(g, at, r, bottom, clear);
         at[up] = clear;
     }

@@ -10,11 +10,28 @@
 
 #include "read/gcode_state.h"
 
-#define SPIRAL_PART 0.001       /* of the radius: distances from the centre may differ so much, */
-#define SPIRAL      0.005       /* mm, or so much, */
-#define SPIRAL_MOST 0.5         /* mm, and never more */
+/* Distances from the centre may differ so much, as in LinuxCNC: */
+#define SPIRAL_PART 0.001       /* of the radius, */
+#define SPIRAL      (0.02 * 1.41421356237309505)        /* or mm, in G20 a tenth of it in inches, */
+#define SPIRAL_MOST 100         /* and never more than so many times it */
+#define CHORD_OVER  0.005       /* mm: the chord of an arc with R may be longer than 2 R */
 #define RADIUS_LEAST 1e-6       /* mm */
 #define ORDER_MOST  10          /* of a NURBS: degree 9 of the library */
+
+/* From a place by @ and ^: what is not given stays; in G91 both are added. */
+void gcode_polar_target(const gcode_program *g, const double from[3], double out[3])
+{
+    const gcode_block *b = &g->b;
+    const double add = g->incremental ? 1 : 0;
+    double radius = hypot(from[0], from[1]), angle = atan2(from[1], from[0]);
+
+    if (gcode_has(b, GCODE_RADIUS))
+        radius = add * radius + gcode_value(b, GCODE_RADIUS);
+    if (gcode_has(b, GCODE_ANGLE))
+        angle = add * angle + gcode_value(b, GCODE_ANGLE) * (acos(-1) / 180);
+    out[0] = radius * cos(angle);
+    out[1] = radius * sin(angle);
+}
 
 void gcode_target(const gcode_program *g, double out[3])
 {
@@ -23,6 +40,8 @@ void gcode_target(const gcode_program *g, double out[3])
         const double said = gcode_value(&g->b, (char)('X' + i));
         out[i] = !given ? g->at[i] : g->incremental ? g->at[i] + said : said;
     }
+    if (gcode_has(&g->b, GCODE_RADIUS) || gcode_has(&g->b, GCODE_ANGLE))
+        gcode_polar_target(g, g->at, out);
 }
 
 unsigned char gcode_loose_there(const gcode_program *g)
@@ -38,16 +57,18 @@ unsigned char gcode_loose_there(const gcode_program *g)
 /* G53: the words are coordinates of the machine, whatever the tool's length. */
 static int target_of_machine(const gcode_program *g, double out[3])
 {
-    const gcode_frame *f = &g->frame;
+    double machine[3];
 
     if (g->incremental)
         return gcode_fails(g, "G53 with G91", "give G90 first");
-    if (fabs(f->degrees) > 0)
-        return gcode_fails(g, "G53 in a rotated coordinate system", "give G54 to G59 without R");
+    gcode_machine_place(g, g->at, machine);
     for (int i = 0; i < 3; i++)
-        out[i] = gcode_has(&g->b, (char)('X' + i))
-                     ? gcode_value(&g->b, (char)('X' + i)) - f->origin[i] - f->shift[i]
-                     : g->at[i];
+        if (gcode_has(&g->b, (char)('X' + i)))
+            machine[i] = gcode_value(&g->b, (char)('X' + i));
+    gcode_program_place(g, machine, out);
+    for (int i = 0; i < 3; i++) /* what does not move keeps its digits */
+        if (!gcode_has(&g->b, (char)('X' + i)) && (i == 2 || !(fabs(g->frame.degrees) > 0)))
+            out[i] = g->at[i];
     return 0;
 }
 
@@ -95,7 +116,7 @@ static int centre_by_radius(const gcode_program *g, double turn, gcode_event *e)
     if (!(half > 0))
         return gcode_fails(g, "an arc with R that ends where it starts",
                            "give its centre by I, J, K for a full circle");
-    if (over > SPIRAL_PART * fabs(r) && over * g->frame.unit > SPIRAL) {
+    if (over > SPIRAL_PART * fabs(r) && over * g->frame.unit > CHORD_OVER) {
         snprintf(what, sizeof what, "R%.6g is too small for ends %.6g apart", r, 2 * half);
         return gcode_fails(g, what, "correct R");
     }
@@ -128,8 +149,8 @@ static int centre_by_offset(const gcode_program *g, gcode_event *e)
                            "give its centre, or its radius");
     r[0] = radius_at(g, e->centre, g->at);
     r[1] = radius_at(g, e->centre, e->to);
-    const double off = fabs(r[0] - r[1]) * g->frame.unit;
-    if (off > SPIRAL_MOST || (off > SPIRAL && off > SPIRAL_PART * r[0] * g->frame.unit)) {
+    const double off = fabs(r[0] - r[1]), most = g->frame.unit > 2 ? SPIRAL / 10 : SPIRAL;
+    if (off > SPIRAL_MOST * most || (off > most && off > SPIRAL_PART * fmax(r[0], r[1]))) {
         snprintf(what, sizeof what, "an arc that starts %.6g and ends %.6g from its centre", r[0],
                  r[1]);
         return gcode_fails(g, what, "correct I, J, K, or write more digits");

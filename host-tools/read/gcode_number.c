@@ -145,17 +145,22 @@ static double parameter_value(gcode_scanner *s)
     return found ? found->value : 0;
 }
 
-/* EXISTS[#<name>] */
+/* EXISTS[#<name>], EXISTS[#5]: the numbers up to 5602 are there. */
 static double read_exists(gcode_scanner *s)
 {
     char name[GCODE_NAME_MAX] = "";
-    int n = -2;
+    bool there = false, good = gcode_take(s, '[') && gcode_take(s, '#');
 
-    if (gcode_take(s, '[') && gcode_take(s, '#'))
-        n = gcode_read_parameter(s, name);
-    if (n == -2 || !gcode_take(s, ']'))
+    if (good && gcode_peek(s) == '<') {
+        (void)gcode_read_parameter(s, name);
+        there = gcode_find_named(s->b, name) != NULL;
+    } else if (good) {
+        const double n = gcode_read_value(s);
+        there = n >= 1 - CODE_TOL && n < GCODE_NUMBERED - CODE_TOL;
+    }
+    if (!good || !gcode_take(s, ']'))
         gcode_scan_fail(s, "EXISTS without [#<name>]", "write EXISTS[#<name>]");
-    return n > 0 || gcode_find_named(s->b, name) != NULL ? 1 : 0;
+    return there ? 1 : 0;
 }
 
 enum function { ABS, ACOS, ASIN, ATAN, COS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT, TAN, FUNCTIONS };

@@ -22,7 +22,7 @@ static double *system_of(gcode_program *g, int system)
 }
 
 /* A place of the program in the machine's coordinates, in units of the program. */
-static void machine_place(const gcode_program *g, const double at[3], double out[3])
+void gcode_machine_place(const gcode_program *g, const double at[3], double out[3])
 {
     gcode_place(&g->frame, at, out);
     for (int i = 0; i < 3; i++)
@@ -30,7 +30,7 @@ static void machine_place(const gcode_program *g, const double at[3], double out
 }
 
 /* From the machine's coordinates to those of the program, in its units. */
-static void program_place(const gcode_program *g, const double machine[3], double out[3])
+void gcode_program_place(const gcode_program *g, const double machine[3], double out[3])
 {
     const gcode_frame *f = &g->frame;
     const double x = machine[0] - f->origin[0], y = machine[1] - f->origin[1],
@@ -57,11 +57,11 @@ static void stay(gcode_program *g)
 {
     double machine[3], place[3];
 
-    machine_place(g, g->at, machine);
-    machine_place(g, g->place, place);
+    gcode_machine_place(g, g->at, machine);
+    gcode_machine_place(g, g->place, place);
     gcode_use_offsets(g);
-    program_place(g, machine, g->at);
-    program_place(g, place, g->place);
+    gcode_program_place(g, machine, g->at);
+    gcode_program_place(g, place, g->place);
 }
 
 int gcode_use_units(gcode_program *g, double unit)
@@ -77,8 +77,18 @@ int gcode_use_units(gcode_program *g, double unit)
     g->cycle.z *= by;
     g->cycle.q *= by;
     g->cycle.initial *= by;
+    for (int i = 0; i < 3; i++)
+        g->cycle.aside[i] *= by;
     g->frame.unit = unit;
     gcode_use_offsets(g);
+    return 0;
+}
+
+int gcode_use_shift(gcode_program *g, bool shifted)
+{
+    g->shifted = shifted;
+    g->all.number[SHIFT] = shifted;
+    stay(g);
     return 0;
 }
 
@@ -133,7 +143,7 @@ static int set_system(gcode_program *g)
         return gcode_fails(g, "G10: no such coordinate system",
                            "give P1 to P9, or P0 for this one");
     double *system = system_of(g, p > 0 ? (int)p : g->system);
-    machine_place(g, g->at, machine);
+    gcode_machine_place(g, g->at, machine);
     if (l < 3 && gcode_has(b, 'R'))
         system[9] = gcode_value(b, 'R');
     const double c = cos(system[9] * RADIANS), s = sin(system[9] * RADIANS);
@@ -188,14 +198,22 @@ static int switch_shift(gcode_program *g, int code)
     g->tied = code == 923 ? g->tied : 0;
     for (int i = 1; i <= 3 && code == 921; i++)
         g->all.number[SHIFT + i] = 0;
-    g->shifted = code == 923;
-    g->all.number[SHIFT] = g->shifted;
-    stay(g);
+    return gcode_use_shift(g, code == 923);
+}
+
+/* G28.1, G30.1: this is the place to which G28 or G30 leads. */
+static int store_home(gcode_program *g, double stored[3])
+{
+    double machine[3];
+
+    gcode_machine_place(g, g->at, machine);
+    for (int i = 0; i < 3; i++)
+        stored[i] = machine[i] * g->frame.unit;
     return 0;
 }
 
 /* G28, G30: over the given place, if there is one, to the stored place of the machine; with axes
- * given only these. Their .1 store the place. */
+ * given only these. */
 static int go_home(gcode_program *g, const double stored[3])
 {
     double over[3], home[3], machine[3], to[3];
@@ -211,7 +229,7 @@ static int go_home(gcode_program *g, const double stored[3])
         if (code != 0)
             return code;
     }
-    program_place(g, machine, home);
+    gcode_program_place(g, machine, home);
     g->homing = true;
     g->homed  = g->loose;
     for (int i = 0; i < 3; i++) {
@@ -231,6 +249,8 @@ int gcode_nonmodal(gcode_program *g, int code)
     case 100: return g->printer ? 0 : set_system(g);
     case 280: return go_home(g, &g->all.number[HOME]);
     case 300: return go_home(g, &g->all.number[HOME_2]);
+    case 281: return store_home(g, &g->all.number[HOME]);
+    case 301: return store_home(g, &g->all.number[HOME_2]);
     case 920: return set_shift(g, false);
     case 520: return set_shift(g, true);
     default:  return switch_shift(g, code);

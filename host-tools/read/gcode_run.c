@@ -34,9 +34,9 @@ enum group {
 };
 
 static const short codes[GROUPS][24] = {
-    [NONMODAL]  = { 40, 100, 280, 300, 520, 530, 920, 921, 922, 923 },
-    [MOTION] = { 0, 10, 20, 30, 50, 51, 52, 53, 730, 740, 800, 810, 820, 830, 840, 850, 860, 880,
-                 890 },
+    [NONMODAL]  = { 40, 100, 280, 281, 300, 301, 520, 530, 920, 921, 922, 923 },
+    [MOTION] = { 0,   10,  20,  30,  50,  51,  52,  53,  730, 740,
+                 800, 810, 820, 830, 840, 850, 860, 870, 880, 890 },
     [PLANE]     = { 170, 180, 190 },
     [DISTANCE]  = { 900, 910 },
     [CENTRE]    = { 901, 911 },
@@ -75,6 +75,14 @@ static int wrong_code(const gcode_program *g, char letter, int code, const char 
 // Codes
 // -----
 
+/* The others mean something else to Marlin, or nothing: G42 goes to a point of the mesh, G61 back to
+ * a place that G60 saved. */
+static bool printer_knows(enum group into)
+{
+    return into == NONMODAL || into == MOTION || into == PLANE || into == DISTANCE ||
+           into == UNITS || into == SYSTEM;
+}
+
 /* The G words of the line by their groups. */
 static int sort_codes(gcode_program *g, int of[GROUPS])
 {
@@ -83,7 +91,7 @@ static int sort_codes(gcode_program *g, int of[GROUPS])
     for (unsigned i = 0; i < g->b.gs; i++) {
         const int code        = g->b.g[i];
         const enum group into = group_of(code);
-        if (into == UNKNOWN && g->printer) {
+        if (g->printer && !printer_knows(into)) {
             gcode_leave_out(g, 'G', code);
             continue;
         }
@@ -102,9 +110,14 @@ static int sort_codes(gcode_program *g, int of[GROUPS])
     return 0;
 }
 
+static bool is_polar(const gcode_block *b)
+{
+    return (b->has & (GCODE_BIT(GCODE_RADIUS) | GCODE_BIT(GCODE_ANGLE))) != 0;
+}
+
 static bool has_axes(const gcode_block *b)
 {
-    return (b->has & (GCODE_BIT('X') | GCODE_BIT('Y') | GCODE_BIT('Z'))) != 0;
+    return (b->has & (GCODE_BIT('X') | GCODE_BIT('Y') | GCODE_BIT('Z'))) != 0 || is_polar(b);
 }
 
 /* M67 and M68 set the output E: they are left out, and told. */
@@ -163,19 +176,23 @@ static int run_outputs(gcode_program *g)
         case 30:
         case 60:
         case 61:
-        case 6: break;
+        case 6:
         case 3:
         case 4:
         case 5:
         case 7:
         case 8:
-        case 9: break;
+        case 9:
+        case 70:
+        case 71:
+        case 72: break;
         case 48:
         case 49:
         case 50:
         case 51:
         case 52:
         case 53:
+        case 56:
         case 19:
         case 62:
         case 63:
@@ -184,9 +201,6 @@ static int run_outputs(gcode_program *g)
         case 66:
         case 67:
         case 68:
-        case 70:
-        case 71:
-        case 72:
         case 73: gcode_leave_out(g, 'M', g->b.m[i]); break;
         case 98:
         case 99:
@@ -305,13 +319,29 @@ static int set_modes(gcode_program *g, const int of[GROUPS])
     return code;
 }
 
+/* @ and ^ are polar coordinates around the origin of the program, and stand for X and Y. */
+static int check_polar(const gcode_program *g, int once)
+{
+    if (gcode_has(&g->b, 'X') || gcode_has(&g->b, 'Y'))
+        return gcode_fails(g, "@ or ^ with X or Y", "give one or the other");
+    if (g->plane != 2)
+        return gcode_fails(g, "@ and ^ outside of the plane of x and y", "give G17 before");
+    if (once != GCODE_NONE && once != 40)
+        return wrong_code(g, 'G', once, "with @ or ^", "give X and Y");
+    if (!gcode_has(&g->b, GCODE_ANGLE) && !(hypot(g->at[0], g->at[1]) > 0))
+        return gcode_fails(g, "@ without ^ where the angle is not known", "give ^, the angle");
+    return 0;
+}
+
 /* G28, G92 and the like take the axis words for themselves. */
 static int run_motion(gcode_program *g, const int of[GROUPS])
 {
     const int once  = of[NONMODAL];
     const bool axes = has_axes(&g->b);
-    int code        = 0;
+    int code        = is_polar(&g->b) ? check_polar(g, once) : 0;
 
+    if (code != 0)
+        return code;
     if (once != GCODE_NONE && once != 40 && once != 530 && (code = gcode_nonmodal(g, once)) != 0)
         return code;
     const bool taken = once == 100 || once == 280 || once == 300 || once == 520 || once == 920;
@@ -364,6 +394,8 @@ static int run_block(gcode_program *g)
         code = run_outputs(g);
     if (code == 0)
         code = run_spindle(g);
+    for (unsigned i = 0; i < g->b.ms && code == 0 && !g->printer; i++)
+        code = gcode_modes_word(g, g->b.m[i] / 10);
     if (code == 0 && of[NONMODAL] == 40)
         code = run_wait(g);
     if (code == 0)

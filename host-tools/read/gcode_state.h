@@ -19,6 +19,14 @@
 #define GCODE_NONE    (-1)
 #define GCODE_CANCEL  800       /* G80 */
 
+/* What M70 saves and M72 brings back: modes, no places. */
+typedef struct {
+    bool valid;
+    double unit, feed, speed, within, tool[3];
+    bool timed, incremental, centre_absolute, exact, retract_to_r, shifted;
+    int feed_mode, plane, system, spindle, coolant;
+} gcode_modes;
+
 struct gcode_program {
     const char *file;
     gcode_sink *sink;
@@ -65,9 +73,11 @@ struct gcode_program {
         unsigned count;
     } radius;
     bool after_cubic;
+    gcode_modes saved; /* by M70 */
 
     struct {                    /* sticky words of drilling */
         double r, z, p, q;
+        double aside[3];        /* I J K of G87 */
         double initial;         /* the height before the first one */
         bool leveled;           /* is `initial` known? */
         int code;               /* 0: none before */
@@ -107,6 +117,7 @@ int gcode_send(gcode_program *g, gcode_event *e);
 
 /* Where the axis words of the line lead; and the loose axes there. */
 void gcode_target(const gcode_program *g, double out[3]);
+void gcode_polar_target(const gcode_program *g, const double from[3], double out[3]);
 unsigned char gcode_loose_there(const gcode_program *g);
 
 /* gcode_left.c: a word that this machine has no use for; and one line for each of them. */
@@ -133,9 +144,15 @@ int gcode_tool_side(gcode_program *g, int code);
 
 /* gcode_offset.c */
 void gcode_use_offsets(gcode_program *g);
+void gcode_machine_place(const gcode_program *g, const double at[3], double out[3]);
+void gcode_program_place(const gcode_program *g, const double machine[3], double out[3]);
 int  gcode_use_units(gcode_program *g, double unit);
 int  gcode_nonmodal(gcode_program *g, int code);
 int  gcode_use_system(gcode_program *g, int system);
+int  gcode_use_shift(gcode_program *g, bool shifted);
 int  gcode_use_tool(gcode_program *g, int code);
+
+/* gcode_modes.c: M70 saves the modes, M71 forgets them, M72 brings them back. */
+int gcode_modes_word(gcode_program *g, int m);
 
 #endif

@@ -47,6 +47,8 @@ static int named_tool(const gcode_program *g, char letter, const char *key,
     number = number == 0 ? g->loaded : number;
     if (code != 0)
         return code;
+    if (number <= 0 && gcode_has(&g->b, letter))
+        return 0; /* D0, H0 and no tool: as if it were a point */
     if (number <= 0)
         return gcode_fails(g, "no tool is in the spindle",
                            letter == 'D' ? "give D with its number, or T and M6 before"
@@ -66,7 +68,7 @@ int gcode_tool_length(const gcode_program *g, double *out)
     const int code           = named_tool(g, 'H', "length", &tool);
 
     if (code == 0)
-        *out = tool->length;
+        *out = tool != NULL ? tool->length : 0;
     return code;
 }
 
@@ -77,7 +79,7 @@ int gcode_tool_side(gcode_program *g, int code)
 
     if (code == 410 || code == 420) {
         const int status = named_tool(g, 'D', "diameter", &tool);
-        return status != 0 ? status : gcode_radius_on(g, side, tool->diameter);
+        return status != 0 ? status : gcode_radius_on(g, side, tool != NULL ? tool->diameter : 0);
     }
     if (!gcode_has(&g->b, 'D') || gcode_value(&g->b, 'D') < 0)
         return gcode_fails(g, "G41.1 and G42.1 want the diameter", "give D of 0 or more");

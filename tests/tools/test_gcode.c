@@ -62,6 +62,66 @@ static void holes(arb *a)
     FAILS("G83 X1 Z-1 R1 F9\n", "part.nc:1: Q: the step of the pecks");
 }
 
+/* A tap turns back at the bottom; a bore is left with the spindle off. */
+static void the_spindle_turns_with_the_cycle(arb *a)
+{
+    (void)a;
+    MOVES("M3 S100\nG0 Z10\nG99 G84 X1 Z-1 R3 F9\n",
+          "P 3 100 R 0 0 10 R 1 0 10 R 1 0 3 L 1 0 -1 P 4 100 L 1 0 3 P 3 100");
+    MOVES("M4 S100\nG0 Z10\nG98 G74 X1 Z-1 R3 P2 F9\n",
+          "P 4 100 R 0 0 10 R 1 0 10 R 1 0 3 L 1 0 -1 P 3 100 W 2 L 1 0 10 P 4 100");
+    MOVES("M3 S100\nG0 Z10\nG99 G86 X1 Z-1 R3 P2 F9\n",
+          "P 3 100 R 0 0 10 R 1 0 10 R 1 0 3 L 1 0 -1 W 2 P 0 100 R 1 0 3 P 3 100");
+    MOVES("G0 Z10\nG99 G84 X1 Z-1 R3 F9\n", "R 0 0 10 R 1 0 10 R 1 0 3 L 1 0 -1 L 1 0 3");
+    MOVES("M3 S9\nG0 Z10\nG99 G87 X1 Y2 Z-5 R3 I1 J2 K-1 F9\n",
+          "P 3 9 R 0 0 10 R 1 2 10 R 1 2 3 R 2 4 3 P 0 9 ! S R 2 4 -5 R 1 2 -5 P 3 9 L 1 2 -1 "
+          "L 1 2 -5 P 0 9 ! S R 2 4 -5 R 2 4 3 R 1 2 3 P 3 9");
+    FAILS("G87 X1 Z-5 R3 I1 J2 F9\n", "part.nc:1: G87 without I, J and K: ");
+}
+
+/* G28.1 and G30.1 store a place of the machine; M70 to M72 save all modes but the kind of motion. */
+static void places_and_modes_are_stored(arb *a)
+{
+    (void)a;
+    ENDS_AT("G55 G0 X1 Y2 Z3\nG28.1\nG10 L2 P2 X5\nG0 X9\nG28\n", 1, 2, 3, 0);
+    ENDS_AT("G20 G0 X1\nG30.1\nG21 G0 X9 Y1\nG30 X0\n", 25.4, 1, 0, 0);
+    ENDS_AT("G0 X1\nG91 G20 F10\nM70\nG90 G21 G94 F5\nM72\nG1 X1\n", 26.4, 0, 0, 10);
+    ENDS_AT("G10 L2 P2 X5\nF9\nM70\nG55 G18 G52 X3\nG43.1 Z4\nM72\nG1 X1 Z1\n", 1, 0, 1, 9);
+    MOVES("M3 S5\nM70\nM5\nM8\nM72\n", "P 3 5 P 0 5 O 1 P 3 5 O 0");
+    FAILS("M72\n", "part.nc:1: M72 without M70: ");
+    FAILS("M70\nM71\nM72\n", "part.nc:3: M72 without M70: ");
+}
+
+/* LinuxCNC's @ and ^; also in drilling, where L adds them again. */
+static void polar_coordinates_are_understood(arb *a)
+{
+    (void)a;
+    MOVES("G0 @10 ^0\nG1 ^90 F1\n@5\nG91 @5 ^90\n", "R 10 0 0 L 0 10 0 L 0 5 0 L -10 0 0");
+    MOVES("G0 X2 Z5\nG91 G99 G81 ^90 R-4 Z-2 L2 F9\n",
+          "R 2 0 5 R 0 2 5 R 0 2 1 L 0 2 -1 R 0 2 1 R -2 0 1 L -2 0 -1 R -2 0 1");
+    FAILS("G0 @1 X2\n", "part.nc:1: @ or ^ with X or Y: ");
+    FAILS("G0 @1\n", "part.nc:1: @ without ^ where the angle is not known: ");
+    FAILS("G18 G0 @1 ^2\n", "part.nc:1: @ and ^ outside of the plane of x and y: ");
+    FAILS("G28 @1 ^2\n", "part.nc:1: G28: with @ or ^: ");
+    FAILS("G0 @1 ^2 ^3\n", "part.nc:1: ^ twice in a line: ");
+}
+
+/* The numbers of LinuxCNC: arcs may be spirals by so much. G53 in a system that is turned. */
+static void tolerances_and_places_of_the_reference(arb *a)
+{
+    (void)a;
+    ENDS_AT("G2 X50 I24.986 F1\n", 50, 0, 0, 1);
+    ENDS_AT("G2 X2000 I999.5 F1\n", 2000, 0, 0, 1);
+    ENDS_AT("G20 G2 X5 I2.4986 F1\n", 127, 0, 0, 1);
+    FAILS("G2 X50 I24.985 F1\n", "part.nc:1: an arc that starts 24.985 and ends 25.015 from");
+    ENDS_AT("G10 L2 P1 R90 X3\nG0 X1 Y2 Z3\nG53 X4 Z0\n", 4, 1, 0, 0);
+    ENDS_AT("G43 H0 G0 Z5\n", 0, 0, 5, 0);
+    MOVES("G41 D0 G1 X5 F1\nX9\nG40 X12\n", "L 5 0 0 L 9 0 0 L 12 0 0");
+    MOVES("#2=99999\n#<a>=1\nG0 X EXISTS[#1] Y EXISTS[##2] Z EXISTS[#<a>]\n", "R 1 0 1");
+    FAILS("G0 X EXISTS[#]\n", "part.nc:1: a number is missing: ");
+    FAILS("G0 X EXISTS[#<a>+1]\n", "part.nc:1: EXISTS without [#<name>]: ");
+}
+
 static void places_on_the_machine(arb *a)
 {
     (void)a;
@@ -144,6 +204,14 @@ static void hostile_lines_end(arb *a)
     FAILS("G83 X1 Z-1e9 R1 Q1 F1\n", "part.nc:1: E: an extruder: ");
     FAILS("G83 X1 Z-900000 R1 Q1 F1\n", "part.nc:1: Q: the step of the pecks");
     FAILS("G91 G83 X1 Z-50 R1 Q1 L50000 F1\n", "part.nc:1: Q: the step of the pecks");
+}
+
+static void other_words_of_printers_are_left_out(arb *a)
+{
+    seen s;
+    (void)a;
+    CHECK(run(&s, GCODE_MARLIN, "G60\nG42 I3 J2\nG1 X5 F60\nG61\nG90.1\nG2 X9 I2\n") == 0);
+    CHECK(strcmp(s.text, "L 5 0 0 A 9 0 7 0 -1 0") == 0);
 }
 
 /* A printer's file: heaters and extruder are left out, once told; G28 goes to 0; G0 has a feed. */
@@ -324,11 +392,16 @@ int main(void)
     PROPERTY(arcs_as_written, 1);
     PROPERTY(cubics_and_nurbs, 1);
     PROPERTY(holes, 1);
+    PROPERTY(the_spindle_turns_with_the_cycle, 1);
+    PROPERTY(places_and_modes_are_stored, 1);
+    PROPERTY(polar_coordinates_are_understood, 1);
+    PROPERTY(tolerances_and_places_of_the_reference, 1);
     PROPERTY(places_on_the_machine, 1);
     PROPERTY(names_of_programs_are_skipped, 1);
     PROPERTY(what_is_wrong_has_its_line, 1);
     PROPERTY(hostile_lines_end, 1);
     PROPERTY(printers_are_understood, 1);
+    PROPERTY(other_words_of_printers_are_left_out, 1);
     PROPERTY(a_program_is_a_drawing, 1);
     PROPERTY(it_says_how_the_path_is_kept, 1);
     PROPERTY(it_begins_at_a_line, 1);
