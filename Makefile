@@ -95,7 +95,7 @@ TOOL_ENGINE := $(filter-out $(TOOL_ONCE),$(wildcard host-tools/engine/engine*.c 
 TOOL_WITH_cairo            := $(wildcard $(patsubst %,host-tools/draw/%.c,plot* scene* gallery \
                                 surface_* plan_plot)) \
                               host-tools/read/svg_glyphs.c
-TOOL_WITH_geos             := host-tools/plan/region.c
+TOOL_WITH_geos             := host-tools/plan/region.c host-tools/plan/pieces.c
 TOOL_WITH_libserialport    := host-tools/send/transport_serial.c
 TOOL_WITH_ncurses          := host-tools/base/screen.c
 TOOL_WITHOUT_cairo         := host-tools/draw/without_cairo.c host-tools/read/without_glyphs.c

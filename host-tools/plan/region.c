@@ -12,10 +12,11 @@
 
 #include "base/source.h"        /* source_name */
 #include "base/tool.h"
+#include "plan/pieces.h"
 #include "plan/region.h"
 
-#define GRID 1e-6               /* mm: where outlines meet is rounded to it */
 #define CHORDS_MAX 2000000u     /* of one shape */
+#define PIECED_MOST 20000u      /* chords: the union of their pieces takes seconds */
 
 struct region {
     GEOSContextHandle_t h;
@@ -40,7 +41,7 @@ static bool add_point(polylines *p, const double at[2])
     const size_t begin = p->first[p->chains];
 
     if (p->count > begin &&
-        hypot(p->point[p->count - 1][0] - at[0], p->point[p->count - 1][1] - at[1]) < GRID)
+        hypot(p->point[p->count - 1][0] - at[0], p->point[p->count - 1][1] - at[1]) < PIECES_GRID)
         return true;
     if (p->count == p->room) {
         p->room  = p->room ? 2 * p->room : 1024;
@@ -182,7 +183,7 @@ static GEOSGeometry *join_faces(GEOSContextHandle_t h, const GEOSGeometry *faces
     }
     GEOSGeometry *set = GEOSGeom_createCollection_r(h, GEOS_MULTIPOLYGON, inner, count);
     free(inner);
-    GEOSGeometry *one = set ? GEOSUnaryUnionPrec_r(h, set, GRID) : NULL;
+    GEOSGeometry *one = set ? GEOSUnaryUnionPrec_r(h, set, PIECES_GRID) : NULL;
     GEOSGeom_destroy_r(h, set);
     return one;
 }
@@ -193,7 +194,8 @@ region *region_inside(const drawing *d, size_t first, size_t last, bool evenodd,
     polylines p;
     const bool good     = find_chords(&p, d, first, last, true);
     GEOSGeometry *lines = good ? lines_of(r->h, &p) : NULL,
-                 *cut = lines ? GEOSUnaryUnionPrec_r(r->h, lines, GRID) : NULL, *faces = NULL;
+                 *cut = lines ? GEOSUnaryUnionPrec_r(r->h, lines, PIECES_GRID) : NULL,
+                 *faces = NULL;
 
     if (cut != NULL)
         faces = GEOSPolygonize_r(r->h, (const GEOSGeometry *const[]){ cut }, 1);
@@ -224,7 +226,7 @@ static region *shapes_of(const drawing *outline, const char *file)
             all = one;
             continue;
         }
-        GEOSGeometry *both = GEOSUnionPrec_r(all->h, all->g, one->g, GRID);
+        GEOSGeometry *both = GEOSUnionPrec_r(all->h, all->g, one->g, PIECES_GRID);
         region_free(one);
         GEOSGeom_destroy_r(all->h, all->g);
         all->g = both;
@@ -240,7 +242,7 @@ bool region_cut(region *r, const drawing *outline, const char *file)
 
     if (outline->count > 0 && by == NULL)
         return false;
-    GEOSGeometry *cut = by ? GEOSIntersectionPrec_r(r->h, r->g, by->g, GRID)
+    GEOSGeometry *cut = by ? GEOSIntersectionPrec_r(r->h, r->g, by->g, PIECES_GRID)
                            : GEOSGeom_createEmptyPolygon_r(r->h);
     region_free(by);
     if (cut == NULL) {
@@ -279,6 +281,27 @@ static int quarter_chords(double radius)
     return (int)fmin(fmax(ceil(1.5 * 0.7853981633974483 / half), 2), 2000);
 }
 
+
+/* Is one of its chains such a stroke? */
+static bool is_hard(const polylines *p, const region_stroke *s)
+{
+    for (size_t k = 0; k < p->chains; k++)
+        if (pieces_needed((const double(*)[2])p->point + p->first[k], p->first[k + 1] - p->first[k],
+                          s))
+            return true;
+    return false;
+}
+
+static GEOSGeometry *put_together(GEOSContextHandle_t h, const polylines *p, const region_stroke *s,
+                                  int quarter)
+{
+    pieces *all = pieces_open(h, s, quarter);
+
+    for (size_t k = 0; k < p->chains; k++)
+        pieces_add(all, (const double(*)[2])p->point + p->first[k], p->first[k + 1] - p->first[k]);
+    return pieces_join(all);
+}
+
 region *region_of_stroke(const drawing *d, size_t first, size_t last, const region_stroke *s,
                          const char *file)
 {
@@ -293,11 +316,14 @@ region *region_of_stroke(const drawing *d, size_t first, size_t last, const regi
         const double back[3] = { r->pen[2], -r->pen[1], r->pen[0] };
         for (size_t i = 0; i < p.count && s->pen[0] > 0; i++)
             shape_point(back, p.point[i]);
-        GEOSGeometry *lines = lines_of(r->h, &p);
-        if (lines != NULL)
-            r->g = GEOSBufferWithStyle_r(r->h, lines, s->width / 2,
-                                         quarter_chords(s->width / 2 * stretch_of(r->pen)),
-                                         caps[s->cap], joins[s->join], s->mitre);
+        const int quarter   = quarter_chords(s->width / 2 * stretch_of(r->pen));
+        const bool pieced   = p.count <= PIECED_MOST && is_hard(&p, s);
+        GEOSGeometry *lines = pieced ? NULL : lines_of(r->h, &p);
+        if (pieced)
+            r->g = put_together(r->h, &p, s, quarter);
+        else if (lines != NULL)
+            r->g = GEOSBufferWithStyle_r(r->h, lines, s->width / 2, quarter, caps[s->cap],
+                                         joins[s->join], s->mitre);
         GEOSGeom_destroy_r(r->h, lines);
     }
     free_chords(&p);

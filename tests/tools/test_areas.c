@@ -201,6 +201,43 @@ static void wide_strokes_keep_their_distance(arb *a)
     drawing_free(&d);
 }
 
+/* Bends that are tighter than the stroke is wide: no false holes, each place of the outline is at
+ * half of the width. */
+static void wide_strokes_fill_tight_bends(arb *a)
+{
+    enum { PLACES = 3001 };
+    static double chain[PLACES][2];
+    const double width = 10 + arb_below(a, 90);
+    const bool ring    = arb_below(a, 4) == 0;
+    double p[4][2];
+    char inner[400];
+    drawing line, area;
+
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < 2; i++)
+            p[k][i] = 40 + arb_below(a, 2001) / 100.0;
+    const int used = snprintf(inner, sizeof inner,
+                              "<path fill='none' stroke='red' stroke-width='%g' stroke-linejoin="
+                              "'round' stroke-linecap='round' d='",
+                              width);
+    snprintf(inner + used, sizeof inner - (size_t)used,
+             ring ? "M%g %ga%g %g 0 1 0 9 0a%g %g 0 1 0 -9 0z'/>" : "M%g %gC%g %g %g %g %g %g'/>",
+             p[0][0], p[0][1], ring ? 4.5 : p[1][0], ring ? 4.5 : p[1][1], ring ? 4.5 : p[2][0],
+             ring ? 4.5 : p[2][1], p[3][0], p[3][1]);
+    CHECK(areas_of(inner, false, false, &line) && areas_of(inner, true, true, &area));
+    for (int n = 0; n < PLACES; n++) {
+        const double t = (double)n / (PLACES - 1) * (double)line.count;
+        const size_t i = t < (double)line.count ? (size_t)t : line.count - 1;
+        drawing_eval(&line.curve[i], t - (double)i, chain[n]);
+    }
+    for (size_t i = 0; i < area.count; i++)
+        CHECK(fabs(far_from((const double (*)[2])chain, PLACES, area.curve[i].p[0]) - width / 2) <
+              0.005);
+    CHECK(area.count > 20);
+    drawing_free(&line);
+    drawing_free(&area);
+}
+
 static cairo_t *clip, *painted;
 static cairo_bool_t in_both(cairo_t *cairo, double x, double y)
 {
@@ -273,6 +310,7 @@ int main(void)
 {
     PROPERTY(strokes_become_areas, 60);
     PROPERTY(dots_have_the_width_of_their_stroke, 100);
+    PROPERTY(wide_strokes_fill_tight_bends, 15);
     PROPERTY(wide_strokes_keep_their_distance, 100);
     PROPERTY(painted_areas_are_clipped, 60);
     PROPERTY(clip_paths_add_up, 1);
