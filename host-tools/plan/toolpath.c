@@ -135,7 +135,11 @@ static void add_event(making *m, const drawing_event *e, double feed)
 {
     toolpath *t = m->t;
 
-    t->event              = tool_grow(t->event, (t->events + 1) * sizeof *t->event);
+    if (t->events == t->event_room) {
+        t->event_room = t->event_room ? 2 * t->event_room : 16;
+        t->event      = spool_grow(t->event, t->event_room * sizeof *t->event);
+    }
+    spool_passed(t->events);
     t->event[t->events++] = (toolpath_event){ t->count, *e, feed };
 }
 
@@ -199,6 +203,6 @@ void toolpath_free(toolpath *t)
 {
     spool_free(t->move);
     spool_free(t->curve);
-    free(t->event);
+    spool_free(t->event);
     *t = (toolpath){ 0 };
 }

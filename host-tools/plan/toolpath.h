@@ -40,7 +40,7 @@ typedef struct {
     double drawn, travelled;        /* mm                      */
     bool laser;                     /* as in the options */
     toolpath_event *event;          /* in their order */
-    size_t events;
+    size_t events, event_room;
 } toolpath;
 
 /* Make the chain. Each move starts exactly where the one before ends, the first at the start. Free

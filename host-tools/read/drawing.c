@@ -85,7 +85,7 @@ void drawing_free(drawing *d)
         spool_free(d->clip[i].outline.curve);
     free(d->clip);
     spool_free(d->curve);
-    free(d->event);
+    spool_free(d->event);
     *d = (drawing){ 0 };
 }
 
@@ -101,7 +101,11 @@ void drawing_add_event(drawing *d, const drawing_event *e)
 {
     const drawing_event one = *e;
 
-    d->event = tool_grow(d->event, (d->events + 1) * sizeof *d->event);
+    if (d->events == d->event_room) {
+        d->event_room = d->event_room ? 2 * d->event_room : 16;
+        d->event      = spool_grow(d->event, d->event_room * sizeof *d->event);
+    }
+    spool_passed(d->events);
     d->event[d->events] = one;
     d->event[d->events++].before = d->taken + d->count;
 }

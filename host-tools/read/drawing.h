@@ -92,7 +92,7 @@ typedef struct drawing {
     bool areas;             /* of SVG: keep outlines of what is filled also where they are not
                              * drawn; set before reading */
     drawing_event *event;   /* of a program, in its order */
-    size_t events;
+    size_t events, event_room;
     struct drawing_clip *clip;      /* areas at which painted shapes are cut */
     size_t clips;
     struct curves *of;      /* the curves that were converted; NULL: they were cubics */

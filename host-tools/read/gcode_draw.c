@@ -134,8 +134,14 @@ static void add_event(pen *out, const gcode_event *e)
     case GCODE_COOLANT: to.doing = DRAWING_COOLS; break;
     default: to.doing = DRAWING_PAUSES; snprintf(to.text, sizeof to.text, "%s", out->say);
     }
-    if (e->line >= out->d->from_line || e->kind == GCODE_SPINDLE || e->kind == GCODE_COOLANT)
+    if (e->line < out->d->from_line && e->kind != GCODE_SPINDLE && e->kind != GCODE_COOLANT)
+        return;
+    if (out->d->events < DRAWING_CURVES_MAX)
         drawing_add_event(out->d, &to);
+    else if (out->code == 0)
+        out->code = tool_error(EX_DATAERR,
+                               "%s:%u: more than %u waits, stops and switches: split the program",
+                               out->file, e->line, DRAWING_CURVES_MAX);
 }
 
 static void note_message(pen *out, const gcode_event *e)

@@ -145,10 +145,8 @@ typedef struct {
     size_t copied;
 } report;
 
-static void keep_first_error(void *context, xmlErrorPtr error)
+static void keep_first_error(report *r, xmlErrorPtr error)
 {
-    report *r = ((xmlParserCtxtPtr)context)->_private;
-
     if (r->message[0] != '\0' || error->level < XML_ERR_ERROR ||
         error->domain == XML_FROM_NAMESPACE)
         return;
@@ -162,7 +160,19 @@ static void keep_first_error(void *context, xmlErrorPtr error)
     else
         snprintf(r->message, sizeof r->message, "broken XML: %.*s: save it again, or mend it there",
                  (int)strcspn(text, "\n"), text);
-    r->line = error->line;
+    r->line = error->line > 0 || r->outer->input == NULL ? error->line : r->outer->input->line;
+}
+
+static void keep_error_of_parser(void *context, xmlErrorPtr error)
+{
+    keep_first_error(((xmlParserCtxtPtr)context)->_private, error);
+}
+
+/* What libxml2 finds without a parser, as bytes that are not of the encoding: it prints them, if
+ * nobody takes them. */
+static void keep_error_of_input(void *context, xmlErrorPtr error)
+{
+    keep_first_error(context, error);
 }
 
 static void stop_at_limit(xmlParserCtxtPtr parser, const char *format, ...)
@@ -319,7 +329,8 @@ static xmlDocPtr parse_document(const char *text, size_t size, report *r)
     xmlSetExternalEntityLoader(load_nothing);
     *r = (report){ .outer = context, .room = EXPANDED_MAX + size };
     context->_private = r;
-    context->sax->serror = keep_first_error;
+    xmlSetStructuredErrorFunc(r, keep_error_of_input);
+    context->sax->serror = keep_error_of_parser;
     context->sax->getEntity = find_entity;
     context->sax->getParameterEntity = find_parameter;
     context->sax->startElementNs = start_element;
@@ -328,6 +339,7 @@ static xmlDocPtr parse_document(const char *text, size_t size, report *r)
     xmlDocPtr document = xmlCtxtReadMemory(context, text, (int)size, NULL, NULL,
                                            XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOCDATA |
                                                XML_PARSE_BIG_LINES | XML_PARSE_HUGE);
+    xmlSetStructuredErrorFunc(NULL, NULL);
     xmlFreeParserCtxt(context);
     if (r->stopped && document != NULL) {
         xmlFreeDoc(document);

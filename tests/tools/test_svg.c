@@ -767,6 +767,9 @@ static void broken_documents_are_refused(arb *a)
     check_refuses("<svg", "broken XML", __FILE__, __LINE__);
     check_refuses("<", "broken XML", __FILE__, __LINE__);
     REFUSES("<text>\xff\xfe</text>", "characters that are not UTF-8: save it as UTF-8");
+    /* libxml2 would print a line of its own, and name the wrong cause */
+    check_refuses("<?xml version='1.0' encoding='EUC-JP'?>" PAGE("<g>\xff\xff\xff</g>"),
+                  "test.svg:1: broken XML: characters that are not UTF-8", __FILE__, __LINE__);
     REFUSES("<path d='&nothing;'/>", "broken XML: Entity 'nothing' not defined");
 }
 
