@@ -322,7 +322,8 @@ def main():
         names = []
         for arg in args:
             names += sorted(os.path.join(top, n) for top, _, files in os.walk(arg) for n in files
-                            if n.endswith(('.ngc', '.nc'))) if os.path.isdir(arg) else [arg]
+                            if n.endswith(('.ngc', '.nc')) and
+                            os.path.exists(os.path.join(top, n))) if os.path.isdir(arg) else [arg]
         for n in range(0 if args else cases):
             names.append(os.path.join(folder, 'seed-%d.ngc' % (seed + n)))
             with open(names[-1], 'w', encoding='ascii') as out:

@@ -6,7 +6,6 @@
  */
 #include <math.h>
 
-#include "support/kept_fonts.h"
 #include "tools/fuzz_reader.h"
 #include "read/drawing.h"
 
