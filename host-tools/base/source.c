@@ -91,8 +91,7 @@ static int unreadable(const char *file)
         return tool_error(
             EX_DATAERR, "%s: is compressed, and damaged or cut off: fetch or pack it again", file);
     case EFBIG:
-        return tool_error(EX_DATAERR, "%s: more than %zu MB: split the file", file,
-                          FILE_MAX >> 20);
+        return tool_error(EX_DATAERR, "%s: more than %zu MB: split the file", file, FILE_MAX >> 20);
     default:     return tool_error(EX_IOERR, "%s: cannot be read: %s", file, strerror(errno));
     }
 }

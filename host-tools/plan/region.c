@@ -16,7 +16,7 @@
 #include "plan/region.h"
 
 #define CHORDS_MAX 2000000u     /* of one shape */
-#define PIECED_MOST 20000u      /* chords: the union of their pieces takes seconds */
+#define PIECED_MOST 5000u       /* chords: the union of their pieces takes seconds */
 
 struct region {
     GEOSContextHandle_t h;

@@ -75,8 +75,8 @@ static int wrong_code(const gcode_program *g, char letter, int code, const char 
 // Codes
 // -----
 
-/* The others mean something else to Marlin, or nothing: G42 goes to a point of the mesh, G61 back to
- * a place that G60 saved. */
+/* The others mean something else to Marlin, or nothing: G42 goes to a point of the mesh, G61 back
+ * to a place that G60 saved. */
 static bool printer_knows(enum group into)
 {
     return into == NONMODAL || into == MOTION || into == PLANE || into == DISTANCE ||

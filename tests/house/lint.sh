@@ -173,8 +173,8 @@ without_test | rule "each header has a test of its name, or tests/README.md name
 # word (a link) of more than 80 characters, generated files, drawings, data and pictures.
 too_wide() {
     find . \( -name .git -o -name __pycache__ -o -path ./build -o -path ./tests/drawings \) -prune \
-        -o -type f ! -name '*.csv' ! -name '*.svg' ! -name '*.png' ! -path ./lib/names.h \
-        ! -path ./lib/ERRORS.md -print0 | xargs -0 python3 -c '
+        -o -type f ! -name '*.csv' ! -name '*.svg' ! -name '*.png' ! -name '*.gz' \
+        ! -path ./lib/names.h ! -path ./lib/ERRORS.md -print0 | xargs -0 python3 -c '
 import sys
 for name in sys.argv[1:]:
     for number, line in enumerate(open(name, encoding="utf-8"), 1):
