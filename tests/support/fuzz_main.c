@@ -1,8 +1,8 @@
 /* tests/support/fuzz_main.c -- feeds files to a program for libFuzzer, without libFuzzer
  * SPDX-License-Identifier: MIT
  *
- * PROGRAM FILE..: what fuzzers have found is read again (make test-corpus). The name of each file is
- * printed before it is read: where a promise is broken, that line is the last one.
+ * PROGRAM FILE..: what fuzzers have found is read again (make test-corpus). The name of each file
+ * is printed before it is read: where a promise is broken, that line is the last one.
  */
 #include <stdio.h>
 #include <string.h>

@@ -79,7 +79,7 @@ static void the_spindle_turns_with_the_cycle(arb *a)
     FAILS("G87 X1 Z-5 R3 I1 J2 F9\n", "part.nc:1: G87 without I, J and K: ");
 }
 
-/* G28.1 and G30.1 store a place of the machine; M70 to M72 save all modes but the kind of motion. */
+/* G28.1 and G30.1 store a place of the machine; M70 to M72 the modes, but not G0, G1 .. */
 static void places_and_modes_are_stored(arb *a)
 {
     (void)a;
