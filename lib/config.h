@@ -49,6 +49,11 @@
 #  define LOFT_MACHINE_SLOT_HALTS 1
 #endif
 
+/* 1: axes may have two motors that are squared: see LOFT_GUARD_SQUARE. */
+#ifndef LOFT_MACHINE_SQUARES
+#  define LOFT_MACHINE_SQUARES 1
+#endif
+
 /* When the override limit of a span is computed, by which an override above 100 percent keeps to
  * the limits of the axes.
  *   1: always when the span is queued: 6,000 cycles on an AVR with two axes that move

@@ -19,7 +19,8 @@ typedef struct {
     mover *v;
     int axis;
     double sign;                /* towards the switch */
-    uint16_t own, other;        /* the inputs at this end and at the other */
+    uint16_t own, other;        /* the inputs at this end and at the other; with two motors `own`
+                                 * are both, one of each */
 } homing;
 
 static const char *end_name(const homing *h) { return h->sign < 0 ? "low" : "high"; }
@@ -31,6 +32,8 @@ static homing homing_of(mover *v, int axis)
     const bool high = v->p.machine.home_end[axis] > 0;
     const uint16_t low_end = LOFT_INPUT_LOW(axis), high_end = LOFT_INPUT_HIGH(axis);
 
+    if (v->p.machine.square[axis] > 0)
+        return (homing){ v, axis, high ? 1 : -1, LOFT_INPUT_ENDS(axis), 0 };
     return (homing){ v, axis, high ? 1 : -1, high ? high_end : low_end, high ? low_end : high_end };
 }
 
@@ -49,11 +52,11 @@ static int move_axis(const homing *h, double by, double feed, const loft_guard *
     return mover_go(v, &m, out);
 }
 
-/* Leave the closed switch. A machine that does not report which end is closed has one pin for both;
- * the way is then away from the homing switch. */
+/* Leave the closed switch, or one of those that are. A machine that does not report which end is
+ * closed has one pin for both; the way is then away from the homing switch. */
 static int leave_switch(const homing *h)
 {
-    const loft_guard opens = { h->own, LOFT_GUARD_OPENS, FILTER };
+    const loft_guard opens = { h->own & h->v->t.sender.closed, LOFT_GUARD_OPENS, FILTER };
     const double most      = FREE * back_of(h);
     mover_outcome out;
     int code = move_axis(h, -most, h->v->p.machine.home_touch[h->axis], &opens, &out);
@@ -127,6 +130,61 @@ static int touch_switch(const homing *h, unsigned times, mover_outcome *out, int
     return code;
 }
 
+// Two motors on an axis
+// ---------------------
+
+/* Touch the switches with both motors: each stops at its own, at most home_back after the other. */
+static int stop_motors(const homing *h, mover_outcome *out)
+{
+    const loft_guard square = { h->own, LOFT_GUARD_SQUARE | LOFT_GUARD_HARD, FILTER };
+    const machine_file *m   = &h->v->p.machine;
+    const char name         = "xyz"[h->axis];
+
+    if (!(h->v->t.sender.machine.kinds & LOFT_TAKES_TABLE))
+        return tool_error(EX_CONFIG,
+                          "%s: this machine cannot square an axis: give it a newer firmware",
+                          h->v->port);
+    int code = move_axis(h, AGAIN * back_of(h), m->home_touch[h->axis], &square, out);
+    if (code == 0 && out->how == MOVER_ARRIVED)
+        code = tool_error(
+            EX_UNAVAILABLE,
+            "%c: its two motors differ by more than %g mm, or a switch is stuck: turn "
+            "one by hand with the power off, or give a larger %c.home_back",
+            name, back_of(h), name);
+    return code ? code : mover_ready(h->v);
+}
+
+/* Both motors touch their switches, once more. *apart: the steps between the first and the last of
+ * them; the first one closed at `first`. */
+static int close_both(const homing *h, int32_t first, mover_outcome *out, long *apart)
+{
+    int code = stop_motors(h, out);
+
+    *apart = code == 0 ? labs((long)out->steps[h->axis] - first) : 0;
+    return code ? code : back_off(h, out);
+}
+
+/* `found`: where the first of two switches closed. */
+static int square_axis(const homing *h, const mover_outcome *found)
+{
+    const double feed = h->v->p.machine.home_touch[h->axis];
+    long before, after;
+    mover_outcome out;
+    int code = close_both(h, found->steps[h->axis], &out, &before);
+
+    if (code == 0)
+        code = look_for(h, AGAIN * back_of(h), feed, &out);
+    const int32_t first = out.steps[h->axis];
+    if (code == 0)
+        code = back_off(h, &out);
+    if (code == 0)
+        code = close_both(h, first, &out, &after);
+    if (code == 0)
+        printf("%c: squared: its switches close within %ld step%s of each other, before %ld\n",
+               "xyz"[h->axis], after, tool_s((size_t)after), before);
+    return code;
+}
+
 /* Say where the tool is: the switch, where it was latched, is at its place. */
 static int set_axis(const homing *h, const mover_outcome *out)
 {
@@ -135,9 +193,11 @@ static int set_axis(const homing *h, const mover_outcome *out)
     memcpy(at, h->v->at, sizeof at);
     at[h->axis] += machine_home_at(&h->v->p.machine, h->axis) - out->latched[h->axis];
     const double moved = at[h->axis] - h->v->at[h->axis];
-    const int code     = mover_place(h->v, at);
+    int code           = mover_place(h->v, 1u << h->axis, at);
     mover_outcome now  = *out;
     now.latched[h->axis] += moved;
+    if (code == 0)
+        code = mover_table(h->v, h->axis, true);
     return code ? code : back_off(h, &now);
 }
 
@@ -155,13 +215,16 @@ static int home_axis(mover *v, int axis, unsigned touches)
             "%c: how far is its switch at most? give %c.travel, or %c.home_search, in "
             "the machine file",
             "xyz"[axis], "xyz"[axis], "xyz"[axis]);
-    if (v->t.sender.closed & h.own)
+    code = mover_table(v, axis, false);
+    for (int motor = 0; motor < 2 && code == 0 && v->t.sender.closed & h.own; motor++)
         code = leave_switch(&h);
     if (code == 0)
         code = look_for(&h, search, m->home_seek[axis], &out);
     const double way = code == 0 ? fabs(out.latched[axis] - from) : 0;
     if (code == 0)
         code = back_off(&h, &out);
+    if (code == 0 && m->square[axis] > 0)
+        code = square_axis(&h, &out);
     if (code == 0)
         code = touch_switch(&h, touches, &out, &spread);
     if (code == 0)
@@ -175,15 +238,85 @@ static int home_axis(mover *v, int axis, unsigned touches)
     return code;
 }
 
-static int check_machine(const mover *v)
+// Motors that are not axes
+// ------------------------
+
+/* The switches of a delta and of a polar machine are those of its motors. */
+static bool by_motors(const mover *v)
+{
+    return v->p.machine.k.kind == ENGINE_DELTA || v->p.machine.k.kind == ENGINE_POLAR;
+}
+
+static int check_motors(const mover *v, const bool axis[ENGINE_AXES])
 {
     const machine_file *m = &v->p.machine;
 
-    if (m->k.kind != ENGINE_CARTESIAN && m->k.kind != ENGINE_COREXY)
-        return tool_error(EX_CONFIG,
-                          "kinematics = %s: only a cartesian, corexy or hbot machine can be homed: "
-                          "move it by hand, then `loft zero`",
-                          kinematics_name(&m->k));
+    if (m->k.kind == ENGINE_DELTA && !(axis[0] && axis[1] && axis[2]))
+        return tool_error(EX_CONFIG, "kinematics = delta: its three carriages are homed together: "
+                                     "name no axis, and give home_order = 1");
+    for (int i = 0; i < ENGINE_AXES; i++)
+        if (axis[i] && (isnan(m->home_at[i]) || !(m->home_search[i] > 0)))
+            return tool_error(
+                EX_CONFIG,
+                "kinematics = %s: the switch is one of motor %c: give %c.home_at, where "
+                "it is, and %c.home_search, how far it is at most, in its mm",
+                kinematics_name(&m->k), "abc"[i], "abc"[i], "abc"[i]);
+    return 0;
+}
+
+/* Move the carriages of a delta to the first switch, all by the same way. */
+static int raise_carriages(mover *v)
+{
+    const machine_file *m = &v->p.machine;
+    loft_guard closes     = { 0, 0, FILTER };
+    double way = m->home_search[0], feed = m->home_seek[0];
+    mover_move move;
+    mover_outcome out;
+
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        closes.inputs |= homing_of(v, i).own;
+        way  = fmin(way, m->home_search[i]);
+        feed = fmin(feed, m->home_seek[i]);
+    }
+    if (v->t.sender.closed & closes.inputs)
+        return 0;
+    move = (mover_move){ .feed = feed * sqrt(ENGINE_AXES), .guard = closes };
+    for (int i = 0; i < ENGINE_AXES; i++)
+        move.to[i] = v->at[i] + homing_of(v, i).sign * way;
+    const int code = mover_go(v, &move, &out);
+    if (code == 0 && out.how == MOVER_ARRIVED)
+        return tool_error(
+            EX_UNAVAILABLE,
+            "no carriage found its switch within %.6g mm: look at switches, wires and "
+            "motors, or give a larger home_search",
+            way);
+    return code ? code : mover_ready(v);
+}
+
+static int home_axes(mover *v, const bool axis[ENGINE_AXES], unsigned touches);
+
+/* Motors are moved as if they were axes; then the tool is where they have it. */
+static int home_motors(mover *v, const bool axis[ENGINE_AXES], unsigned touches)
+{
+    const machine_file kept = v->p.machine;
+    int code = check_motors(v, axis);
+
+    if (code != 0)
+        return code;
+    v->p.machine.k.kind = ENGINE_CARTESIAN;
+    memset(v->p.machine.travel, 0, sizeof v->p.machine.travel);
+    memset(v->p.machine.zero, 0, sizeof v->p.machine.zero);
+    code = mover_ready(v);
+    if (code == 0 && kept.k.kind == ENGINE_DELTA)
+        code = raise_carriages(v);
+    if (code == 0)
+        code = home_axes(v, axis, touches);
+    v->p.machine = kept;
+    return code ? code : mover_ready(v);
+}
+
+static int check_machine(const mover *v)
+{
     if (!(v->t.sender.machine.kinds & LOFT_TAKES_GUARDS))
         return tool_error(EX_CONFIG,
                           "%s: this machine cannot look for a switch: give it a newer firmware",
@@ -194,7 +327,6 @@ static int check_machine(const mover *v)
 /* The axes in their order; without an order, those that are asked for come last. */
 static int home_axes(mover *v, const bool axis[ENGINE_AXES], unsigned touches)
 {
-    char text[96];
     int code = check_machine(v);
 
     for (int order = 1; order <= 4 && code == 0; order++)
@@ -203,8 +335,6 @@ static int home_axes(mover *v, const bool axis[ENGINE_AXES], unsigned touches)
             if (axis[i] && (own > 0 ? own : 4) == order)
                 code = home_axis(v, i, touches);
         }
-    if (code == 0)
-        printf("homed: the tool is at %s\n", mover_text(v->at, text));
     return code;
 }
 
@@ -224,6 +354,7 @@ static int run_home(const tool_command *self, int argc, char **argv)
 {
     bool axis[ENGINE_AXES] = { false };
     unsigned touches       = 2;
+    char text[96];
     mover v;
     int first, code = mover_start(&v, argc, argv);
 
@@ -245,7 +376,9 @@ static int run_home(const tool_command *self, int argc, char **argv)
     if (code == 0 && first == argc)
         code = choose_axes(&v, axis);
     if (code == 0)
-        code = home_axes(&v, axis, touches);
+        code = by_motors(&v) ? home_motors(&v, axis, touches) : home_axes(&v, axis, touches);
+    if (code == 0)
+        printf("homed: the tool is at %s\n", mover_text(v.at, text));
     mover_close(&v);
     return code;
 }
@@ -275,6 +408,13 @@ static int unlock_axes(mover *v, int axis, double sign)
 {
     char text[256], at[96];
     int code = check_machine(v);
+
+    if (code == 0 && by_motors(v))
+        return tool_error(
+            EX_CONFIG,
+            "kinematics = %s: its switches are those of the motors: `loft home` leads "
+            "them away",
+            kinematics_name(&v->p.machine.k));
 
     if (code == 0 && (v->t.sender.closed & LOFT_INPUT_ENDING) == 0) {
         printf("no switch is closed: the machine is free\n");

@@ -7,6 +7,14 @@
 #include "send/transport.h"      /* transport_ports */
 #include "base/tool.h"
 
+static const char *state_words(const loft_ack *a)
+{
+    return a->state == LOFT_STATE_HELD    ? "in a job, held: `loft stream --resume`, or --abort"
+           : loft_state_busy(a->state)    ? "in a job"
+           : a->state == LOFT_STATE_FAULT ? "has a fault: restart it"
+                                          : "idle";
+}
+
 /* Print one line about the machine at a port, on standard error if nothing answers. */
 static int ask_port(const char *name, unsigned baud)
 {
@@ -21,7 +29,9 @@ static int ask_port(const char *name, unsigned baud)
            t.sender.machine.queue, t.sender.machine.points);
     for (int i = 0; i < LOFT_AXES; i++)
         printf("%s%g", i ? " " : "\tsteps/mm ", t.sender.axis[i].steps_per_mm / 65536.0);
-    printf("\t%s", t.sender.machine.job != 0 ? "in a job" : "idle");
+    printf("\t%s", state_words(&t.sender.ack));
+    if (t.sender.ack.flags & LOFT_FLAG_LOST)
+        printf("\tits position is in doubt: `loft home`, or `loft zero`");
     if (t.sender.closed & LOFT_INPUT_ENDING)
         printf("\tclosed: %s", talk_inputs(t.sender.closed, closed));
     putchar('\n');

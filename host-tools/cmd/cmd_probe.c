@@ -59,7 +59,7 @@ static int probe_it(probing *p)
         memcpy(now, v->at, sizeof now);
         now[p->axis] += by;
         out.latched[p->axis] = p->at;
-        code = mover_place(v, now);
+        code = mover_place(v, 1u << p->axis, now);
     }
     if (code == 0)
         code = back_off(p, out.latched);

@@ -80,6 +80,22 @@ static int take_ends(const char *option, const char *text, bool opens,
     return 0;
 }
 
+/* `y=0.8`: y has two motors, and the second is 0.8 mm ahead. */
+static int take_gantry(const char *text, struct loft_host_options *o)
+{
+    const char *axis = text ? strchr("xyz", text[0]) : NULL;
+    char *end = NULL;
+
+    if (text == NULL)
+        return 0;
+    if (text[0] && axis && text[1] == '=')
+        o->skew = strtod(text + 2, &end);
+    if (!end || end == text + 2 || *end || !(fabs(o->skew) <= 100))
+        return tool_error(EX_USAGE, "--gantry %s: give an axis and mm, as y=0.8", text);
+    o->gantry = (int)(axis - "xyz");
+    return 0;
+}
+
 static int simulate(const struct loft_host_options *o, const engine *e)
 {
     if (e == &engine_f32)
@@ -96,6 +112,7 @@ static int run_simulate(const tool_command *self, int argc, char **argv)
     const char *speed          = o.fast ? "fast" : "real";
     tool_list steps = { .count = 0 }, fastest = { .count = 0 }, accel = { .count = 0 };
     const char *machine = NULL, *limits = NULL, *walls = NULL, *probe = NULL;
+    const char *gantry = NULL;
     kinematics k;
     char text[KINEMATICS_TEXT];
     int first;
@@ -127,6 +144,9 @@ static int run_simulate(const tool_command *self, int argc, char **argv)
                   "x-=MMnc: it opens there (none)"),
         TOOL_SWITCH("shared", &o.shared,
                     "the switches of both ends of an axis share one input, as on an Uno"),
+        TOOL_TEXT("gantry", "y=MM", &gantry,
+                  "an axis with two motors, the second so far ahead; each has the switches of "
+                  "--limits (none)"),
         TOOL_TEXT("walls", "x-=MM,..", &walls,
                   "where the table ends: steps that run into a wall are lost (none)"),
         TOOL_TEXT("probe", "z-=MM,..", &probe, "where the probe touches something (none)"),
@@ -151,6 +171,7 @@ static int run_simulate(const tool_command *self, int argc, char **argv)
         (code = spread("max-speed", &fastest, o.max_speed)) != 0 ||
         (code = spread("accel", &accel, o.max_accel)) != 0 ||
         (code = take_ends("limits", limits, true, o.limit)) != 0 ||
+        (code = take_gantry(gantry, &o)) != 0 ||
         (code = take_ends("walls", walls, false, o.wall)) != 0 ||
         (code = take_ends("probe", probe, false, o.probe)) != 0)
         return code;
@@ -163,5 +184,7 @@ const tool_command command_simulate = { "simulate", "[--link PATH] [--record FIL
                                         "Prints the name of the pseudo terminal; give it, or PATH, "
                                         "to `loft stream --port`. What runs is the code of the\n"
                                         "firmware, in any number type. Ends with ^C, which stops "
-                                        "the machine on the path, or with --once after one job.\n",
+                                        "the machine on the path, or with --once after one job.\n"
+                                        "kill -USR1 presses its emergency stop, and the next one "
+                                        "frees it.\n",
                                         run_simulate };

@@ -476,6 +476,8 @@ static int draw_file(stream_options *o, const char *file)
         if (o->p.file == NULL)
             code = settings_adopt(&o->p.machine, &t);
         if (code == 0)
+            code = talk_certain(&t);
+        if (code == 0)
             code = stream_drawing(o, &all, &t);
         talk_close(&t);
     }

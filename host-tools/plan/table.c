@@ -76,8 +76,8 @@ void table_ends(const machine_file *m, int axis, double *least, double *most)
 {
     const bool limited = m->travel[axis] > 0;
 
-    *least = limited ? m->min[axis] : -HUGE_VAL;
-    *most  = limited ? m->min[axis] + m->travel[axis] : HUGE_VAL;
+    *least = limited ? m->min[axis] - m->zero[axis] : -HUGE_VAL;
+    *most  = limited ? m->min[axis] - m->zero[axis] + m->travel[axis] : HUGE_VAL;
 }
 
 static table_box box_of_table(const machine_file *m)

@@ -40,6 +40,7 @@ static const row rows[] = {
     { "tolerance", "mm", AT(tol), false, false, false, 1 / 1024.0, 1, 0, { 0 } },
     { "travel", "mm", AT(travel), true, false, false, 0, 16383, 0, { 0 } },
     { "min", "mm", AT(min), true, false, false, -16383, 16383, 0, { 0 } },
+    { "zero", "mm", AT(zero), true, false, false, -16383, 16383, 0, { 0 } },
     { "home_order", "", AT(home_order), true, true, false, 0, 3, 0, { 0 } },
     { "home_end", "", AT(home_end), true, true, false, 0, 1, 0, { "low", "high" } },
     { "home_at", "mm", AT(home_at), true, false, false, -16383, 16383, 0, { 0 } },
@@ -47,6 +48,7 @@ static const row rows[] = {
     { "home_touch", "mm/s", AT(home_touch), true, false, false, 1 / 64.0, 1000, 0, { 0 } },
     { "home_back", "mm", AT(home_back), true, false, false, 0.01, 100, 0, { 0 } },
     { "home_search", "mm", AT(home_search), true, false, false, 0, 16383, 0, { 0 } },
+    { "square", "", AT(square), true, true, false, 0, 1, 0, { "no", "yes" } },
     { "limit_stop", "", AT(hard_stop), false, true, false, 0, 1, 0, { "ramp", "hard" } },
     { "park", "mm", AT(park), true, false, false, -16383, 16383, 0, { 0 } },
     { "reversed", "", AT(reversed), true, true, false, 0, 1, 0, { "no", "yes" } },
@@ -539,7 +541,7 @@ double machine_home_at(const machine_file *m, int axis)
     const double end = m->home_end[axis] > 0 ? m->min[axis] + m->travel[axis] + out
                                              : m->min[axis] - out;
 
-    return isnan(m->home_at[axis]) ? end : m->home_at[axis];
+    return (isnan(m->home_at[axis]) ? end : m->home_at[axis]) - m->zero[axis];
 }
 
 double machine_home_search(const machine_file *m, int axis)

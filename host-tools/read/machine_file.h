@@ -20,11 +20,13 @@ typedef struct {
     double corner, tol;                     /* tolerance near corners; of the path */
     double travel[ENGINE_AXES], min[ENGINE_AXES];   /* the table, for the tool: its size, 0: not
                                                      * limited; its low end */
+    double zero[ENGINE_AXES];               /* where on the table the drawing's 0 lies */
     double home_order[ENGINE_AXES];         /* 1 to 3: when the axis is homed; 0: it is not */
     double home_end[ENGINE_AXES];           /* its switch: 0: at the low end, 1: high */
     double home_at[ENGINE_AXES];            /* where the switch is; NAN: home_back outside */
     double home_seek[ENGINE_AXES], home_touch[ENGINE_AXES], home_back[ENGINE_AXES];
     double home_search[ENGINE_AXES];        /* how far to look; 0: the table and more */
+    double square[ENGINE_AXES];             /* 1: two motors with a switch each, to be squared */
     double hard_stop;                       /* 1: a limit switch stops it at once */
     double park[ENGINE_AXES], pen_up, pen_down;     /* places of `loft park` and `loft pen` */
     double reversed[ENGINE_AXES];           /* 1: the motor turns the other way */
@@ -69,7 +71,8 @@ int machine_line(machine_file *m, const char *file, unsigned line, const char *t
  * not given. */
 int machine_option(machine_file *m, int argc, char **argv);
 
-/* Where the homing switch of an axis is, and how far to look for it; 0: the file does not say. */
+/* Where the homing switch of an axis is in the drawing, and how far to look for it; 0: the file
+ * does not say. */
 double machine_home_at(const machine_file *m, int axis);
 double machine_home_search(const machine_file *m, int axis);
 

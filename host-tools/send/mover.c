@@ -18,6 +18,7 @@
 #define OBEYS   5.0         /* s to take a place */
 #define PORTION 0.005       /* s of planning between two looks at the line */
 #define ALL     ((1u << LOFT_AXES) - 1)
+#define TABLE_MORE 0.1      /* mm: what tolerances may need beyond the table */
 
 int mover_start(mover *v, int argc, char **argv)
 {
@@ -263,10 +264,29 @@ static int steps_there(const mover *v, const double at[ENGINE_AXES], int32_t ste
     return 0;
 }
 
-int mover_place(mover *v, const double at[ENGINE_AXES])
+/* Wait until the machine has obeyed a place. */
+static int wait_place(mover *v)
 {
     const double until = tool_clock() + OBEYS;
     loft_sender *s     = &v->t.sender;
+
+    while (s->verb != 0) {
+        if (!talk_pump(&v->t, 20))
+            return talk_vanished(&v->t, "before the machine obeyed ");
+        if (tool_clock() > until)
+            return tool_error(EX_IOERR,
+                              "%s: the machine did not obey in %g s: run the same command again",
+                              v->port, OBEYS);
+    }
+    return s->ack.refusal == LOFT_REFUSAL_NONE
+               ? 0
+               : tool_error(EX_TEMPFAIL, "%s: the machine refused: a job has begun meanwhile",
+                            v->port);
+}
+
+int mover_place(mover *v, unsigned axes, const double at[ENGINE_AXES])
+{
+    loft_sender *s = &v->t.sender;
     int32_t steps[LOFT_AXES];
     int code = s->phase == LOFT_PHASE_READY ? 0 : mover_ready(v);
 
@@ -279,21 +299,37 @@ int mover_place(mover *v, const double at[ENGINE_AXES])
         code = steps_there(v, at, steps);
     if (code != 0)
         return code;
-    if (loft_sender_place(s, ALL, steps) != LOFT_OK)
+    if (v->p.machine.k.kind != ENGINE_CARTESIAN)
+        axes = ALL;
+    if (loft_sender_place(s, (uint8_t)axes, steps) != LOFT_OK)
         return tool_error(EX_SOFTWARE, "the place could not be sent: please report this");
-    while (s->verb != 0) {
-        if (!talk_pump(&v->t, 20))
-            return talk_vanished(&v->t, "before the machine obeyed ");
-        if (tool_clock() > until)
-            return tool_error(EX_IOERR,
-                              "%s: the machine did not obey in %g s: run the same command again",
-                              v->port, OBEYS);
+    code = wait_place(v);
+    if (code == 0)
+        read_place(v, steps);
+    return code;
+}
+
+int mover_table(mover *v, int axis, bool counts)
+{
+    const machine_file *m = &v->p.machine;
+    loft_sender *s        = &v->t.sender;
+    int32_t steps[LOFT_AXES] = { 0 };
+    double ends[2];
+    int code = 0;
+
+    table_ends(m, axis, &ends[0], &ends[1]);
+    if (m->k.kind != ENGINE_CARTESIAN || !(s->machine.kinds & LOFT_TAKES_TABLE) ||
+        (counts && !(ends[1] < HUGE_VAL)))
+        return 0;
+    for (int high = 0; high <= counts && code == 0; high++) {
+        const double at = ends[high] + (high ? TABLE_MORE : -TABLE_MORE);
+        if (counts)
+            steps[axis] = (int32_t)lround(at * (double)s->axis[axis].steps_per_mm / 65536);
+        code            = loft_sender_table(s, high, (uint8_t)(1u << axis), steps) == LOFT_OK
+                   ? wait_place(v)
+                   : tool_error(EX_SOFTWARE, "the table could not be sent: please report this");
     }
-    if (s->ack.refusal != LOFT_REFUSAL_NONE)
-        return tool_error(EX_TEMPFAIL, "%s: the machine refused: a job has begun meanwhile",
-                          v->port);
-    read_place(v, steps);
-    return 0;
+    return code;
 }
 
 uint16_t mover_away(const mover *v, const double from[ENGINE_AXES], const double to[ENGINE_AXES])
@@ -302,6 +338,8 @@ uint16_t mover_away(const mover *v, const double from[ENGINE_AXES], const double
 
     for (int i = 0; i < ENGINE_AXES; i++) {
         const uint16_t ends = v->t.sender.closed & LOFT_INPUT_ENDS(i);
+        if (v->p.machine.square[i] > 0)
+            continue;                       /* those of its two motors */
         if ((ends == LOFT_INPUT_LOW(i) && to[i] > from[i]) ||
             (ends == LOFT_INPUT_HIGH(i) && to[i] < from[i]))
             away |= ends;
@@ -326,9 +364,11 @@ int mover_to(mover *v, const double to[ENGINE_AXES], double feed)
 {
     mover_move m = { .feed = feed, .away = mover_away(v, v->at, to) };
     mover_outcome out;
-    int code = table_place(&v->p.machine, v->at, to, v->p.tol);
+    int code = talk_certain(&v->t);
 
     memcpy(m.to, to, sizeof m.to);
+    if (code == 0)
+        code = table_place(&v->p.machine, v->at, to, v->p.tol);
     if (code == 0)
         code = mover_free(v, to);
     return code ? code : mover_go(v, &m, &out);

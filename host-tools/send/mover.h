@@ -62,8 +62,14 @@ typedef struct {
  * Returns 0, or an exit code after printing one line: also if a limit switch or ^C ended it. */
 int mover_go(mover *v, const mover_move *m, mover_outcome *out);
 
-/* Tell the machine where the tool is. Results as above. */
-int mover_place(mover *v, const double at[ENGINE_AXES]);
+/* Tell the machine where the tool is, on the axes of `axes` (bit i: axis i; all of them, if motors
+ * are not axes). Results as above. */
+int mover_place(mover *v, unsigned axes, const double at[ENGINE_AXES]);
+
+/* Tell a machine whose motors are axes where its table begins and ends on this one: it then refuses
+ * what leaves it. Without `counts` it has no table any more. Results as above; one that cannot is
+ * not told. */
+int mover_table(mover *v, int axis, bool counts);
 
 /* The closed limit switches and, of them, those that a move from `from` to `to` leads away from. A
  * switch for both ends of its axis leads nowhere. */

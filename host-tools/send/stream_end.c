@@ -164,8 +164,9 @@ static int report_hindered(const talk *t, const job *j)
 {
     const loft_sender *s = &t->sender;
     const bool began     = s->report.job != 0;
-    const bool hard      = s->report.guarded && j->head.guard.how & LOFT_GUARD_HARD;
     const uint16_t by    = (began ? s->report.ended_by : s->closed) & LOFT_INPUT_ENDING;
+    const bool stop      = by & LOFT_INPUT_STOP;
+    const bool hard      = stop || (s->report.guarded && j->head.guard.how & LOFT_GUARD_HARD);
     char text[256], at[96], steps[96], of[32];
 
     if (!began)
@@ -182,7 +183,9 @@ static int report_hindered(const talk *t, const job *j)
         t->port, talk_inputs(by, text), (unsigned)s->report.items, job_of(j, of),
         hard ? "at once" : "on the path", place_text(s, j->k, s->report.position, at),
         steps_text(s->report.position, steps),
-        hard ? "; its motors may have lost steps: then home it" : "");
+        stop   ? "; its position is in doubt: then `loft home`, or `loft zero`"
+        : hard ? "; its motors may have lost steps: then home it"
+               : "");
 }
 
 static int report_refused(const talk *t, const job *j)
@@ -194,6 +197,11 @@ static int report_refused(const talk *t, const job *j)
                           "same command again",
                           t->port);
     case LOFT_REFUSAL_KIND:
+        if (j->head.guard.how & LOFT_GUARD_SQUARE)
+            return tool_error(EX_CONFIG,
+                              "%s: this board has one motor or one switch pin for an axis with "
+                              "square = yes: square it by hand, and give square = no",
+                              t->port);
         return tool_error(
             EX_CONFIG,
             "%s: the machine does not accept items of this kind: try with or without --points",
@@ -209,6 +217,12 @@ static int report_refused(const talk *t, const job *j)
                           "%s: the machine cannot do item %u: give less --feed or --accel", t->port,
                           (unsigned)t->sender.ack.next);
     case LOFT_REFUSAL_INPUT: return report_hindered(t, j);
+    case LOFT_REFUSAL_TABLE:
+        return tool_error(
+            EX_DATAERR,
+            "%s: item %u leaves the table, where the machine was homed: it is stopped "
+            "on the path before; move the drawing, or `loft home` again",
+            t->port, (unsigned)t->sender.ack.next);
     case LOFT_REFUSAL_FAULT:
         return tool_error(EX_UNAVAILABLE,
                           "%s: the machine does not know its position: restart and home it",

@@ -82,6 +82,16 @@ const char *talk_inputs(uint16_t inputs, char text[256])
     return text;
 }
 
+int talk_certain(const talk *t)
+{
+    return t->sender.ack.flags & LOFT_FLAG_LOST
+               ? tool_error(EX_UNAVAILABLE,
+                            "%s: its position is in doubt, as after an emergency stop: `loft home "
+                            "--port %s`, or `loft zero`",
+                            t->port, t->port)
+               : 0;
+}
+
 double talk_silence(const talk *t)
 {
     return (double)loft_sender_silence(&t->sender, now_ms()) / 1000;

@@ -45,6 +45,10 @@ bool talk_pump(talk *t, int most_ms);
 /* Print that the port has vanished, and `where` the job is. Returns the exit code. */
 int  talk_vanished(const talk *t, const char *where);
 
+/* Refuse to draw, or to go to a place, while the position is in doubt. Returns 0, or an exit code
+ * after printing one line. */
+int talk_certain(const talk *t);
+
 /* "the limit switch of x at its low end, the emergency stop": the inputs that end a job. */
 const char *talk_inputs(uint16_t inputs, char text[256]);
 

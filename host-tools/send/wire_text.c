@@ -39,10 +39,14 @@ static const char *kind_word(unsigned kind)
 
 static const char *verb_word(unsigned verb)
 {
-    static const char *const words[] = {
-        [LOFT_HOLD] = "hold",   [LOFT_RESUME] = "resume",     [LOFT_ABORT] = "abort",
-        [LOFT_CLOSE] = "close", [LOFT_OVERRIDE] = "override", [LOFT_PLACE] = "place"
-    };
+    static const char *const words[] = { [LOFT_HOLD] = "hold",
+                                         [LOFT_RESUME] = "resume",
+                                         [LOFT_ABORT] = "abort",
+                                         [LOFT_CLOSE] = "close",
+                                         [LOFT_OVERRIDE] = "override",
+                                         [LOFT_PLACE] = "place",
+                                         [LOFT_TABLE_LOW] = "table from",
+                                         [LOFT_TABLE_HIGH] = "table to" };
     return WORD(words, verb);
 }
 
@@ -55,14 +59,17 @@ static void print_places(FILE *out, const char *name, const int32_t place[LOFT_A
 
 static void print_ack(FILE *out, const loft_ack *a)
 {
-    static const char *const refusals[] = { "",         "busy",  "wrong start", "unknown kind",
-                                            "bad item", "fault", "bad limits",  "closed input" };
+    static const char *const refusals[] = {
+        "",      "busy",       "wrong start",  "unknown kind",    "bad item",
+        "fault", "bad limits", "closed input", "beyond the table"
+    };
 
     fprintf(out, " next %" PRIu32 " limit %" PRIu32 " executed %" PRIu32 " %s", a->next, a->limit,
             a->executed, state_word(a->state));
-    fprintf(out, "%s%s%s", a->flags & LOFT_FLAG_NAK ? " again" : "",
+    fprintf(out, "%s%s%s%s", a->flags & LOFT_FLAG_NAK ? " again" : "",
             a->flags & LOFT_FLAG_ENDED ? " all" : "",
-            a->flags & LOFT_FLAG_STARVED ? " starved" : "");
+            a->flags & LOFT_FLAG_STARVED ? " starved" : "",
+            a->flags & LOFT_FLAG_LOST ? " position in doubt" : "");
     if (a->refusal != LOFT_REFUSAL_NONE)
         fprintf(out, " refused: %s", WORD(refusals, a->refusal));
 }
@@ -128,7 +135,7 @@ static bool print_control(FILE *out, const loft_frame *f)
     if (loft_control_decode(f, &m) != LOFT_OK)
         return false;
     fprintf(out, " number %u %s", m.number, verb_word(m.verb));
-    if (m.verb == LOFT_PLACE)
+    if (m.verb >= LOFT_PLACE)
         print_places(out, "position", m.position);
     return true;
 }

@@ -45,6 +45,7 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
     d->share = (uint16_t)(share < UINT16_MAX ? share : UINT16_MAX);
     d->gain = (uint16_t)(UINT16_MAX / (config->ramp / 2u + config->ramp % 2u));
     d->percent = 100;
+    d->tabled = 0;
     d->active = d->hold = d->abort = d->halt = d->ended = 0;
     d->state = LOFT_STATE_IDLE;
     d->executed = d->ticks = d->slowed = d->elapsed = 0;
@@ -97,9 +98,41 @@ enum loft_status loft_drive_place(loft_drive *d, uint8_t axes, const int32_t pos
         return LOFT_ERR_ARG;
     loft_step_position(&d->step, to);
     for (int i = 0; i < LOFT_AXES; i++)
-        if (axes & 1u << i)
+        if (axes & 1u << i) {
+            const uint32_t by = (uint32_t)position[i] - (uint32_t)to[i];
             to[i] = position[i];
+            d->table[0][i] = (int32_t)((uint32_t)d->table[0][i] + by);
+            d->table[1][i] = (int32_t)((uint32_t)d->table[1][i] + by);
+        }
     return loft_step_place(&d->step, to);
+}
+
+enum loft_status loft_drive_table(loft_drive *d, int end, uint8_t axes,
+                                  const int32_t position[LOFT_AXES])
+{
+    if (d->active)
+        return LOFT_ERR_ARG;
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (axes & 1u << i)
+            d->table[end][i] = position[i];
+    d->tabled = (uint8_t)(end ? d->tabled | axes : d->tabled & ~axes);
+    return LOFT_OK;
+}
+
+bool loft_drive_inside(const loft_drive *d, const loft_item *item)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        int32_t to = item->p[2][i], from = d->end[i];
+        if (!(d->tabled & 1u << i))
+            continue;
+        if (d->kind == LOFT_SPANS) {
+            to   = steps_of(d, i, to);
+            from = steps_of(d, i, from);
+        }
+        if ((to < d->table[0][i] && to < from) || (to > d->table[1][i] && to > from))
+            return false;
+    }
+    return true;
 }
 
 static bool point_valid(const loft_drive *d, const loft_item *item)

@@ -95,6 +95,8 @@ typedef struct {
     int32_t  end[LOFT_AXES];            /* main loop: the end of the last pushed item */
     const loft_axis_config *axis;
     uint16_t ramp, tick_hz;
+    int32_t  table[2][LOFT_AXES];       /* main loop: its low and its high end, steps */
+    uint8_t  tabled;                    /* bit i: axis i has one */
     uint16_t share;                     /* law of supply: ticks that an item is worth */
     uint16_t gain;                      /* law of supply: pace per tick, 2^-20 */
 } loft_drive;
@@ -128,6 +130,20 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind,
  *   range   no job is under way, otherwise LOFT_ERR_ARG; that of loft_step_place */
 enum loft_status loft_drive_place(loft_drive *d, uint8_t axes,
                                   const int32_t position[LOFT_AXES]) LOFT_CHECKED;
+
+/* Say where the table begins (`end` 0) or ends (1), on the axes of `axes`: at position[i] steps.
+ * Its begin lifts a table that was there, its end makes it count, until the machine restarts. When
+ * the machine is placed, the table stays where it is, and gets other coordinates.
+ *
+ *   range   no job is under way, otherwise LOFT_ERR_ARG */
+enum loft_status loft_drive_table(loft_drive *d, int end, uint8_t axes,
+                                  const int32_t position[LOFT_AXES]) LOFT_CHECKED;
+
+/* Does the item that is pushed next end on the table, or lead back to it? Between its ends a span
+ * may bend outwards, by at most acceleration * time^2 / 8.
+ *
+ *   cost    two products per axis that has a table */
+bool loft_drive_inside(const loft_drive *d, const loft_item *item);
 
 /* Append an item. An item is ignored when the job is over or being aborted. An action lasts one
  * tick. Before a pause the plan must come to rest: the machine stops there, as in a hold, until it

@@ -12,16 +12,19 @@
 
 /* The machine cannot execute the item, or the receiver saw room where there is none. The item is
  * already counted as taken, so the job ends here, on the path. */
-static void give_up_job(loft_machine *m)
+static void give_up_job(loft_machine *m, enum loft_refusal refusal)
 {
     loft_drive_abort(&m->drive);
-    loft_receiver_answer(&m->receiver, NULL, LOFT_REFUSAL_ITEM);
+    loft_receiver_answer(&m->receiver, NULL, refusal);
 }
 
+/* A job that is over or being aborted ignores its items. */
 static void queue_item(loft_machine *m, const loft_item *item)
 {
-    if (loft_drive_push(&m->drive, item) != LOFT_OK)
-        give_up_job(m);
+    if (m->drive.active && !m->drive.abort && !loft_drive_inside(&m->drive, item))
+        give_up_job(m, LOFT_REFUSAL_TABLE);
+    else if (loft_drive_push(&m->drive, item) != LOFT_OK)
+        give_up_job(m, LOFT_REFUSAL_ITEM);
 }
 
 
@@ -148,6 +151,7 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
     config->info.queue  = config->cells;
     config->info.points = loft_points_capacity(config->cells);
     config->info.kinds  = (uint8_t)(1u << LOFT_SPANS | 1u << LOFT_POINTS | LOFT_TAKES_PLACES |
+                                   LOFT_TAKES_TABLE |
                                    (config->settings.get ? LOFT_TAKES_SETTINGS : 0) |
                                    (LOFT_MACHINE_OUTPUTS ? LOFT_TAKES_ACTIONS : 0) |
                                    (config->senses ? LOFT_TAKES_GUARDS : 0));
@@ -155,7 +159,7 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
     m->job.kind = LOFT_SPANS;
     m->job.id = m->job.away = 0;
     m->closed = m->ended_by = 0;
-    m->told = 0;
+    m->told = m->lost = 0;
     loft_latch_init(&m->latch);
     enum loft_status status = init_planner(m, config);
     if (status == LOFT_OK)
@@ -190,6 +194,7 @@ static loft_snapshot snapshot_of(loft_machine *m)
     now.state = r.state;
     now.override = m->drive.percent;
     now.starved = r.starved;
+    now.lost = m->lost != 0;
     now.closed = m->closed;
     now.ended_by = m->ended_by;
     now.latched = loft_latch_place(&m->latch);
@@ -204,6 +209,38 @@ static uint16_t ending_inputs(const loft_machine *m, uint16_t away, const loft_g
     return (uint16_t)(m->closed & LOFT_INPUT_ENDING & ~away & ~guard->inputs);
 }
 
+#if LOFT_MACHINE_SQUARES
+
+static bool may_square(const loft_machine *m, const loft_guard *guard)
+{
+    return !(guard->how & LOFT_GUARD_SQUARE) ||
+           (guard->inputs & m->config->squares) == guard->inputs;
+}
+
+/* When its motors are squared, an axis is no longer where its steps led. */
+static void mark_square(loft_machine *m, const loft_guard *guard)
+{
+    m->gated = 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (guard->how & LOFT_GUARD_SQUARE && guard->inputs & LOFT_INPUT_ENDS(i))
+            m->lost = (uint8_t)(m->lost | 1u << i);
+}
+
+#else
+
+static bool may_square(const loft_machine *m, const loft_guard *guard)
+{
+    (void)m;
+    return !(guard->how & LOFT_GUARD_SQUARE);
+}
+static void mark_square(loft_machine *m, const loft_guard *guard)
+{
+    (void)m;
+    (void)guard;
+}
+
+#endif
+
 /* No job is under way. The plan of the last job is discarded, even if this job is refused. */
 static void begin_job(loft_machine *m, const loft_job *job)
 {
@@ -211,6 +248,10 @@ static void begin_job(loft_machine *m, const loft_job *job)
 
     if (ending_inputs(m, job->away, &job->guard)) {
         loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_INPUT);
+        return;
+    }
+    if (!may_square(m, &job->guard)) {
+        loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_KIND);
         return;
     }
     if (curves && begin_planner(m, job) != LOFT_OK) {
@@ -225,6 +266,7 @@ static void begin_job(loft_machine *m, const loft_job *job)
         m->job.kind = job->kind;
         m->job.away = job->away;
         m->ended_by = 0;
+        mark_square(m, &job->guard);
         loft_latch_arm(&m->latch, &job->guard);
         loft_receiver_answer(&m->receiver, job, LOFT_REFUSAL_NONE);
         break;
@@ -238,7 +280,7 @@ static void take_item(loft_machine *m, const loft_item *item)
     if (!job_has_curves(m))
         queue_item(m, item);
     else if (take_curve(m, item) != LOFT_OK)
-        give_up_job(m);
+        give_up_job(m, LOFT_REFUSAL_ITEM);
 }
 
 static void end_job(loft_machine *m)
@@ -256,8 +298,10 @@ void loft_machine_control(loft_machine *m, enum loft_verb verb)
     case LOFT_RESUME:   loft_drive_hold(&m->drive, false);  break;
     case LOFT_ABORT:    loft_drive_abort(&m->drive);        break;
     case LOFT_CLOSE:    loft_drive_close(&m->drive);        break;
-    case LOFT_OVERRIDE:                     /* these have values: loft_machine_override, and */
-    case LOFT_PLACE: break;                 /* loft_drive_place */
+    case LOFT_OVERRIDE:                     /* these have values: loft_machine_override, */
+    case LOFT_PLACE:                        /* loft_drive_place, loft_drive_table */
+    case LOFT_TABLE_LOW:
+    case LOFT_TABLE_HIGH: break;
     }
 }
 
@@ -267,7 +311,7 @@ void loft_machine_sample(loft_machine *m, uint16_t inputs)
         loft_latch_rest(&m->latch);
         return;
     }
-    const uint16_t why = loft_latch_sample(&m->latch, inputs);
+    const uint16_t why = loft_latch_sample(&m->latch, loft_machine_squared(m, inputs));
     if (!why || m->ended_by)
         return;
     m->guarded = why;
@@ -289,7 +333,12 @@ void loft_machine_inputs(loft_machine *m, uint16_t closed)
     const uint16_t why = ending_inputs(m, m->job.away, &m->latch.guard);
     if (why && m->drive.active && !m->ended_by) {
         note_end(m, why);
-        loft_drive_abort(&m->drive);
+        if (why & LOFT_INPUT_STOP) {
+            m->lost = (1u << LOFT_AXES) - 1;
+            loft_drive_halt(&m->drive);
+        } else {
+            loft_drive_abort(&m->drive);
+        }
     } else if (fresh & LOFT_INPUT_HOLD) {
         loft_machine_control(m, LOFT_HOLD);
     } else if (fresh & LOFT_INPUT_RESUME) {
@@ -299,8 +348,17 @@ void loft_machine_inputs(loft_machine *m, uint16_t closed)
 
 static void place_machine(loft_machine *m, const loft_control *place)
 {
+    enum loft_status status;
+
     loft_drive_close(&m->drive);
-    if (loft_drive_place(&m->drive, place->value, place->position) != LOFT_OK)
+    if (place->verb == LOFT_PLACE) {
+        status  = loft_drive_place(&m->drive, place->value, place->position);
+        m->lost = (uint8_t)(m->lost & ~place->value);
+    } else {
+        status = loft_drive_table(&m->drive, place->verb == LOFT_TABLE_HIGH, place->value,
+                                  place->position);
+    }
+    if (status != LOFT_OK)
         loft_receiver_answer(&m->receiver, NULL, LOFT_REFUSAL_START);
 }
 

@@ -35,6 +35,11 @@ typedef struct {
     uint16_t ramp;                      /* ticks from full pace to a stop in a hold */
     volatile loft_cell *cell;           /* the queue: LOFT_MACHINE_QUEUE cells, or any number */
     uint16_t cells;
+#if LOFT_MACHINE_SQUARES
+    uint16_t squares;                   /* the ends (LOFT_INPUT_ENDS) of axes that have two motors:
+                                         * the low one is the switch of the first, the high one that
+                                         * of the second; the port obeys loft_machine_gated */
+#endif
     bool     senses;                    /* jobs may carry guards: the port calls loft_machine_sample
                                          * and loft_machine_sense */
     loft_settings settings;             /* `get` NULL: it keeps none; otherwise init puts them in
@@ -65,6 +70,10 @@ typedef struct {
     loft_planner *planner;
 #endif
     uint16_t      closed, ended_by;     /* closed inputs; inputs that have ended the job */
+#if LOFT_MACHINE_SQUARES
+    volatile uint16_t gated;            /* of a guard that squares: inputs that have closed */
+#endif
+    volatile uint8_t  lost;             /* bit i: the place of axis i is in doubt until told */
     uint16_t      guarded;              /* inputs that have made the guard true, */
     volatile uint8_t told;              /* which the main loop must still be told of */
 } loft_machine;
@@ -97,7 +106,8 @@ size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX]);
 bool loft_machine_plan(loft_machine *m);
 
 /* Set the inputs that are closed now, a sum of LOFT_INPUT_, debounced. Call it whenever they are
- * read. A closed limit switch or emergency stop ends the job, on its path, and lets no job begin.
+ * read. A closed limit switch ends the job, on its path, and the emergency stop at once; while
+ * closed they let no job begin.
  * The exception is a job whose JOB names the input in `away`: it continues while the input stays
  * closed, and ends when the input opens and closes again. An input of the job's guard does neither:
  * the guard decides. A button acts when it closes. */
@@ -124,6 +134,43 @@ static inline void loft_machine_override(loft_machine *m, unsigned percent)
 static inline void      loft_machine_tick(loft_machine *m)      { loft_drive_tick(&m->drive); }
 static inline loft_pins loft_machine_slot(loft_machine *m) { return loft_drive_slot(&m->drive); }
 
+#if LOFT_MACHINE_SQUARES
+
+/* The inputs of motors that stand while the others of their axes go on: no step for the first motor
+ * of axis i with LOFT_INPUT_LOW(i), none for the second with LOFT_INPUT_HIGH(i). Such steps count;
+ * the axis is placed afterwards. */
+static inline uint16_t loft_machine_gated(const loft_machine *m)
+{
+    return m->drive.active ? m->gated : 0;
+}
+
+/* What a guard sees of these inputs. When it squares, a motor stops at the first touch, since a
+ * contact bounces, and the guard sees nothing before the last one. */
+static inline uint16_t loft_machine_squared(loft_machine *m, uint16_t inputs)
+{
+    const loft_guard *g = &m->latch.guard;
+
+    if (!(g->how & LOFT_GUARD_SQUARE))
+        return inputs;
+    m->gated = (uint16_t)(m->gated | (inputs & g->inputs));
+    return m->gated == g->inputs ? m->gated : 0;
+}
+
+#else
+
+static inline uint16_t loft_machine_gated(const loft_machine *m)
+{
+    (void)m;
+    return 0;
+}
+static inline uint16_t loft_machine_squared(loft_machine *m, uint16_t inputs)
+{
+    (void)m;
+    return inputs;
+}
+
+#endif
+
 /* Latch the position when an input of a guard changes. `inputs` are those that are closed in this
  * slot, as they bounce. Call it after loft_machine_slot. It has an effect only while
  * loft_machine_senses. */
@@ -135,7 +182,10 @@ static inline void loft_machine_sense(loft_machine *m, uint16_t inputs)
 {
     int32_t position[LOFT_AXES];
 
-    if (!loft_latch_waits(&m->latch) || !loft_latch_wanted(&m->latch, inputs))
+    if (!loft_latch_waits(&m->latch))
+        return;
+    inputs = loft_machine_squared(m, inputs);
+    if (!loft_latch_wanted(&m->latch, inputs))
         return;
     loft_step_position(&m->drive.step, position);
     loft_latch_keep(&m->latch, position);

@@ -57,6 +57,11 @@ void loft_outputs_take(loft_outputs *o, const loft_action *action, uint16_t tick
     }
 }
 
+bool loft_outputs_moving(const loft_outputs *o, int output)
+{
+    return o->output[output - 1].mode & STANDING;
+}
+
 /* A metre in a tick counts as more than any machine moves. */
 #define FAR ((uint32_t)1 << 26)
 

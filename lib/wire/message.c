@@ -180,8 +180,8 @@ static reader read_job(const loft_frame *f, loft_job *m)
         m->guard.inputs = get16(&r);
         m->guard.how = get8(&r);
         m->guard.filter = get8(&r);
-        if (m->guard.inputs == 0 ||
-            m->guard.how > (LOFT_GUARD_OPENS | LOFT_GUARD_EDGE | LOFT_GUARD_HARD))
+        if (m->guard.inputs == 0 || m->guard.how > (LOFT_GUARD_OPENS | LOFT_GUARD_EDGE |
+                                                    LOFT_GUARD_HARD | LOFT_GUARD_SQUARE))
             r.bad = true;
     }
     get_axes(&r, m->start);
@@ -232,7 +232,7 @@ size_t loft_control_encode(const loft_control *m, uint8_t session, uint8_t wire[
     put8(&w, m->number);
     put8(&w, m->verb);
     put8(&w, m->value);
-    if (m->verb == LOFT_PLACE)
+    if (m->verb >= LOFT_PLACE)
         put_axes(&w, m->position);
     return finish_frame(&w);
 }
@@ -243,9 +243,10 @@ enum loft_status loft_control_decode(const loft_frame *f, loft_control *m)
     m->number = get8(&r);
     m->verb   = get8(&r);
     m->value  = get8(&r);
-    if (m->verb == LOFT_PLACE) {
+    if (m->verb >= LOFT_PLACE) {
         get_axes(&r, m->position);
-        return end_read_all(&r, m->value >= 1 && m->value < 1u << LOFT_AXES);
+        return end_read_all(&r, m->verb <= LOFT_TABLE_HIGH && m->value >= 1 &&
+                                    m->value < 1u << LOFT_AXES);
     }
     return end_read_all(&r, m->verb == LOFT_OVERRIDE
                                 ? m->value >= 1 && m->value <= 200

@@ -59,7 +59,9 @@ enum loft_flag {
     LOFT_FLAG_NAK     = 1,  /* a frame was damaged or missing: send again from `next`           */
     LOFT_FLAG_ENDED   = 2,  /* END was taken: all items are here                                */
     LOFT_FLAG_STARVED = 4,  /* the queue ran low and the job slowed down or stopped             */
-    LOFT_FLAG_OPENED  = 8   /* this session has had its JOB, or found a job under way           */
+    LOFT_FLAG_OPENED  = 8,  /* this session has had its JOB, or found a job under way           */
+    LOFT_FLAG_LOST    = 16  /* since an emergency stop, or while motors are squared: where the
+                             * machine stands is in doubt                                       */
 };
 
 /* Why the machine refused a JOB or an item. */
@@ -71,7 +73,8 @@ enum loft_refusal {
     LOFT_REFUSAL_ITEM,      /* an item is invalid, or exceeds what the machine can do           */
     LOFT_REFUSAL_FAULT,     /* the machine's position is unreliable                             */
     LOFT_REFUSAL_LIMITS,    /* the limits of the job are impossible                             */
-    LOFT_REFUSAL_INPUT      /* a limit switch or the emergency stop is closed                   */
+    LOFT_REFUSAL_INPUT,     /* a limit switch or the emergency stop is closed                   */
+    LOFT_REFUSAL_TABLE      /* an item leaves the table of the machine                          */
 };
 
 /* Inputs of a machine, one bit each, 1: closed. A limit switch for both ends of its axis is both
@@ -91,12 +94,15 @@ enum loft_verb {
     LOFT_ABORT  = 3,        /* slow down on the path, end the job                               */
     LOFT_CLOSE  = 4,        /* the report was read: forget the job                              */
     LOFT_OVERRIDE = 5,      /* run time at `value` percent of the plan                          */
-    LOFT_PLACE  = 6         /* the machine stands at `position`: bit i of `value`: axis i       */
+    LOFT_PLACE  = 6,        /* the machine stands at `position`: bit i of `value`: axis i       */
+    LOFT_TABLE_LOW  = 7,    /* the table begins there: axes as above; there is none till it ends */
+    LOFT_TABLE_HIGH = 8     /* it ends there, and counts from now on                            */
 };
 
 /* What a machine can do besides its kinds of items: bits of `kinds`. */
 #define LOFT_TAKES_GUARDS 0x01u         /* a JOB with a guard   */
 #define LOFT_TAKES_PLACES 0x80u         /* LOFT_PLACE           */
+#define LOFT_TAKES_TABLE  0x08u         /* LOFT_TABLE_LOW, LOFT_TABLE_HIGH */
 #define LOFT_TAKES_ACTIONS 0x20u        /* actions among spans  */
 #define LOFT_TAKES_SETTINGS 0x40u       /* LOFT_SET             */
 
@@ -104,6 +110,8 @@ enum loft_verb {
 #define LOFT_GUARD_OPENS 1u             /* an input that opens, in place of one that closes */
 #define LOFT_GUARD_EDGE  2u             /* not one that is like that already: it changes first */
 #define LOFT_GUARD_HARD  4u             /* stop at once, not slowing down: see loft_drive_halt */
+#define LOFT_GUARD_SQUARE 8u            /* both ends of an axis with two motors: each stops at its
+                                         * own switch; true when both are closed */
 
 typedef struct {
     uint16_t inputs;                    /* any of these; 0: no guard */
@@ -138,8 +146,8 @@ typedef struct {
 typedef struct {
     uint8_t number;                     /* counts up; each number is executed once */
     uint8_t verb;                       /* enum loft_verb */
-    uint8_t value;                      /* of LOFT_OVERRIDE: 1..200, of LOFT_PLACE: axes; else 0 */
-    int32_t position[LOFT_AXES];        /* of LOFT_PLACE alone: steps */
+    uint8_t value;                      /* LOFT_OVERRIDE: 1..200; with a position: axes; else 0 */
+    int32_t position[LOFT_AXES];        /* of LOFT_PLACE and the table: steps */
 } loft_control;
 
 #define LOFT_KEPT_MOST 32               /* bytes of settings in a frame */

@@ -228,6 +228,8 @@ static enum loft_event take_control(loft_receiver *r, const loft_snapshot *now,
     case LOFT_ABORT:  return LOFT_EVENT_ABORT;
     case LOFT_OVERRIDE: out->percent = m->value; return LOFT_EVENT_OVERRIDE;
     case LOFT_PLACE:
+    case LOFT_TABLE_LOW:
+    case LOFT_TABLE_HIGH:
         if (loft_state_busy(now->state) || now->state == LOFT_STATE_FAULT)
             return refuse_frame(r, LOFT_REFUSAL_BUSY);
         r->job = 0;
@@ -303,7 +305,7 @@ static loft_ack ack_of(loft_receiver *r, const loft_snapshot *now)
     a.state    = now->state;
     a.flags = (uint8_t)((r->due & DUE_NAK ? LOFT_FLAG_NAK : 0) | (r->ended ? LOFT_FLAG_ENDED : 0) |
                         (now->starved ? LOFT_FLAG_STARVED : 0) |
-                        (r->opened ? LOFT_FLAG_OPENED : 0));
+                        (r->opened ? LOFT_FLAG_OPENED : 0) | (now->lost ? LOFT_FLAG_LOST : 0));
     a.refusal  = r->refusal;
     a.control  = r->control;
     r->due &= (uint8_t)~(DUE_ACK | DUE_NAK);

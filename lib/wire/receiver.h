@@ -55,7 +55,7 @@ typedef struct {
     uint8_t  override;                  /* percent; only poll uses it */
     uint16_t closed, ended_by;          /* inputs, as in the messages; only poll uses it */
     const int32_t *latched;             /* LOFT_AXES steps; NULL: no guard; only poll uses it */
-    bool     starved;
+    bool     starved, lost;             /* as in the flags of ACK */
 } loft_snapshot;
 
 enum loft_event {
@@ -72,8 +72,8 @@ enum loft_event {
     LOFT_EVENT_CLOSE,       /* the host has the report: IDLE */
     LOFT_EVENT_SET,         /* `set`: settings are asked for or written. The machine answers KEPT */
     LOFT_EVENT_PLACE        /* `place`: no job is under way, and one that is over is closed; the
-                             * machine stands there. If it cannot, answer LOFT_REFUSAL_START without
-                             * a job */
+                             * machine stands there, or its table ends there, by `place.verb`. If it
+                             * cannot, answer LOFT_REFUSAL_START without a job */
 };
 
 typedef union {

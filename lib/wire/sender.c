@@ -110,7 +110,7 @@ void loft_sender_extend(loft_sender *s, uint32_t known, uint32_t count)
 static void set_control(loft_sender *s, enum loft_verb verb)
 {
     s->verb      = (uint8_t)verb;
-    s->value     = verb == LOFT_OVERRIDE ? s->percent : verb == LOFT_PLACE ? s->axes : 0;
+    s->value     = verb == LOFT_OVERRIDE ? s->percent : verb >= LOFT_PLACE ? s->axes : 0;
     s->verb_sent = false;
     s->attempts  = 0;
     s->number++;
@@ -125,16 +125,28 @@ void loft_sender_override(loft_sender *s, unsigned percent)
         set_control(s, LOFT_OVERRIDE);
 }
 
-enum loft_status loft_sender_place(loft_sender *s, uint8_t axes, const int32_t position[LOFT_AXES])
+static enum loft_status send_position(loft_sender *s, enum loft_verb verb, unsigned kind,
+                                      uint8_t axes, const int32_t position[LOFT_AXES])
 {
-    if (s->phase != LOFT_PHASE_READY || !(s->machine.kinds & LOFT_TAKES_PLACES) || axes == 0 ||
-        axes > ALL_AXES)
+    if (s->phase != LOFT_PHASE_READY || !(s->machine.kinds & kind) || axes == 0 || axes > ALL_AXES)
         return LOFT_ERR_ARG;
     s->axes = axes;
     for (int i = 0; i < LOFT_AXES; i++)
         s->place[i] = position[i];
-    set_control(s, LOFT_PLACE);
+    set_control(s, verb);
     return LOFT_OK;
+}
+
+enum loft_status loft_sender_place(loft_sender *s, uint8_t axes, const int32_t position[LOFT_AXES])
+{
+    return send_position(s, LOFT_PLACE, LOFT_TAKES_PLACES, axes, position);
+}
+
+enum loft_status loft_sender_table(loft_sender *s, bool high, uint8_t axes,
+                                   const int32_t position[LOFT_AXES])
+{
+    return send_position(s, high ? LOFT_TABLE_HIGH : LOFT_TABLE_LOW, LOFT_TAKES_TABLE, axes,
+                         position);
 }
 
 enum loft_status loft_sender_set(loft_sender *s, uint16_t at, const uint8_t byte[], uint8_t count)

@@ -120,6 +120,13 @@ void loft_sender_control(loft_sender *s, enum loft_verb verb);
 enum loft_status loft_sender_place(loft_sender *s, uint8_t axes,
                                    const int32_t position[LOFT_AXES]) LOFT_CHECKED;
 
+/* Say where the table of the axes begins, then, with `high`, where it ends. It counts after the
+ * second. When `verb` is 0 again, the machine has obeyed.
+ *
+ *   range   as of loft_sender_place; machine.kinds has LOFT_TAKES_TABLE; otherwise LOFT_ERR_ARG */
+enum loft_status loft_sender_table(loft_sender *s, bool high, uint8_t axes,
+                                   const int32_t position[LOFT_AXES]) LOFT_CHECKED;
+
 /* Ask for the settings from `at` on, or write `count` bytes there (machine/settings.h). When
  * `asking` is false again, `kept` is the answer. After a write at 0 greet the machine again.
  *

@@ -11,12 +11,15 @@ AVR_MAX    = 32256 1600             # bytes of flash, and of RAM without the sta
 AVR_FLAGS  = -mmcu=atmega328p -DF_CPU=16000000UL -std=c99 -ffreestanding -ffunction-sections \
              -fdata-sections -flto $(WARN) $(DEPS) -Ilib -Iports $(call num_flag,q16) \
              -DLOFT_MACHINE_TICK_PREPARES=0 -DLOFT_MACHINE_OVERRIDE_LIMITS=0 \
-             -DLOFT_MACHINE_SLOT_HALTS=0 -DLOFT_FRAME_MAX=88 -DLOFT_MACHINE_OUTPUTS=$(AVR_OUTPUTS) \
+             -DLOFT_MACHINE_SLOT_HALTS=0 -DLOFT_MACHINE_SQUARES=0 \
+             -DLOFT_FRAME_MAX=88 -DLOFT_MACHINE_OUTPUTS=$(AVR_OUTPUTS) \
              -DLOFT_SERVO=$(AVR_SERVO) -DLOFT_BAUD=$(AVR_BAUD) \
              -DLOFT_SLOTS=$(AVR_SLOTS) -DLOFT_TICK_HZ=$(AVR_TICK_HZ)
 AVR_OPTIMIZE = -Os
 # all files are optimized as one: 2.2 kB less. Functions with much on the stack stay separate.
 AVR_STACK  = --param large-stack-frame=16 --param large-stack-frame-growth=0
+# 620 bytes less, and no tick is slower
+AVR_SMALL  = -mstrict-X -finline-limit=50
 AVR_DIR   ?= build/firmware/atmega328p
 AVR_OBJ    = $(patsubst %.c,$(AVR_DIR)/%.o,$(MACHINE_SRC))
 
@@ -40,7 +43,7 @@ $(AVR_DIR)/lib/wire/%.o $(AVR_DIR)/lib/machine/machine.o $(AVR_DIR)/lib/machine/
 
 $(AVR_DIR)/loft.elf: $(AVR_DIR)/port.o $(AVR_OBJ)
 	$(SAY) "  LD  $@"
-	$(Q)avr-gcc -mmcu=atmega328p -Os -flto $(AVR_STACK) -mrelax -Wl,--gc-sections \
+	$(Q)avr-gcc -mmcu=atmega328p -Os -flto $(AVR_STACK) $(AVR_SMALL) -mrelax -Wl,--gc-sections \
 	    -Wl,--section-start=.ring=0x800100,-Tdata=0x800180 $^ -o $@
 $(AVR_DIR)/loft.hex: $(AVR_DIR)/loft.elf
 	$(Q)avr-objcopy -O ihex -R .eeprom $< $@

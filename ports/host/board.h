@@ -24,6 +24,14 @@ struct loft_board {
      * error. */
     int      (*begin)(struct loft_board *b, uint32_t slot_hz, uint32_t most);
 
+    /* Outputs that it drives, 0..LOFT_MACHINE_OUTPUTS. */
+    int outputs;
+
+    /* From the next slot on output number `output`, from 1, has this level, at most 65535.
+     * `moving`: it is off while the machine stands. Returns false if the board cannot do that: then
+     * it has printed one line, and the job must end. */
+    bool     (*level)(struct loft_board *b, int output, uint16_t level, bool moving);
+
     /* The pins of slot number `slot`, which follows the last one. */
     void     (*slot)(struct loft_board *b, uint64_t slot, loft_pins pins);
 
@@ -35,6 +43,12 @@ struct loft_board {
 
     /* The closed inputs, debounced: a sum of LOFT_INPUT_. */
     uint16_t (*inputs)(struct loft_board *b);
+
+    /* The closed inputs as they are in this moment, while they bounce. */
+    uint16_t (*raw)(struct loft_board *b);
+
+    /* The steps of each axis that are made and not given yet. */
+    void     (*ahead)(struct loft_board *b, int32_t steps[LOFT_AXES]);
 
     /* The files to watch while the program sleeps, and in *ms the time to sleep, if it is less.
      * Returns their number. */

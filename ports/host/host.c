@@ -39,6 +39,7 @@
 #define STOP_MS     1000        /* how long it waits until the last answer is read */
 #define BATCH       20          /* ticks of simulated time between two checks of the line */
 #define KNOTS       400         /* of a plan: periods ahead, and 48 */
+#define SAMPLES_MOST 100        /* ms without a look that count for a guard */
 #define LATE_MS     100         /* largest delay in real time; more is dropped */
 
 struct host {
@@ -60,16 +61,25 @@ struct host {
     uint8_t wire[LOFT_FRAME_MAX];
     size_t count, sent;
     uint8_t state;
+    uint16_t raw;                           /* board: inputs since the last look, as they bounce */
+    int64_t looked;                         /* and when that was, in ms */
     bool unreported;                        /* slots went to the board since its last report */
     sigset_t during;                        /* the signal mask while the loop sleeps */
 };
 
-static volatile sig_atomic_t stop_wanted;
+static volatile sig_atomic_t stop_wanted, stop_pressed;
 
 static void want_stop(int signal)
 {
     (void)signal;
     stop_wanted++;
+}
+
+/* Somebody presses the emergency stop, and turns it loose. */
+static void press_stop(int signal)
+{
+    (void)signal;
+    stop_pressed = !stop_pressed;
 }
 
 static int64_t now_ns(void)
@@ -144,12 +154,13 @@ static int start_machine(struct host *h)
     c->info.tick_hz = (uint16_t)(o->tick_hz <= UINT16_MAX ? o->tick_hz : 0);
     c->info.slots = (uint16_t)(o->slots <= UINT16_MAX ? o->slots : 0);
     usual_settings(&c->settings);
-    c->info.outputs  = h->board ? 0 : LOFT_MACHINE_OUTPUTS;
+    c->info.outputs = (uint8_t)(h->board ? h->board->outputs : LOFT_MACHINE_OUTPUTS);
     c->settings.get = host_memory_get;
     c->settings.put = host_memory_put;
     c->settings.room = HOST_MEMORY_ROOM;
     c->settings.usual = usual_settings;
-    c->senses = !h->board;              /* a board gives its slots later than they are made */
+    c->senses = true;
+    c->squares = (uint16_t)(o->gantry >= 0 ? LOFT_INPUT_ENDS(o->gantry) : 0);
     c->ramp = (uint16_t)(o->ramp <= UINT16_MAX ? o->ramp : 0);
     c->cells = (uint16_t)(o->queue <= LOFT_QUEUE_MAX ? o->queue : 0);
     if (!give_memory(h, c) || loft_machine_init(&h->machine, c) != LOFT_OK) {
@@ -175,9 +186,11 @@ static void catch_signals(struct host *h)
     sigprocmask(SIG_BLOCK, &block, &h->during);
     sigaction(SIGINT, &act, NULL);
     sigaction(SIGTERM, &act, NULL);
+    act.sa_handler = press_stop;
+    sigaction(SIGUSR1, &act, NULL);
     act.sa_handler = SIG_IGN;
     sigaction(SIGPIPE, &act, NULL);
-    stop_wanted = 0;
+    stop_wanted = stop_pressed = 0;
 }
 
 static void print_position(struct host *h)
@@ -197,7 +210,10 @@ static void print_table(const struct host *h)
     printf("table: the tool is at");
     for (int i = 0; i < LOFT_AXES; i++)
         printf(" %.4f", h->world.at[i]);
-    printf(", %llu steps lost\n", (unsigned long long)h->world.lost);
+    printf(", %llu steps lost", (unsigned long long)h->world.lost);
+    if (h->o->gantry >= 0)
+        printf(", skewed by %.4f", host_world_skew(&h->world));
+    printf("\n");
     fflush(stdout);
 }
 
@@ -305,13 +321,36 @@ static uint16_t closed_of(const struct host *h, uint16_t inputs)
 {
     const uint8_t *opens = h->config.settings.wiring + LOFT_WIRING_OPENS;
 
-    return (uint16_t)(inputs ^ (opens[0] | opens[1] << 8));
+    const unsigned stop = stop_pressed ? LOFT_INPUT_STOP : 0;
+
+    return (uint16_t)((inputs ^ (unsigned)(opens[0] | opens[1] << 8)) | stop);
+}
+
+/* A board wakes the loop when an input changes, so between two looks none has. What is made and not
+ * given yet does not count. */
+static void sense_board(struct host *h)
+{
+    const int64_t now = now_ns() / 1000000, passed = now - h->looked;
+    int32_t at[LOFT_AXES], ahead[LOFT_AXES];
+
+    for (int64_t ms = passed < SAMPLES_MOST ? passed : SAMPLES_MOST; ms > 0; ms--)
+        loft_machine_sample(&h->machine, h->raw);
+    h->looked = now;
+    h->raw    = closed_of(h, h->board->raw(h->board));
+    if (!loft_machine_senses(&h->machine) || !loft_latch_wanted(&h->machine.latch, h->raw))
+        return;
+    loft_step_position(&h->machine.drive.step, at);
+    h->board->ahead(h->board, ahead);
+    for (int i = 0; i < LOFT_AXES; i++)
+        at[i] -= h->config.settings.wiring[LOFT_WIRING_REVERSED] & 1u << i ? -ahead[i] : ahead[i];
+    loft_latch_keep(&h->machine.latch, at);
 }
 
 /* Between slots. The contacts of a machine that rests have settled. */
 static void take_inputs(struct host *h)
 {
     if (h->board) {
+        sense_board(h);
         loft_machine_inputs(&h->machine, closed_of(h, h->board->inputs(h->board)));
     } else if (!loft_state_busy(h->machine.drive.state)) {
         host_world_settle(&h->world);
@@ -329,6 +368,17 @@ static void sample_inputs(struct host *h)
         loft_machine_inputs(&h->machine, closed);
 }
 
+static void give_output(struct host *h, int output)
+{
+    const loft_drive *d  = &h->machine.drive;
+    const uint16_t level = loft_drive_output(d, output);
+
+    if (h->board && level != h->record.level[output - 1] &&
+        !h->board->level(h->board, output, level, loft_outputs_moving(&d->outputs, output)))
+        loft_machine_control(&h->machine, LOFT_ABORT);
+    host_record_output(&h->record, h->slot, output, level);
+}
+
 static void run_slots(struct host *h, uint64_t count)
 {
     const uint32_t slot_hz = (uint32_t)h->o->tick_hz * h->o->slots;
@@ -339,15 +389,15 @@ static void run_slots(struct host *h, uint64_t count)
             sample_inputs(h);
         loft_machine_tick(&h->machine);
         for (int k = 1; k <= h->config.info.outputs; k++)
-            host_record_output(&h->record, h->slot, k, loft_drive_output(&h->machine.drive, k));
+            give_output(h, k);
         loft_pins pins = loft_machine_slot(&h->machine);
         pins.dir ^= h->config.settings.wiring[LOFT_WIRING_REVERSED];
         if (h->board)
             h->board->slot(h->board, h->slot, pins);
         else
-            host_world_slot(&h->world, h->slot, pins);
+            host_world_slot(&h->world, h->slot, pins, loft_machine_gated(&h->machine));
         host_record_slot(&h->record, h->slot++, pins);
-        if (loft_machine_senses(&h->machine))
+        if (!h->board && loft_machine_senses(&h->machine))
             loft_machine_sense(&h->machine, closed_of(h, h->world.inputs));
     }
     loft_machine_tick(&h->machine);

@@ -49,6 +49,9 @@ struct loft_host_options {
     /* without a board: the limit switches at the low and the high end of each axis, the walls, and
      * what a probe touches */
     struct loft_host_end limit[LOFT_AXES][2], wall[LOFT_AXES][2], probe[LOFT_AXES][2];
+    int      gantry;            /* an axis with two motors, each with its own switch at both ends of
+                                 * the axis; -1: none */
+    double   skew;              /* of it: the second motor is so far ahead, mm */
     bool     shared;            /* one input for both switches of an axis */
     double   bounce_ms;         /* how long their contacts bounce */
     void   (*tool)(const void *kinematics, const double motors[LOFT_AXES],
@@ -64,6 +67,7 @@ static inline struct loft_host_options loft_host_defaults(void)
 {
     struct loft_host_options o = { 0 };
     o.fast = true;
+    o.gantry = -1;
     o.baud = 115200;
     for (int i = 0; i < LOFT_AXES; i++) {
         o.steps_per_mm[i] = 80;

@@ -51,12 +51,26 @@ static bool blocked(const struct host_world *w, const double from[LOFT_AXES],
     return false;
 }
 
-static void take_steps(struct host_world *w, loft_pins pins)
+/* The first motor of a gantry stands, or the second one, which is ahead of it. Returns false if the
+ * first one stands. */
+static bool take_gantry(struct host_world *w, bool back, uint16_t gated)
+{
+    const bool first = gated & LOFT_INPUT_LOW(w->o->gantry),
+               second = gated & LOFT_INPUT_HIGH(w->o->gantry);
+
+    if (first != second)
+        w->ahead += first == back ? -1 : 1;
+    return !first;
+}
+
+static void take_steps(struct host_world *w, loft_pins pins, uint16_t gated)
 {
     for (int i = 0; i < LOFT_AXES; i++) {
         int64_t motor[LOFT_AXES];
         double at[LOFT_AXES];
         if (!(pins.step & 1u << i))
+            continue;
+        if (i == w->o->gantry && !take_gantry(w, pins.dir & 1u << i, gated))
             continue;
         memcpy(motor, w->motor, sizeof motor);
         motor[i] += pins.dir & 1u << i ? -1 : 1;
@@ -95,6 +109,21 @@ static void feel(struct host_world *w, struct host_contact *c, bool touched, uin
     }
 }
 
+double host_world_skew(const struct host_world *w)
+{
+    return w->o->gantry < 0 ? 0 : (double)w->ahead / w->o->steps_per_mm[w->o->gantry];
+}
+
+/* Is the switch of this end touched, or of a gantry that of its first or second motor? */
+static bool touches(const struct host_world *w, int axis, int which)
+{
+    const struct loft_host_end *limit = w->o->limit[axis];
+    const double at = w->at[axis] + (which ? host_world_skew(w) : 0);
+
+    return axis == w->o->gantry ? beyond(&limit[0], 0, at) || beyond(&limit[1], 1, at)
+                                : beyond(&limit[which], which, w->at[axis]);
+}
+
 static void feel_all(struct host_world *w, uint64_t slot)
 {
     bool touched = false;
@@ -104,7 +133,7 @@ static void feel_all(struct host_world *w, uint64_t slot)
         for (int end = 0; end < 2; end++) {
             const struct loft_host_end *limit = &w->o->limit[i][end];
             struct host_contact *c = &w->contact[2 * i + end];
-            feel(w, c, beyond(limit, end, w->at[i]), slot);
+            feel(w, c, touches(w, i, end), slot);
             uint16_t input = LOFT_INPUT_LOW(i);
             if (end)
                 input = LOFT_INPUT_HIGH(i);
@@ -125,15 +154,17 @@ void host_world_init(struct host_world *w, const struct loft_host_options *o)
     w->o = o;
     w->random = 1;
     place_tool(w, w->motor, w->at);
+    if (o->gantry >= 0)
+        w->ahead = (int64_t)(o->skew * o->steps_per_mm[o->gantry]);
     feel_all(w, 0);
     host_world_settle(w);
 }
 
-void host_world_slot(struct host_world *w, uint64_t slot, loft_pins pins)
+void host_world_slot(struct host_world *w, uint64_t slot, loft_pins pins, uint16_t gated)
 {
     if (pins.step == 0 && slot > w->bounces)
         return;
-    take_steps(w, pins);
+    take_steps(w, pins, gated);
     feel_all(w, slot);
 }
 

@@ -13,6 +13,7 @@
 #define host_world_init     LOFT_NAME(host_world_init)
 #define host_world_slot     LOFT_NAME(host_world_slot)
 #define host_world_settle   LOFT_NAME(host_world_settle)
+#define host_world_skew     LOFT_NAME(host_world_skew)
 #define host_world_limited  LOFT_NAME(host_world_limited)
 
 /* A contact: a switch at an end of an axis, or the probe. */
@@ -26,7 +27,8 @@ struct host_contact {
 struct host_world {
     const struct loft_host_options *o;
     int64_t motor[LOFT_AXES];           /* steps that the motors have really done */
-    double at[LOFT_AXES];               /* the tool, mm */
+    double at[LOFT_AXES];               /* the tool, mm; of a gantry its first motor */
+    int64_t ahead;                      /* steps: of its second motor */
     uint64_t lost;                      /* steps                    */
     struct host_contact contact[2 * LOFT_AXES + 1];
     uint16_t inputs;                    /* closed in this slot, as they bounce: LOFT_INPUT_ */
@@ -37,8 +39,12 @@ struct host_world {
 /* The machine is switched on with its motors at 0. */
 void host_world_init(struct host_world *w, const struct loft_host_options *o);
 
-/* Take the pins of slot number `slot`, which follows the last one. */
-void host_world_slot(struct host_world *w, uint64_t slot, loft_pins pins);
+/* Take the pins of slot number `slot`, which follows the last one. `gated`: motors of a gantry that
+ * stand, as loft_machine_gated. */
+void host_world_slot(struct host_world *w, uint64_t slot, loft_pins pins, uint16_t gated);
+
+/* How far the second motor of a gantry is ahead, mm. */
+double host_world_skew(const struct host_world *w);
 
 /* Time passes without slots: no contact bounces any longer. */
 void host_world_settle(struct host_world *w);

@@ -50,10 +50,27 @@ static void take_edges(struct inputs *in, int64_t now)
     }
 }
 
-uint16_t inputs_closed(struct inputs *in)
+/* What input number `i` is to the machine. */
+static uint16_t bits_of(unsigned i)
 {
     static const uint16_t button[LINE_LIMIT] = { LOFT_INPUT_STOP, LOFT_INPUT_HOLD,
-                                                 LOFT_INPUT_RESUME };
+                                                 LOFT_INPUT_RESUME, LOFT_INPUT_PROBE };
+
+    return (uint16_t)(i < LINE_LIMIT ? button[i] : LOFT_INPUT_ENDS(i - LINE_LIMIT));
+}
+
+uint16_t inputs_raw(struct inputs *in)
+{
+    uint16_t sum = 0;
+
+    for (unsigned i = 0; i < LINE_INPUTS; i++)
+        if (in->lines->input[i] && is_closed(in, i))
+            sum = (uint16_t)(sum | bits_of(i));
+    return sum;
+}
+
+uint16_t inputs_closed(struct inputs *in)
+{
     const int64_t now = now_ns();
     uint16_t sum = 0;
 
@@ -65,7 +82,7 @@ uint16_t inputs_closed(struct inputs *in)
             is->closed = is_closed(in, i);
         }
         if (is->closed)
-            sum = (uint16_t)(sum | (i < LINE_LIMIT ? button[i] : LOFT_INPUT_ENDS(i - LINE_LIMIT)));
+            sum = (uint16_t)(sum | bits_of(i));
     }
     return sum;
 }

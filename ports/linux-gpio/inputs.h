@@ -27,6 +27,9 @@ void     inputs_init(struct inputs *in, struct lines *lines, unsigned debounce_u
 /* The closed inputs, debounced: a sum of LOFT_INPUT_. A limit serves both ends of its axis. */
 uint16_t inputs_closed(struct inputs *in);
 
+/* Those that are closed in this moment, as they bounce. */
+uint16_t inputs_raw(struct inputs *in);
+
 /* The files to poll; *ms is lowered if inputs_closed must be called sooner. Returns their
  * number. */
 unsigned inputs_watch(struct inputs *in, struct pollfd fd[LINE_INPUTS], int *ms);

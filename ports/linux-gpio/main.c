@@ -17,13 +17,16 @@
 #include "linux-gpio/settings.h"
 
 #define SLOT_HZ_MAX 200000
+#define ENABLES     (((1u << (1 + LOFT_AXES)) - 1) << LINE_ENABLE)
 
 struct gpio_board {
     struct loft_board board;        /* the first member: a pointer to it is one to the whole */
     const struct settings *s;
     struct lines lines;
     struct inputs inputs;
+    struct powers powers;
     struct pulses pulses;
+    bool refused;                   /* an output, in this job */
 };
 
 
@@ -52,8 +55,8 @@ static int board_begin(struct loft_board *b, uint32_t slot_hz, uint32_t most)
     struct gpio_board *g = gpio_board_of(b);
 
     inputs_init(&g->inputs, &g->lines, g->s->debounce_us);
-    lines_set(&g->lines, UINT32_MAX << LINE_ENABLE, UINT32_MAX);
-    const int code = pulses_begin(&g->pulses, &g->lines, g->s, slot_hz, most);
+    lines_set(&g->lines, ENABLES, UINT32_MAX);
+    const int code = pulses_begin(&g->pulses, &g->lines, &g->powers, g->s, slot_hz, most);
     if (code == 0)
         make_real_time(g->s->priority);
     return code;
@@ -64,6 +67,22 @@ static void board_slot(struct loft_board *b, uint64_t number, loft_pins pins)
     pulses_put(&gpio_board_of(b)->pulses, number, pins);
 }
 
+/* What an output cannot do is refused by its name. */
+static bool board_level(struct loft_board *b, int output, uint16_t level, bool moving)
+{
+    struct gpio_board *g = gpio_board_of(b);
+    const bool can       = level == 0 || powers_can(&g->powers, output, moving);
+
+    if (can)
+        pulses_level(&g->pulses, output, level, moving);
+    else if (!g->refused)
+        fprintf(stderr, "loft-gpio: %s: the job is aborted: give pwm, see --help\n",
+                g->powers.relay ? "relay: a line cannot give a laser a part of its power"
+                                : "there is no output for a spindle or a laser");
+    g->refused = !can;
+    return can;
+}
+
 static void board_give(struct loft_board *b) { pulses_give(&gpio_board_of(b)->pulses); }
 
 static uint64_t board_left(struct loft_board *b) { return pulses_left(&gpio_board_of(b)->pulses); }
@@ -71,6 +90,13 @@ static uint64_t board_left(struct loft_board *b) { return pulses_left(&gpio_boar
 static uint16_t board_inputs(struct loft_board *b)
 {
     return inputs_closed(&gpio_board_of(b)->inputs);
+}
+
+static uint16_t board_raw(struct loft_board *b) { return inputs_raw(&gpio_board_of(b)->inputs); }
+
+static void board_ahead(struct loft_board *b, int32_t steps[LOFT_AXES])
+{
+    pulses_ahead(&gpio_board_of(b)->pulses, steps);
 }
 
 static unsigned board_watch(struct loft_board *b, struct pollfd fd[LOFT_BOARD_WATCHED], int *ms)
@@ -97,11 +123,15 @@ static void board_end(struct loft_board *b)
 static struct loft_board board_of(const struct settings *s)
 {
     return (struct loft_board){ .lead_ms = s->lead_ms,
+                                .outputs = powers_count(s),
+                                .level = board_level,
                                 .begin = board_begin,
                                 .slot = board_slot,
                                 .give = board_give,
                                 .left = board_left,
                                 .inputs = board_inputs,
+                                .raw = board_raw,
+                                .ahead = board_ahead,
                                 .watch = board_watch,
                                 .works = board_works,
                                 .report = board_report,
@@ -172,6 +202,13 @@ static int take_arguments(struct settings *s, int argc, char **argv, bool *look)
 /* Each axis has both lines or none, and there is one axis at least. The slot rate is limited. */
 static int check_settings(const struct settings *s)
 {
+    const bool relay = s->output[LINE_RELAY].key[0], spindle = s->output[LINE_SPINDLE].key[0];
+
+    if ((relay && s->pwm[0]) || (spindle && !s->pwm[0])) {
+        fprintf(stderr, relay ? "loft-gpio: relay: it is in place of a pwm: give one of them\n"
+                              : "loft-gpio: spindle: it belongs to a pwm: give one, or relay\n");
+        return EX_CONFIG;
+    }
     const double slot_hz = (double)s->host.tick_hz * s->host.slots;
     bool any = false;
 
@@ -208,6 +245,9 @@ int main(int argc, char **argv)
         return code;
     if (code == 0)
         code = lines_open(&g.lines, &s, look);
+    g.powers.duty = -1;
+    if (code == 0 && !look)
+        code = powers_open(&g.powers, &s);
     if (code == 0 && !look) {
         g.board = board_of(&s);
         g.s = &s;
@@ -217,6 +257,7 @@ int main(int argc, char **argv)
         s.host.kept = s.keep[0] ? s.keep : NULL;
         code = loft_host_simulate(&s.host);
     }
+    powers_close(&g.powers);
     lines_close(&g.lines);
     return code;
 }

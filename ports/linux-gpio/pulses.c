@@ -118,10 +118,37 @@ static void give_pulse(struct pulses *p, int64_t due, uint8_t step)
     note_late(p, late);
 }
 
+static void give_level(struct pulses *p, int output, uint16_t level)
+{
+    if (level == p->outputs.level[output])
+        return;
+    p->outputs.level[output] = level;
+    if (!powers_set(p->powers, p->lines, output, level))
+        STORE(p->broken, true);
+}
+
+static void give_outputs(struct pulses *p, int64_t due, const struct pulses_levels *to)
+{
+    if (memcmp(to->level, p->outputs.level, sizeof to->level) != 0)
+        wait_until(due);
+    p->outputs.moving = to->moving;
+    for (int k = 1; k <= LOFT_MACHINE_OUTPUTS; k++)
+        give_level(p, k, to->level[k]);
+}
+
+/* Nothing follows: the machine stands, so a laser is off until it moves again. */
+static void rest_outputs(struct pulses *p, bool all)
+{
+    for (int k = 1; k <= LOFT_MACHINE_OUTPUTS; k++)
+        if (all || p->outputs.moving & 1u << k)
+            give_level(p, k, 0);
+}
+
 static void give_entry(struct pulses *p, const struct pulses_entry *e)
 {
     const int64_t due = p->origin + time_of(p, e->slot);
 
+    give_outputs(p, due, &e->outputs);
     if (e->pins.dir != p->dir)
         give_direction(p, due, e->pins.dir);
     if (e->pins.step)
@@ -137,6 +164,7 @@ static bool await_entry(struct pulses *p, uint32_t tail)
         STORE(p->waiting, true);
         if (LOAD(p->head) != tail || LOAD(p->stop))
             break;
+        rest_outputs(p, false);
         while (sem_wait(&p->wake) != 0) {
         }
         p->origin = now_ns() - time_of(p, p->done);
@@ -161,6 +189,7 @@ static void *run_thread(void *argument)
         p->done = e.slot + 1;
         STORE(p->given, (uint32_t)p->done);
     }
+    rest_outputs(p, true);
     return NULL;
 }
 
@@ -183,11 +212,12 @@ static bool start_thread(struct pulses *p)
     return error == 0;
 }
 
-int pulses_begin(struct pulses *p, struct lines *lines, const struct settings *s, uint32_t slot_hz,
-                 uint32_t most_slots)
+int pulses_begin(struct pulses *p, struct lines *lines, struct powers *powers,
+                 const struct settings *s, uint32_t slot_hz, uint32_t most_slots)
 {
     memset(p, 0, sizeof *p);
     p->lines = lines;
+    p->powers = powers;
     p->slot_hz = slot_hz;
     p->slot_ns = 1000000000 / slot_hz;
     p->pulse_ns = s->pulse_us * INT64_C(1000);
@@ -208,7 +238,8 @@ int pulses_begin(struct pulses *p, struct lines *lines, const struct settings *s
 
 static void append_entry(struct pulses *p, uint64_t slot, loft_pins pins)
 {
-    p->ring[p->head & (p->room - 1)] = (struct pulses_entry){ slot, pins };
+    p->ring[p->head & (p->room - 1)] = (struct pulses_entry){ slot, pins, p->outputs_put };
+    p->fresh = false;
     p->told = slot + 1;
     STORE(p->head, p->head + 1);
 }
@@ -218,12 +249,36 @@ static void append_entry(struct pulses *p, uint64_t slot, loft_pins pins)
 void pulses_put(struct pulses *p, uint64_t slot, loft_pins pins)
 {
     p->put = slot + 1;
-    if (pins.step || pins.dir != p->dir_put || p->put - p->told >= p->slot_hz / 1000)
+    if (pins.step || pins.dir != p->dir_put || p->fresh || p->put - p->told >= p->slot_hz / 1000)
         append_entry(p, slot, pins);
     p->dir_put = pins.dir;
 }
 
+void pulses_level(struct pulses *p, int output, uint16_t level, bool moving)
+{
+    p->outputs_put.level[output] = level;
+    p->outputs_put.moving = (uint8_t)((p->outputs_put.moving & ~(1u << output)) | (unsigned)moving
+                                                                                      << output);
+    p->fresh = true;
+}
+
 uint64_t pulses_left(const struct pulses *p) { return (uint32_t)p->put - LOAD(p->given); }
+
+/* Entries of slots that were given may be in the ring still, so it is read from its head. */
+void pulses_ahead(const struct pulses *p, int32_t steps[LOFT_AXES])
+{
+    const uint64_t left = pulses_left(p), given = p->put - left;
+
+    memset(steps, 0, LOFT_AXES * sizeof *steps);
+    for (uint32_t k = p->head; p->head - k < p->room; k--) {
+        const struct pulses_entry *e = &p->ring[(k - 1) & (p->room - 1)];
+        if (k == 0 || e->slot < given)
+            break;
+        for (int i = 0; i < LOFT_AXES; i++)
+            if (e->pins.step & 1u << i)
+                steps[i] += e->pins.dir & 1u << i ? -1 : 1;
+    }
+}
 
 void pulses_give(struct pulses *p)
 {

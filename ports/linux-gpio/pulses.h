@@ -13,6 +13,7 @@
 #include <semaphore.h>
 
 #include "linux-gpio/lines.h"
+#include "linux-gpio/powers.h"
 #include "machine/step.h"        /* loft_pins */
 
 #define PULSES_BINS 10
@@ -25,14 +26,22 @@ struct pulses_late {
     int64_t  moved_ns;          /* and the total delay              */
 };
 
+/* The outputs from a slot on. */
+struct pulses_levels {
+    uint16_t level[LOFT_MACHINE_OUTPUTS + 1];
+    uint8_t  moving;            /* bit k: output k is off while the machine stands */
+};
+
 /* One slot with an action, or the last slot so far. */
 struct pulses_entry {
     uint64_t  slot;
     loft_pins pins;
+    struct pulses_levels outputs;
 };
 
 struct pulses {
     struct lines *lines;
+    struct powers *powers;
     uint32_t slot_hz;
     int64_t  slot_ns, pulse_ns, setup_ns;
     unsigned priority;
@@ -48,6 +57,8 @@ struct pulses {
 
     uint64_t put, told;         /* main loop: slots made; slots up to the last in the ring  */
     uint8_t  dir_put;
+    struct pulses_levels outputs_put;
+    bool     fresh;             /* they have changed since the last entry */
     uint64_t dry;               /* main loop: how often the ring was empty in mid-job       */
     bool     begun;             /* main loop: slots were given since the last report        */
 
@@ -56,12 +67,16 @@ struct pulses {
     int64_t  origin;            /* thread: when slot 0 would have been due                  */
     int64_t  rose, fell, turned;    /* thread: last changes of the step and dir lines       */
     uint8_t  dir;
+    struct pulses_levels outputs;   /* thread: given */
 };
 
 /* Start the thread. At most `most` slots are made ahead. Returns 0 or an exit code after one line
  * on standard error. */
-int pulses_begin(struct pulses *p, struct lines *lines, const struct settings *s, uint32_t slot_hz,
-                 uint32_t most);
+int pulses_begin(struct pulses *p, struct lines *lines, struct powers *powers,
+                 const struct settings *s, uint32_t slot_hz, uint32_t most);
+
+/* The level of an output, from 1, from the next slot on; `moving`: off while no slot is given. */
+void     pulses_level(struct pulses *p, int output, uint16_t level, bool moving);
 
 /* The pins of slot number `slot`, which follows the last one. */
 void     pulses_put(struct pulses *p, uint64_t slot, loft_pins pins);
@@ -71,6 +86,9 @@ void     pulses_give(struct pulses *p);
 
 /* The number of slots still to give. */
 uint64_t pulses_left(const struct pulses *p);
+
+/* The steps that are made and not given. */
+void     pulses_ahead(const struct pulses *p, int32_t steps[LOFT_AXES]);
 
 /* Have all lines obeyed? */
 bool     pulses_work(const struct pulses *p);

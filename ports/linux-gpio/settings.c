@@ -36,10 +36,18 @@ static const struct row rows[] = {
     { "dir", OUTPUT, true, LINE_DIR, 0, 0, "high towards minus; `low` turns the axis" },
     { "enable", OUTPUT, false, LINE_ENABLE, 0, 0, "on while the program runs" },
     { "enable", OUTPUT, true, LINE_ENABLE + 1, 0, 0, "the same for drivers that have one each" },
+    { "pwm", TEXT, false, AT(pwm), ROOM(pwm), 0,
+      "folder of a PWM channel, as /sys/class/pwm/pwmchip0/pwm0: laser, speed of the spindle" },
+    { "pwm_hz", WHOLE, false, AT(pwm_hz), 50, 100000, "of it" },
+    { "spindle", OUTPUT, false, LINE_SPINDLE, 0, 0, "on while the pwm is above 0" },
+    { "relay", OUTPUT, false, LINE_RELAY, 0, 0,
+      "in place of a pwm: on at any S; a laser is refused, a line cannot give a part of it" },
+    { "coolant", OUTPUT, false, LINE_COOLANT, 0, 0, "on from M7 or M8 to M9" },
     { "limit", INPUT, true, LINE_LIMIT, 0, 0,
       "at both ends of the axis: ends the job, on its path; closed, it lets none begin" },
     { "estop", INPUT, false, LINE_ESTOP, 0, 0,
       "ends the job, on its path; closed, it lets none begin" },
+    { "probe", INPUT, false, LINE_PROBE, 0, 0, "ends a `loft probe`" },
     { "hold", INPUT, false, LINE_HOLD, 0, 0, "slows down on the path and stops" },
     { "resume", INPUT, false, LINE_RESUME, 0, 0, "goes on" },
     { "chip", TEXT, false, AT(chip), ROOM(chip), 0,
@@ -78,6 +86,7 @@ struct settings settings_usual(void)
                           .setup_us = 5,
                           .debounce_us = 5000,
                           .lead_ms = 20,
+                          .pwm_hz = 1000,
                           .priority = 80 };
 
     for (int i = 0; i < LOFT_AXES; i++) {

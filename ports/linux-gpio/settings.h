@@ -12,13 +12,17 @@
 #define LINE_STEP       0
 #define LINE_DIR        (LINE_STEP + LOFT_AXES)
 #define LINE_ENABLE     (LINE_DIR + LOFT_AXES)          /* one for all, then one for each axis */
-#define LINE_OUTPUTS    (LINE_ENABLE + 1 + LOFT_AXES)
+#define LINE_SPINDLE    (LINE_ENABLE + 1 + LOFT_AXES)   /* high while output 1 is above 0 */
+#define LINE_RELAY      (LINE_SPINDLE + 1)              /* the same, without a pwm */
+#define LINE_COOLANT    (LINE_RELAY + 1)                /* output 2 */
+#define LINE_OUTPUTS    (LINE_COOLANT + 1)
 
 /* The inputs. */
 #define LINE_ESTOP      0
 #define LINE_HOLD       1
 #define LINE_RESUME     2
-#define LINE_LIMIT      3
+#define LINE_PROBE      3
+#define LINE_LIMIT      4
 #define LINE_INPUTS     (LINE_LIMIT + LOFT_AXES)
 
 /* A line as specified. */
@@ -35,8 +39,9 @@ struct settings {
     char chip[GPIO_TEXT];       /* where numbers count if no chip is named */
     char port[256], link[256];  /* one of them                             */
     char keep[256];             /* the file of `loft set`                  */
+    char pwm[256];              /* the folder of a channel of the kernel   */
     struct line_wanted output[LINE_OUTPUTS], input[LINE_INPUTS];
-    unsigned pulse_us, setup_us, debounce_us, lead_ms, priority;
+    unsigned pulse_us, setup_us, debounce_us, lead_ms, priority, pwm_hz;
 };
 
 struct settings settings_usual(void);

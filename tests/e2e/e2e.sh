@@ -857,6 +857,7 @@ case_a_spindle_a_wait_and_a_pause() {
     until_log spin ' held: '; sleep 0.5
     kill -9 "$first"; gone "$first"
     says err '^pause: turn it: Enter goes on, a gives up$'
+    run 0 "$loft" ports "$tmp/spin"; says out '	in a job, held: `loft stream --resume`'
     "$loft" stream "$tmp/part.nc" --port "$tmp/spin" --machine "$tmp/spin.txt" \
         >"$tmp/out" 2>"$tmp/err" </dev/null &
     first=$!; children+=("$first")
@@ -2504,6 +2505,102 @@ case_home_finds_its_switches() {
     [[ "$(table_of corexy)" =~ ^-30\.3[678].*\ -9\.0000\ 4\.0000,\ 0\ steps ]] \
         || job_fails "$(table_of corexy)"
 }
+# by a file without a table, so that the host lets it pass; tool and table as seen by the table
+case_a_homed_machine_refuses_what_leaves_its_table() {
+    home_file; echo 'tolerance = 0.005' >"$tmp/bare.txt"
+    printf '5,5,20,5,30,5,45,5\n' >"$tmp/right.csv"
+    local bare=(--machine "$tmp/bare.txt") m how
+    for m in q16 f32 f64; do
+        machine $m --speed fast --num $m --limits x-=-33.37,y-=-12,z+=6
+        goes 8,0 $m '8.000 0.000 0.000' "${bare[@]}"
+        run 0 "$loft" home --port "$tmp/$m" --machine "$tmp/home.txt"
+        for how in "" --points "--plan chip"; do
+            one_line 65 'item [0-9]* leaves the table, where the machine was homed' \
+                "$loft" stream "$tmp/right.csv" --port "$tmp/$m" "${bare[@]}" $how
+            run 0 "$loft" park --port "$tmp/$m" "${bare[@]}"
+        done
+        one_line 65 'leaves the table' "$loft" go 40.5 --port "$tmp/$m" "${bare[@]}"
+        one_line 65 'leaves the table' "$loft" go -0.5 --port "$tmp/$m" "${bare[@]}"
+        goes 40.05,29.5 $m '40.050 29.500 10.000' "${bare[@]}"
+        # the table stays where it is when the drawing has another zero
+        run 0 "$loft" zero xy --port "$tmp/$m"
+        one_line 65 'leaves the table' "$loft" go 2 --port "$tmp/$m" "${bare[@]}"
+        goes -39 $m '-39.000 0.000 10.000' "${bare[@]}"
+        # kept for good: homed again, the drawing lies there, and the table where it was
+        run 0 "$loft" set --machine "$tmp/home.txt" --port "$tmp/$m"
+        run 0 "$loft" home --port "$tmp/$m"
+        goes 15,10 $m '15.000 10.000 10.000'
+        run 0 "$loft" zero xy --keep --port "$tmp/$m"
+        says out 'and is now at 0.000 0.000 10.000$'
+        one_line 65 'x 26 is beyond the table, -15..25' "$loft" go 26 --port "$tmp/$m"
+        run 0 "$loft" home --port "$tmp/$m"
+        says out '^homed: the tool is at -15.000 -8.500 10.000$'
+        goes 25,20 $m '25.000 20.000 10.000'
+        run 0 "$loft" settings --port "$tmp/$m"; says out '^x.zero = 15$'
+        run 0 "$loft" zero xy --at 5 --keep --port "$tmp/$m"
+        run 0 "$loft" settings --port "$tmp/$m"; says out '^x.zero = 35$'
+        one_line 78 'home.txt: --keep changes the settings of the machine' \
+            "$loft" zero --keep --port "$tmp/$m" --machine "$tmp/home.txt"
+        # a machine that is homed again may look for its switches, wherever it thinks it is
+        run 0 "$loft" zero --at 100 --port "$tmp/$m"
+        run 0 "$loft" home --port "$tmp/$m" --machine "$tmp/home.txt"
+        says out '^homed: the tool is at 0.000 1.500 10.000$'
+    done
+}
+case_the_emergency_stop_stops_at_once() {
+    machine pressed --speed real --once
+    draws pressed
+    "${job[@]}" >"$tmp/out" 2>"$tmp/err" & local sender=$!
+    until_log pressed ' begun'; sleep 1; kill -USR1 "$machine"; wait $sender
+    [ $? = 75 ] || job_fails "it ended with another code"
+    says err 'the emergency stop closed and ended the job .* stopped at once .* is in doubt: then'
+    gone "$machine"; counted pressed err
+    machine m --speed real
+    draws m
+    "${job[@]}" >"$tmp/out" 2>"$tmp/err" & sender=$!
+    until_log m ' begun'; sleep 0.5; kill -USR1 "$machine"; wait $sender
+    run 0 "$loft" ports "$tmp/m"
+    says out '	its position is in doubt: `loft home`.*	closed: the emergency stop$'
+    one_line 69 'the emergency stop is closed: open it' "$loft" unlock --port "$tmp/m"
+    kill -USR1 "$machine"
+    one_line 69 'its position is in doubt, as after an emergency stop: `loft home' "${job[@]}"
+    one_line 69 'its position is in doubt' "$loft" go 0,0 --port "$tmp/m"
+    run 0 "$loft" zero xy --port "$tmp/m"
+    one_line 69 'its position is in doubt' "$loft" park --port "$tmp/m"
+    run 0 "$loft" zero z --port "$tmp/m"
+    run 0 "$loft" go 1,1 --port "$tmp/m"; says out '^the tool is at 1.000 1.000 0.000$'
+}
+# The machine says what it knows, and the next command what to do.
+case_a_sender_that_is_killed_in_a_move() {
+    local what sender
+    home_file
+    for what in probe home; do
+        # a queue that takes no whole move: the machine runs out of items, and waits on the path
+        machine $what --speed real --queue 4 --limits x-=-33 --probe z-=-30
+        if [ $what = probe ]; then
+            job=("$loft" probe --feed 3 --within 40 --port "$tmp/probe")
+        else
+            job=("$loft" home x --port "$tmp/home" --machine "$tmp/home.txt")
+        fi
+        drawing_on=$what; cut_off 0.3
+        run 0 "$loft" ports "$tmp/$what"; says out '	in a job$'
+        one_line 75 'a job is running: wait for its end, or `loft stream --abort' "${job[@]}"
+        run 0 "$loft" stream --abort --port "$tmp/$what"
+        says out '^aborted: [0-9]* items executed, at '; counted_place $what \
+            "$(sed -n 's/.*steps //p' "$tmp/out")"
+        run 0 "$loft" ports "$tmp/$what"; says out '	idle$'
+        run 0 "${job[@]}"
+    done
+    says out '^homed: the tool is at 0.000 0.000 0.000$'
+    # the whole move is in the machine: it ends by the guard, and the place is known
+    machine whole --speed real --probe z-=-5 --max-speed 20
+    job=("$loft" probe --feed 3 --port "$tmp/whole"); drawing_on=whole; cut_off 0.5
+    until_log whole ' aborted: '
+    run 0 "$loft" ports "$tmp/whole"; says out '	idle$'
+    one_line 69 'the probe touches already' "${job[@]}"
+    goes ,,0 whole '0.000 0.000 -\?0.000'
+    run 0 "${job[@]}"; says out '^touched at 0.000 0.000 -5.0'
+}
 case_the_walk_through_the_page_of_the_boards() {
     local page=ports/README.md block words
     # parts 5 and 7, and their machine: every line as it is printed, with another port
@@ -2553,6 +2650,56 @@ case_a_servo_in_the_settings() {
     says out '^z.drive = step$'
     ! grep -q servo_zero "$tmp/out" || job_fails "a motor with $(grep servo_zero "$tmp/out")"
 }
+# switches of the motors: three carriages, and a radius and an angle
+case_home_finds_the_switches_of_motors() {
+    local delta=(--machine "$tmp/delta.txt") polar=(--machine "$tmp/polar.txt")
+    printf '%s\n' 'kinematics = delta' 'arm_length = 330' 'delta_radius = 160' 'max_speed = 300' \
+        'home_order = 1' 'home_end = high' 'home_at = 25' 'home_search = 60' >"$tmp/delta.txt"
+    machine delta --speed fast "${delta[@]}" --limits x+=20,y+=21,z+=19.5 \
+        --walls x+=23,y+=24,z+=22 --bounce 5
+    run 0 "$loft" home --port "$tmp/delta" "${delta[@]}"
+    says out '^y: its switch at the high end, .* is at 25.000: 2 touches within [01] step'
+    says out '^homed: the tool is at -\?0.000 -\?0.000 22.000$'
+    [ "$(table_of delta)" = '17.0000 18.0000 16.5000, 0 steps lost' ] ||
+        job_fails "$(table_of delta)"
+    goes 10,5,10 delta '9\.99[0-9] 5\.01[0-9] 10.000' "${delta[@]}"
+    one_line 78 'its three carriages are homed together' \
+        "$loft" home x --port "$tmp/delta" "${delta[@]}"
+    one_line 78 'its switches are those of the motors: `loft home`' \
+        "$loft" unlock --port "$tmp/delta" "${delta[@]}"
+    printf '%s\n' 'kinematics = polar' 'a.home_order = 1' 'b.home_order = 2' 'a.home_at = 10' \
+        'b.home_at = -3' 'a.home_search = 50' 'b.home_search = 400' >"$tmp/polar.txt"
+    machine polar --speed fast "${polar[@]}" --limits x-=-33,y-=-100
+    run 0 "$loft" home --port "$tmp/polar" "${polar[@]}"
+    says out '^homed: the tool is at 13.000 -\?0.000 0.000$'
+    goes 20,20 polar '20\.00[0-9] 20\.00[0-9] 0.000' "${polar[@]}"
+}
+# the second motor ahead or behind, by less than home_back; and what cannot be squared
+case_home_squares_a_gantry() {
+    home_file; echo 'y.square = yes' >>"$tmp/home.txt"
+    local ends=x-=-33.37,y-=-12,z+=6 file=(--machine "$tmp/home.txt") m skew=1.3
+    for m in q16 f32 f64; do
+        machine $m --speed fast --num $m --limits $ends --gantry y=$skew --bounce 5
+        run 0 "$loft" home --port "$tmp/$m" "${file[@]}" --touches 3
+        says out '^y: squared: its switches close within [01] step.* of each other, before 10[345]$'
+        says out '^y: its switch at the low end, after 1[0-2]\.[0-9]* mm, is at -1.500: 3 touches'
+        says out '^homed: the tool is at 0.000 1.500 10.000$'
+        [[ "$(table_of $m)" =~ ' -9.0'[01].*' 4.0000, 0 steps lost, skewed by '-?0.0[01] ]] \
+            || job_fails "$(table_of $m)"
+        run 0 "$loft" home y --port "$tmp/$m" "${file[@]}"
+        says out '^y: squared: its switches close within [01] steps\? of each other, before [012]$'
+        goes 5,5,5 $m '5.000 5.000 5.000' "${file[@]}"
+        skew=-1.3
+    done
+    machine far --speed fast --limits $ends --gantry y=5
+    one_line 69 'y: its two motors differ by more than 3 mm, or a switch is stuck' \
+        "$loft" home y --port "$tmp/far" "${file[@]}"
+    one_line 69 'its position is in doubt' "$loft" go 0 --port "$tmp/far" "${file[@]}"
+    machine one --speed fast --limits $ends
+    one_line 78 'one motor or one switch pin for an axis with square = yes: square it by hand' \
+        "$loft" home y --port "$tmp/one" "${file[@]}"
+    one_line 64 'gantry w=1: give an axis and mm' "$loft" simulate --gantry w=1
+}
 case_home_says_what_is_wrong() {
     home_file
     local file=(--machine "$tmp/home.txt")
@@ -2572,7 +2719,7 @@ case_home_says_what_is_wrong() {
     one_line 64 'name the axes in one word' "$loft" home x y --port "$tmp/none"
     one_line 64 'no --port' "$loft" home x "${file[@]}"
     printf 'kinematics = polar\n' >"$tmp/polar.txt"
-    one_line 78 'kinematics = polar: only a cartesian' \
+    one_line 78 'kinematics = polar: the switch is one of motor a: give a.home_at, where it is' \
         "$loft" home x --port "$tmp/none" --machine "$tmp/polar.txt"
     bad_file() {
         printf "$1" >"$tmp/bad.txt"

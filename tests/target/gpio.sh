@@ -109,6 +109,88 @@ paper() {
     [ "$(value code)" = 0 ] || cat "$tmp/said"
 }
 
+# channel: a PWM channel of the kernel, whose duty cycles go to $tmp/duty
+channel() {
+    mkdir -p "$tmp/pwm"; rm -f "$tmp/pwm"/*; : >"$tmp/pwm/period"; : >"$tmp/pwm/enable"
+    mkfifo "$tmp/pwm/duty_cycle"
+    cat <"$tmp/pwm/duty_cycle" >"$tmp/duty" & reader=$!
+}
+
+# on_paper ARGUMENT..: the machine on lines of paper, under ThreadSanitizer; $machine, $tmp/at.paper
+on_paper() {
+    rm -f "$tmp/at.paper"
+    LOFT_PAPER=$tmp/paper "$guest/loft-gpio-race" link="$tmp/at.paper" priority=0 chip=/dev/0 \
+        x.step=0 x.dir=1 y.step=/dev/1:0 y.dir=/dev/1:1 z.step=3 z.dir=4 "$@" \
+        >"$tmp/said" 2>"$tmp/err" & machine=$!
+    for _ in $(seq 3000); do [ -e "$tmp/at.paper" ] && break; sleep 0.02; done
+}
+
+# outputs: a laser by the PWM, a spindle by a relay, a laser that a relay refuses
+outputs() {
+    echo "-- on paper: outputs"
+    printf '%s\n' 'G21 G90' 'M4 S500' 'G1 X10 F1200' 'M8' 'X20' 'M9' 'M5' >"$tmp/burn.nc"
+    echo 'laser = yes' >"$tmp/laser.txt"
+    channel
+    on_paper pwm="$tmp/pwm" spindle=5 coolant=6 --once
+    timeout 300 "$loft" stream "$tmp/burn.nc" --machine "$tmp/laser.txt" --port "$tmp/at.paper" \
+        >"$tmp/out" 2>&1 </dev/null; code=$?
+    wait $machine; row "laser: the program ends well" "$?" = 0
+    wait $reader
+    row "laser: the command ends well"                        "$code" = 0
+    row "laser: period of 1 kHz, on" \
+        "$(cat "$tmp/pwm/period" "$tmp/pwm/enable" | xargs)" = "1000000 1"
+    row "laser: half of the power at full speed" \
+        "$(sort -n "$tmp/duty" | tail -1 | awk '{ print ($1 > 490000 && $1 < 505000) }')" = 1
+    row "laser: less where it starts and stops" \
+        "$(awk '$1 > 0 && $1 < 250000' "$tmp/duty" | wc -l)" ">=" 10
+    row "laser: off at the end"                               "$(tail -1 "$tmp/duty")" = 0
+    # where the ring runs dry on a busy computer a laser is off as well
+    row "laser: its enable, off, on, .. off" \
+        "$(awk '$2 == 5 { print $3 }' "$tmp/paper" | uniq | sed '1p; 2p; $!d' | xargs)" = "0 1 0"
+    row "coolant: off, on, off" "$(awk '$2 == 6 { printf "%s ", $3 }' "$tmp/paper")" = "0 1 0 "
+    on_paper relay=5 --once
+    sed 's/M4/M3/; /M[89]/d' "$tmp/burn.nc" >"$tmp/turn.nc"
+    timeout 300 "$loft" stream "$tmp/turn.nc" --port "$tmp/at.paper" >"$tmp/out" 2>&1 </dev/null
+    row "relay: the command ends well"                        "$?" = 0
+    wait $machine
+    row "relay: on, off"  "$(awk '$2 == 5 { printf "%s ", $3 }' "$tmp/paper")" = "0 1 0 "
+    on_paper relay=5 --once
+    sed '/M[89]/d' "$tmp/burn.nc" >"$tmp/cut.nc"
+    timeout 300 "$loft" stream "$tmp/cut.nc" --machine "$tmp/laser.txt" --port "$tmp/at.paper" \
+        >"$tmp/out" 2>&1 </dev/null
+    row "relay: a laser is not drawn"                         "$?" = 75
+    wait $machine
+    row "relay: it says why" "$(grep -c 'relay: a line cannot give a laser a part' "$tmp/err")" = 1
+    row "relay: it was never on"  "$(awk '$2 == 5 { printf "%s ", $3 }' "$tmp/paper")" = "0 "
+    row "outputs: races" "$(grep -c 'WARNING: ThreadSanitizer' "$tmp/err")" = 0
+}
+
+# homes: the switch of x is 400 steps, 5 mm, towards minus
+homes() {
+    echo "-- on paper: loft home and loft probe"
+    printf '%s\n' 'x.travel = 40' 'x.home_order = 1' 'x.home_seek = 5' 'x.home_touch = 0.25' \
+        >"$tmp/home.txt"
+    LOFT_PAPER_SWITCH=400 on_paper x.limit=5
+    timeout 300 "$loft" home --machine "$tmp/home.txt" --port "$tmp/at.paper" >"$tmp/out" 2>&1
+    code=$?
+    row "home: the command ends well"                         "$code" = 0
+    row "home: the touches differ by, in steps" \
+        "$(sed -n 's/.* within \([0-9]*\) step.*/\1/p' "$tmp/out")" "<=" 1
+    row "home: the tool stands 3 mm before the switch" \
+        "$(sed -n 's/^homed: the tool is at //p' "$tmp/out")" = "0.000 0.000 0.000"
+    kill $machine; wait $machine
+    row "home: there by its pulses, in steps" "$(awk '
+        $2 == 1 { minus = $3 } $2 == 0 && $3 { x += minus ? -1 : 1 }
+        END { x += 160; print x < 0 ? -x : x }' "$tmp/paper")" "<=" 1
+    LOFT_PAPER_SWITCH=400 on_paper probe=6
+    timeout 300 "$loft" probe x- --feed 1 --port "$tmp/at.paper" >"$tmp/out" 2>&1; code=$?
+    row "probe: the command ends well"                        "$code" = 0
+    row "probe: touched at, in mm" \
+        "$(sed -n 's/^touched at -\([0-9.]*\) .*/\1/p' "$tmp/out")" "<=" 5.05
+    kill $machine; wait $machine
+    row "home, probe: races" "$(grep -c 'WARNING: ThreadSanitizer' "$tmp/err")" = 0
+}
+
 # refuses CODE TEXT ARGUMENT..: with that exit code and one line that has TEXT
 refuses() {
     local expected=$1 text=$2 code
@@ -148,12 +230,17 @@ done
 wait $qemu; ended=$?
 paper race ThreadSanitizer host
 paper memory AddressSanitizer chip
+outputs
+homes
 refuses 64 'no axis: give a file'                       chip=/dev/0
 refuses 64 'what is --lok'                              --lok
 refuses 65 'unknown key: see --help'           chip=/dev/0 w.step=1
 refuses 65 'give a whole number from 1 to 1000'         slots=2.5
 refuses 65 'at most 200000 slots per second'            slots=1000 x.step=/dev/0:0 x.dir=/dev/0:1
 refuses 65 'low may follow the line'                    x.step="1 high"
+refuses 78 'it is in place of a pwm'                    chip=/dev/0 x.step=0 x.dir=1 relay=5 pwm=/x
+refuses 78 'it belongs to a pwm'                        chip=/dev/0 x.step=0 x.dir=1 spindle=5
+refuses 77 'give the folder of a channel'               chip=/dev/0 x.step=0 x.dir=1 pwm=/x
 refuses 66 'cannot read: No such file'                  /nonexistent
 refuses 78 'x.step has no dir'                          x.step=/dev/0:0
 refuses 78 'is the same line as x.step'                 chip=/dev/0 x.step=0 x.dir=0

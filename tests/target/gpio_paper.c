@@ -2,11 +2,15 @@
  * changes go to the file $LOFT_PAPER
  * SPDX-License-Identifier: MIT
  *
+ * With $LOFT_PAPER_SWITCH = N the inputs 5 of /dev/0 (a limit switch of x) and 6 (a probe) close
+ * where x has gone N steps towards minus: it counts pulses of line 0, whose direction is line 1.
+ *
  * It writes lines `us line value`, like `changes` of gpio_guest.c; line 3 of /dev/1 is 103. Main
  * loop and thread call this file without a lock here. So ThreadSanitizer sees the synchronization
  * of the program itself.
  */
 #include <fcntl.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,6 +30,8 @@ struct gpio_request {
 };
 
 static FILE *paper;
+static atomic_int x;                    /* steps */
+static int woken[2] = { -1, -1 };       /* a pipe: the switch has changed */
 
 static void note(unsigned line, bool high)
 {
@@ -100,29 +106,62 @@ gpio_request *gpio_outputs(gpio_chip *chip, const unsigned offset[], unsigned co
     return r;
 }
 
+static int switch_at(void)
+{
+    const char *at = getenv("LOFT_PAPER_SWITCH");
+    return at ? atoi(at) : 1 << 30;
+}
+
+static bool switch_closed(void) { return -atomic_load(&x) >= switch_at(); }
+
+static bool line_high(const gpio_request *r, unsigned line)
+{
+    bool high = false;
+
+    for (unsigned i = 0; i < r->count; i++)
+        high = high || (r->line[i] == line && r->high[i]);
+    return high;
+}
+
+/* Line 0 has risen; `minus`: line 1 is high. */
+static void count_step(bool minus)
+{
+    const bool before = switch_closed();
+
+    atomic_fetch_add(&x, minus ? -1 : 1);
+    if (switch_closed() != before && write(woken[1], "", 1) != 1)
+        abort();
+}
+
 bool gpio_set(gpio_request *r, uint32_t which, uint32_t high)
 {
     for (unsigned i = 0; i < r->count; i++)
         if (which >> i & 1 && r->high[i] != (high >> i & 1)) {
             r->high[i] = high >> i & 1;
             note(r->line[i], r->high[i]);
+            if (r->line[i] == 0 && r->high[i])
+                count_step(line_high(r, 1));
         }
     return true;
 }
 
-/* An open switch that nobody touches. */
+/* A switch that nobody touches, or that of x. */
 gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias,
                          unsigned debounce_us)
 {
     gpio_request *r = calloc(1, sizeof *r);
 
-    (void)chip;
-    (void)offset;
     (void)bias;
     (void)debounce_us;
     if (!r)
         abort();
     r->fd = -1;
+    r->line[0] = 100 * chip->number + offset;
+    if (r->line[0] == 5 || r->line[0] == 6) {
+        if (woken[0] < 0 && pipe2(woken, O_NONBLOCK | O_CLOEXEC) != 0)
+            abort();
+        r->fd = woken[0];
+    }
     return r;
 }
 
@@ -132,14 +171,13 @@ int gpio_fd(const gpio_request *r) { return r->fd; }
 
 bool gpio_forget_edges(gpio_request *r)
 {
-    (void)r;
+    char edge[16];
+
+    while (r->fd >= 0 && read(r->fd, edge, sizeof edge) > 0) {
+    }
     return true;
 }
 
-int gpio_get(gpio_request *r)
-{
-    (void)r;
-    return 0;
-}
+int gpio_get(gpio_request *r) { return r->fd >= 0 && switch_closed(); }
 
 void gpio_release(gpio_request *r) { free(r); }

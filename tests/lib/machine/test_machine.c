@@ -454,6 +454,19 @@ static void a_job_begins_free_of_the_holds_before_it(arb *a)
     check_drawn();
 }
 
+/* A machine without a job is told where it stands, or where its table ends. */
+static void machine_is_told(enum loft_verb verb, uint8_t axes, const int32_t position[LOFT_AXES])
+{
+    while (w.sender.phase != LOFT_PHASE_READY && line_runs()) {
+    }
+    CHECK((verb == LOFT_PLACE
+               ? loft_sender_place(&w.sender, axes, position)
+               : loft_sender_table(&w.sender, verb == LOFT_TABLE_HIGH, axes, position)) == LOFT_OK);
+    while (w.sender.verb && line_runs()) {
+    }
+    CHECK(w.sender.ack.refusal == LOFT_REFUSAL_NONE);
+}
+
 static uint16_t arb_ending(arb *a)
 {
     const int axis = (int)arb_below(a, LOFT_AXES);
@@ -466,8 +479,9 @@ static uint16_t arb_ending(arb *a)
     }
 }
 
-/* A limit that closes ends the job on its path, and the report names it. While closed, it lets no
- * job begin except one that moves away. */
+/* A limit that closes ends the job on its path, the emergency stop at once, and the report names
+ * it. While closed, it lets no job begin except one that moves away. Of an emergency stop the
+ * machine says that its position is in doubt, until it is told where it stands. */
 static void a_closed_limit_ends_jobs_and_lets_none_begin(arb *a)
 {
     const uint16_t closed = arb_ending(a);
@@ -488,7 +502,8 @@ static void a_closed_limit_ends_jobs_and_lets_none_begin(arb *a)
     else
         CHECK(w.sender.phase == LOFT_PHASE_REFUSED && w.sender.refusal == LOFT_REFUSAL_INPUT &&
               w.sender.closed == closed);
-    CHECK(here(r.path[r.passed]) && r.passed < r.ticks);
+    const bool stop = w.sender.report.ended_by == LOFT_INPUT_STOP;
+    CHECK(here(stop ? r.at : r.path[r.passed]) && r.passed < r.ticks);
 
     for (int turn = 0; turn < 2; turn++) {              /* refused each time, in its own session */
         another_job(turn ? (uint16_t)(LOFT_INPUT_ENDING & ~closed) : 0);
@@ -497,12 +512,63 @@ static void a_closed_limit_ends_jobs_and_lets_none_begin(arb *a)
         CHECK(w.sender.phase == LOFT_PHASE_REFUSED && w.sender.refusal == LOFT_REFUSAL_INPUT &&
               w.sender.closed == closed);
         CHECK(here(r.path[0]) && !w.machine.drive.active);
+        CHECK(!(w.sender.ack.flags & LOFT_FLAG_LOST) == !stop);
     }
     another_job(closed);
     while (world_runs()) {
     }
     check_drawn();
     CHECK(w.sender.report.ended_by == 0);
+    if (!stop)
+        return;
+    greet();
+    for (int i = 0; i < LOFT_AXES; i++) {
+        CHECK(w.machine.lost);
+        machine_is_told(LOFT_PLACE, (uint8_t)(1u << i), r.at);
+        CHECK(!(w.sender.ack.flags & LOFT_FLAG_LOST) == (i == LOFT_AXES - 1));
+    }
+}
+
+/* A machine with a table refuses the first item that ends beyond it, from inside or from farther
+ * in, and stops on the path. The table keeps its place when the machine is told another one. The
+ * first end of another table lifts it. */
+static void what_leaves_the_table_is_refused(arb *a)
+{
+    const bool lifted = arb_below(a, 4) == 0;
+    const int axis    = (int)arb_below(a, LOFT_AXES);
+    int32_t low[LOFT_AXES] = { 0 }, high[LOFT_AXES] = { 0 }, before, to;
+    uint32_t bad = 0;
+
+    world_start(a, 20);
+    low[axis]  = r.at[axis] - (int32_t)arb_below(a, 2000);
+    high[axis] = r.at[axis] + (int32_t)arb_below(a, 2000);
+    machine_is_told(LOFT_TABLE_LOW, (uint8_t)(1u << axis), low);
+    machine_is_told(LOFT_TABLE_HIGH, (uint8_t)(1u << axis), high);
+    if (arb_below(a, 2)) {                              /* elsewhere and back */
+        int32_t there[LOFT_AXES];
+        for (int i = 0; i < LOFT_AXES; i++)
+            there[i] = r.at[i] + arb_raw(a, 100000);
+        machine_is_told(LOFT_PLACE, (1u << LOFT_AXES) - 1, there);
+        machine_is_told(LOFT_PLACE, (1u << LOFT_AXES) - 1, r.at);
+    }
+    for (before = r.at[axis]; bad < r.items; bad++, before = to) {
+        to = r.item[bad].p[2][axis];
+        to = r.kind == LOFT_SPANS ? loft_steps_of(loft_real_from_raw(to), scale_of(axis)) : to;
+        if ((to < low[axis] && to < before) || (to > high[axis] && to > before))
+            break;
+    }
+    if (lifted)
+        machine_is_told(LOFT_TABLE_LOW, (uint8_t)(1u << axis), low);
+    greet();
+    while (world_runs()) {
+    }
+    if (lifted || bad == r.items) {
+        check_drawn();
+        return;
+    }
+    CHECK((w.sender.phase == LOFT_PHASE_ABORTED || w.sender.phase == LOFT_PHASE_REFUSED) &&
+          w.sender.refusal == LOFT_REFUSAL_TABLE);
+    CHECK(here(r.path[r.passed]) && (r.passed == 0 || r.item_of[r.passed - 1] < bad));
 }
 
 /* An input that a job moves away from may stay closed, but ends the job when it opens and closes
@@ -620,6 +686,59 @@ static void a_guard_ends_the_job_and_tells_the_place_of_the_edge(arb *a)
     CHECK(!w.sender.report.guarded);
 }
 
+/* An axis with two motors, whose switches close after different ways and bounce: each motor stops
+ * at the first touch of its own, and the guard comes true with the last one, in whose slot the
+ * place is latched. A machine without such an axis refuses the job. */
+static void two_motors_stop_at_their_own_switches(arb *a)
+{
+    const int axis     = (int)arb_below(a, LOFT_AXES);
+    const uint16_t own[2] = { LOFT_INPUT_LOW(axis), LOFT_INPUT_HIGH(axis) };
+    const bool can     = arb_below(a, 4) != 0;
+    uint32_t when[2], slot = 0;
+    int32_t edge[LOFT_AXES] = { 0 };
+    uint16_t touched = 0;
+
+    do
+        world_start(a, 20);
+    while (r.ticks < 1000);
+    for (int i = 0; i < 2; i++)
+        when[i] = (50 + arb_below(a, 200)) * r.slots + arb_below(a, r.slots);
+    w.config.squares = can ? LOFT_INPUT_ENDS(axis) : 0;
+    w.job.guard = (loft_guard){ LOFT_INPUT_ENDS(axis), LOFT_GUARD_SQUARE | LOFT_GUARD_HARD, 8 };
+    do {
+        sender_runs();
+        machine_gets();
+        for (uint16_t k = 0; k < r.slots; k++) {
+            uint16_t closed = 0;
+            loft_machine_tick(&w.machine);
+            rig_slot();
+            slot += w.machine.drive.active;
+            for (int i = 0; i < 2; i++)
+                if (slot == when[i] ||
+                    (slot > when[i] && (slot > when[i] + 5u * r.slots || arb_below(a, 2))))
+                    closed |= own[i];
+            if (closed & ~touched && w.machine.drive.active)
+                memcpy(edge, r.at, sizeof edge);
+            touched |= w.machine.drive.active ? closed : 0;
+            if (loft_machine_senses(&w.machine))
+                loft_machine_sense(&w.machine, closed);
+            CHECK(!w.machine.drive.active || loft_machine_gated(&w.machine) == touched);
+            if (k == 0)
+                loft_machine_sample(&w.machine, closed);
+        }
+        loft_machine_tick(&w.machine);
+    } while (++w.ms < LONG && w.sender.phase < LOFT_PHASE_DONE);
+    if (!can) {
+        CHECK(w.sender.phase == LOFT_PHASE_REFUSED && w.sender.refusal == LOFT_REFUSAL_KIND);
+        return;
+    }
+    CHECK(w.sender.phase == LOFT_PHASE_ABORTED &&
+          w.sender.report.ended_by == LOFT_INPUT_ENDS(axis));
+    for (int i = 0; i < LOFT_AXES; i++)
+        CHECK(w.sender.report.latched[i] == edge[i]);
+    CHECK(w.machine.lost == 1u << axis && loft_machine_gated(&w.machine) == 0);
+}
+
 /* Buttons act when they close. */
 static void a_button_that_stays_closed_counts_once(arb *a)
 {
@@ -693,8 +812,10 @@ int main(void)
     PROPERTY(an_aborted_job_reports_where_it_stands_and_another_begins_there,    30);
     PROPERTY(a_job_begins_free_of_the_holds_before_it,                           20);
     PROPERTY(a_closed_limit_ends_jobs_and_lets_none_begin,                       30);
+    PROPERTY(what_leaves_the_table_is_refused,                                   40);
     PROPERTY(a_limit_that_was_left_ends_the_job_when_it_closes_again,            10);
     PROPERTY(a_guard_ends_the_job_and_tells_the_place_of_the_edge,               20);
+    PROPERTY(two_motors_stop_at_their_own_switches,                              20);
     PROPERTY(a_button_that_stays_closed_counts_once,                              5);
     PROPERTY(a_job_that_starts_elsewhere_is_refused,                             10);
     PROPERTY(an_item_that_is_too_fast_ends_the_job_on_the_path,                  20);

@@ -466,8 +466,8 @@ static void a_machine_without_a_planner_is_sent_no_curves(arb *a)
     while (w.sender.phase < LOFT_PHASE_READY && w.ms < LONG)
         go_on();
     CHECK(w.sender.machine.curves == 0 &&
-          w.sender.machine.kinds ==
-              (1u << LOFT_SPANS | 1u << LOFT_POINTS | LOFT_TAKES_PLACES | LOFT_TAKES_ACTIONS));
+          w.sender.machine.kinds == (1u << LOFT_SPANS | 1u << LOFT_POINTS | LOFT_TAKES_PLACES |
+                                     LOFT_TAKES_TABLE | LOFT_TAKES_ACTIONS));
     CHECK(loft_sender_begin(&w.sender, &w.job, curves, source, NULL) == LOFT_ERR_ARG);
 }
 

@@ -160,7 +160,7 @@ static loft_guard arb_guard(arb *a)
     if (arb_below(a, 2))
         return g;
     g.inputs = (uint16_t)(1 + arb_below(a, 65535));
-    g.how = (uint8_t)arb_below(a, 8);
+    g.how = (uint8_t)arb_below(a, 16);
     g.filter = arb_u8(a);
     return g;
 }
@@ -184,7 +184,7 @@ static void jobs_come_back(arb *a)
     CHECK(g.guard.inputs == m.guard.inputs && g.guard.how == m.guard.how &&
           g.guard.filter == m.guard.filter);
     if (m.guard.inputs) {
-        f.byte[15] = (uint8_t)(8 + arb_below(a, 248));                          /* how */
+        f.byte[15] = (uint8_t)(16 + arb_below(a, 240));                         /* how */
         CHECK(loft_job_decode(&f, &g) == LOFT_ERR_DATA);
         f.byte[15] = m.guard.how;
         f.byte[13] = f.byte[14] = 0;                                            /* no inputs */
@@ -263,13 +263,13 @@ static void short_ones_come_back(arb *a)
     f.byte[3] = (uint8_t)(arb_below(a, 2) ? 0 : 6 + arb_below(a, 250));
     CHECK(loft_control_decode(&f, &g) == LOFT_ERR_DATA);
 
-    m.verb = LOFT_PLACE;
+    m.verb = (uint8_t)(LOFT_PLACE + arb_below(a, 3));
     m.value = (uint8_t)(1 + arb_below(a, (1u << LOFT_AXES) - 1));
     arb_axes(a, m.position);
     n = loft_control_encode(&m, session, wire);
     CHECK(n == 11 + 4 * LOFT_AXES);
     f = content(wire, n);
-    CHECK(loft_control_decode(&f, &g) == LOFT_OK && g.verb == LOFT_PLACE && g.value == m.value &&
+    CHECK(loft_control_decode(&f, &g) == LOFT_OK && g.verb == m.verb && g.value == m.value &&
           memcmp(g.position, m.position, sizeof g.position) == 0);
     REFUSES_OTHER_LENGTHS(f, loft_control_decode(&f, &g), false);
     f.byte[4] = (uint8_t)(arb_below(a, 2) ? 0 : (1u << LOFT_AXES) + arb_below(a, 100));

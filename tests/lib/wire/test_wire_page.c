@@ -110,7 +110,7 @@ static size_t say_host(const loft_frame *f, uint8_t wire[])
         CHECK(loft_control_decode(f, &control) == LOFT_OK);
         say("CONTROL session=%u number=%u verb=%u value=%u", session, control.number, control.verb,
             control.value);
-        if (control.verb == LOFT_PLACE)
+        if (control.verb >= LOFT_PLACE)
             say_axes("position", control.position);
         return loft_control_encode(&control, session, wire);
     case LOFT_POLL: say("POLL session=%u", session); return loft_poll_encode(session, wire);

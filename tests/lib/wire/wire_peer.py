@@ -168,7 +168,7 @@ class Decoder:
             fields += ' ' + LIMITS
         if kind == 2 and payload[8] & 128:
             fields = fields.replace('start:', 'guard:G start:')
-        if kind == 6 and payload[1] == 6:
+        if kind == 6 and payload[1] >= 6:
             fields += ' position:A'
         if kind == 12 and len(payload) > 23 + 4 * AXES:
             fields += ' latched:A'
