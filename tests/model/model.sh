@@ -65,6 +65,22 @@ long_ones >"$work/long" &
         none "$safe" "" -DK=2 -DFAULTS=2 -DDEATHS=1 -DGUARDS=1 -DPLACES=2
     search "the job ends, placed first, a frame lost or doubled, the guard comes true" \
         none "$live" "-a -f" -DK=2 -DFAULTS=1 -DGUARDS=1 -DPLACES=1
+    search "settings written, 2 frames lost or doubled, killed, the power cut" \
+        none "$safe" "" -DK=1 -DFAULTS=2 -DDEATHS=1 -DREBOOTS=1 -DSETS=1
+    search "the job ends, settings written first, 2 frames lost or doubled" \
+        none "$live" "-a -f" -DK=1 -DFAULTS=2 -DSETS=1
+    search "settings written by a host that does not greet again, killed" \
+        none "$safe" "" -DK=1 -DFAULTS=2 -DDEATHS=1 -DSETS=2
+    search "two pauses, 2 frames lost or doubled, killed twice" \
+        none "$safe" "" -DFAULTS=2 -DDEATHS=2 -DPAUSES=1
+    search "the job ends, two pauses, a frame lost or doubled, killed" \
+        none "$live" "-a -f" -DK=2 -DFAULTS=1 -DDEATHS=1 -DPAUSES=1
+    search "planted: a job begins with settings it was not planned with" \
+        "item==m_copy" "$safe" "" -DK=1 -DFAULTS=1 -DSETS=2 -DBUG=6
+    search "planted: settings are written to the copy in force" \
+        "m_copy" "$safe" "" -DK=1 -DFAULTS=1 -DREBOOTS=1 -DSETS=1 -DBUG=7
+    search "planted: a RESUME is obeyed twice" \
+        "lifted<=wishes" "$safe" "" -DFAULTS=2 -DPAUSES=1 -DBUG=8
     search "planted: a place is obeyed in a job" \
         "m_state!=" "$safe" "" -DK=2 -DFAULTS=2 -DDEATHS=1 -DPLACES=2 -DBUG=5
     search "planted: a refused JOB begins later" \

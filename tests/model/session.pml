@@ -11,6 +11,9 @@
  *     GUARDS    times the guard of the job comes true, which ends it
  *     PLACES    1: a host with a new job first says where the machine stands; 2: any host does,
  *               whatever the machine is doing
+ *     SETS      1: a host first writes settings, in two parts and a check, and greets again; 2: it
+ *               sends its JOB without greeting again. A restart of the machine is a power cut
+ *     PAUSES    1: item 0 and the last one are pauses, until the user resumes
  *
  * With -DFREE timeouts may also come at any moment (a busy host), otherwise only when nothing else
  * can happen. These properties hold:
@@ -18,11 +21,13 @@
  *     safety    every item is accepted once, in order, and never more than the queue holds; the
  *               report comes when all of them are executed; after a restart during a job nothing is
  *               accepted until the user says so; no job begins whose host has ended; the machine is
- *               placed between jobs alone, and a job whose host has placed it begins there
+ *               placed between jobs alone, and a job whose host has placed it begins there;
+ *               settings are whole after any power cut, the old or the new ones, and no job begins
+ *               that was planned with others; a pause ends when the user has resumed it, once
  *     liveness  the job ends, as done, aborted, refused or lost (ltl ends, weak fairness)
  *
  * Numbers on the wire count modulo M (65536 on the real one). `item` in a message is the item
- * itself; the protocol never looks at it. BUG=1..5 plants a mistake that must be found: see
+ * itself; the protocol never looks at it. BUG=1..8 plants a mistake that must be found: see
  * tests/model/model.sh.
  */
 #ifndef K
@@ -58,12 +63,21 @@
 #ifndef PLACES
 #define PLACES 0
 #endif
+#ifndef SETS
+#define SETS 0
+#endif
+#ifndef PAUSES
+#define PAUSES 0
+#endif
 #ifndef BUG
 #define BUG 0           /* 1: END is taken whatever it counts
                          * 2: an item ahead of `next` is taken
                          * 3: credit is counted
                          * 4: a JOB that was refused may begin later in its session
-                         * 5: a place is obeyed in any state, each time it arrives */
+                         * 5: a place is obeyed in any state, each time it arrives
+                         * 6: a job may begin in the session that changed the settings
+                         * 7: settings are written to the copy in force
+                         * 8: a RESUME is obeyed each time it arrives */
 #endif
 
 #define IDLE 0          /* of the machine */
@@ -78,13 +92,15 @@
 #define FINISHED 4
 #define LOST 5
 #define PLACING 6
+#define SETTING 7
 
-mtype = { HELLO, JOB, ITEM, END, POLL, CLOSE, PLACE, WELCOME, ACK, REPORT };
+mtype = { HELLO, JOB, ITEM, END, POLL, CLOSE, PLACE, SET, RESUME, WELCOME, ACK, REPORT, KEPT };
 
 /* session, number or nonce, item */
 chan to_machine = [CH] of { mtype, byte, byte, byte };
-/* session, nonce, next, limit, boot; next + 64: placed; limit + 16 * state, + 64: refused,
- * + 128: opened */
+/* session, nonce, next, limit, boot; next + 32: held, + 64: placed; limit + 16 * state, + 64:
+ * refused, + 128: opened; boot + 8: the last RESUME obeyed, + 64: gearing. Of KEPT `next` is the
+ * part */
 chan to_host    = [CH] of { mtype, byte, byte, byte, byte, byte };
 byte guards = GUARDS;
 byte faults = FAULTS, deaths = DEATHS, reboots = REBOOTS, limits = LIMITS;
@@ -95,16 +111,32 @@ byte m_state = IDLE, m_session = 0, m_sessions = 0, m_nonce = 0, m_boot = 0;
 byte m_next = 0, m_executed = 0;
 bool m_placed = false;          /* the number of the PLACE of this session was obeyed or refused */
 bool m_opened = false, m_ended = false, m_closed = false, m_refused = false;
-bool due_welcome = false, due_ack = false, due_report = false;
+bool due_welcome = false, due_ack = false, due_report = false, due_kept = false;
+byte m_part = 0;                /* of settings, to be answered */
+byte m_control = 0;             /* the last RESUME obeyed in this session */
+bool m_held = false;
+/* two copies of the settings: their parts and their check, the number of the writing; 0: nothing */
+byte m_copy[6] = 1;
+bit m_which = 0;                /* the one in force */
+#define part_of(which, k)    m_copy[3 * (which) + (k)]
+#define sound(which)    (part_of(which, 2) != 0 && part_of(which, 0) == part_of(which, 2) && \
+                         part_of(which, 1) == part_of(which, 2))
+#define gearing         part_of(m_which, 0)
 
 /* the host */
 byte h_phase = GREETING, h_session = 0, h_nonce = 0, h_boot = 0;
 byte h_base = 0, h_send = 0, h_limit = 0;
 bool h_sent = false, h_opened = false, h_end_sent = false;
 bool h_asked = false, h_silent = false, h_doubt = false;
+bool h_kept = false;            /* its settings are written */
+byte h_part = 0, h_gear = 0, h_control = 0;
+bool h_wish = false, h_due = false; /* a RESUME is not obeyed yet; is to be sent */
 
 /* the subject of the proofs */
 bool placed = false;            /* the machine was told where it stands */
+byte writing = 1;               /* the number of the settings that a host writes or has written */
+byte in_force = 1;              /* that were in force last */
+byte wishes = 0, lifted = 0;    /* pauses that the user has resumed; that have ended */
 bool in_job = false;            /* JOB was taken and not yet closed                        */
 bool distrusted = false;        /* the machine restarted in mid-job, a host alive all the time */
 
@@ -122,16 +154,17 @@ inline give(line, what, a, b, c)
     :: faults > 0 && len(line) < CH - 1 -> faults--; line!what, a, b, c; line!what, a, b, c
     fi
 }
-#define counts  (m_next + 64 * m_placed)
+#define counts  (m_next + 32 * m_held + 64 * m_placed)
+#define boots   (m_boot + 8 * m_control + 64 * gearing)
 inline answer(what)
 {
     if
-    :: to_host!what, m_session, m_nonce, counts, word, m_boot
+    :: to_host!what, m_session, m_nonce, (what == KEPT -> m_part : counts), word, boots
     :: faults > 0 -> faults--
     :: faults > 0 && len(to_host) < CH - 1 ->
         faults--
-        to_host!what, m_session, m_nonce, counts, word, m_boot;
-        to_host!what, m_session, m_nonce, counts, word, m_boot
+        to_host!what, m_session, m_nonce, (what == KEPT -> m_part : counts), word, boots;
+        to_host!what, m_session, m_nonce, (what == KEPT -> m_part : counts), word, boots
     fi
 }
 
@@ -143,15 +176,62 @@ inline machine_hello(nonce)
         m_session = m_sessions;
         m_opened  = (m_state == RUNNING);
         m_refused = false;
-        m_placed  = false
+        m_placed  = false;
+        m_control = 0
     :: else
     fi
     m_nonce     = nonce;
     due_welcome = true;
-    due_ack     = false
+    due_ack     = false;
+    due_kept    = false
 }
 
-inline machine_job(nonce)
+/* The settings in force after a start or a write: those of the newer sound copy. */
+inline choose_copy()
+{
+    if
+    :: sound(0) && (!sound(1) || part_of(0, 2) > part_of(1, 2)) -> m_which = 0
+    :: sound(1) && (!sound(0) || part_of(1, 2) > part_of(0, 2)) -> m_which = 1
+    :: else
+    fi
+    assert(sound(m_which));                             /* never a mixture, */
+    assert(gearing >= in_force && gearing <= writing);  /* the old ones or newer ones */
+    in_force = gearing
+}
+
+/* Parts 0 and 1, then 2, the check. They go to the copy that is not in force. */
+inline machine_set(piece, value)
+{
+    if
+    :: m_state != RUNNING ->
+        if
+        :: BUG == 7 -> part_of(m_which, piece) = value
+        :: BUG != 7 -> part_of(1 - m_which, piece) = value
+        fi
+        if
+        :: piece == 2 && gearing != value ->
+            choose_copy();
+            if :: gearing == value && BUG != 6 -> m_refused = true :: else fi
+        :: else
+        fi
+    :: else
+    fi
+    m_part = piece; due_kept = true
+}
+
+inline machine_resume(value)
+{
+    if
+    :: (value != m_control || BUG == 8) && m_state == RUNNING ->
+        if :: m_held -> lifted++; assert(lifted <= wishes) :: else fi       /* as the user said */
+        m_held = false;
+        m_control = value
+    :: else
+    fi
+    due_ack = true
+}
+
+inline machine_job(nonce, gear)
 {
     if
     :: nonce != m_nonce
@@ -164,11 +244,13 @@ inline machine_job(nonce)
         assert(!over);                                  /* somebody is there */
         assert(!in_job);                                /* never a job within a job */
         assert(!PLACES || placed);
+        assert(!SETS || gear == gearing);               /* planned with what is in force */
         assert(!distrusted);
         in_job   = true;
         m_state  = RUNNING;
         m_next   = 0;
         m_executed = 0;
+        m_held   = false;
         m_opened = true;
         m_ended  = false;
         due_ack  = true
@@ -209,6 +291,7 @@ active proctype machine()
     mtype what;
     byte session, number, item;
 
+    m_copy[5] = 0;                      /* one copy is sound */
 end:
     do
     :: atomic { to_machine?what, session, number, item ->
@@ -216,7 +299,9 @@ end:
         :: what == HELLO -> machine_hello(number)
         :: what != HELLO && m_session != 0 && session == m_session ->
             if
-            :: what == JOB   -> machine_job(number)
+            :: what == JOB   -> machine_job(number, item)
+            :: what == SET   -> machine_set(number, item)
+            :: what == RESUME -> machine_resume(number)
             :: what == ITEM  -> machine_item(number, item)
             :: what == END   ->
                 if
@@ -245,13 +330,16 @@ end:
         due_report = false; answer(REPORT) }
     :: atomic { !due_welcome && !due_report && due_ack && nfull(to_host) ->
         due_ack = false; answer(ACK) }
+    :: atomic { !due_welcome && due_kept && nfull(to_host) -> due_kept = false; answer(KEPT) }
 
-    :: atomic { m_executed < m_next && m_state == RUNNING ->
+    :: atomic { m_executed < m_next && m_state == RUNNING && !m_held ->
+        if :: PAUSES && (m_executed == 0 || m_executed == K - 1) -> m_held = true :: else fi;
         m_executed++;
         assert(m_next - m_executed < Q);
         if :: m_session != 0 -> due_ack = true :: else fi }     /* room is told unasked */
-    :: atomic { m_state == RUNNING && m_ended && m_executed == m_next ->
+    :: atomic { m_state == RUNNING && m_ended && m_executed == m_next && !m_held ->
         assert(m_executed == K);
+        assert(!PAUSES || lifted == (K > 1 -> 2 : 1) || REBOOTS);   /* each pause, once */
         m_state = DONE;
         if :: m_session != 0 -> due_report = true :: else fi }
 
@@ -277,6 +365,8 @@ end:
         m_boot++;
         m_state = IDLE; m_session = 0; m_sessions = m_boot; m_nonce = 0; m_next = 0; m_executed = 0;
         m_opened = false; m_ended = false; m_refused = false; in_job = false; m_placed = false;
+        m_held = false; m_control = 0; m_part = 0; due_kept = false;
+        if :: SETS -> choose_copy() :: else fi;
         due_welcome = false; due_ack = false; due_report = false }
     od
 }
@@ -289,9 +379,11 @@ inline host_join(state, next, limit, boot, opened)
     :: h_opened && (state == IDLE || boot != h_boot) -> h_phase = LOST
     :: else ->
         if
+        :: SETS && !h_kept && !h_asked && state != RUNNING && state != DONE -> h_phase = SETTING
         :: PLACES && !h_asked && (state == IDLE || state == ABORTED || PLACES == 2) ->
             h_phase = PLACING
-        :: (!PLACES || h_asked) && (state == IDLE || (state == ABORTED && !h_asked)) ->
+        :: (!PLACES || h_asked) && (!SETS || h_kept || h_asked) &&
+           (state == IDLE || (state == ABORTED && !h_asked)) ->
             h_phase = OPENING
         :: else ->
             h_phase = STREAMING; h_opened = true;
@@ -330,9 +422,24 @@ inline host_ack(state, next, limit, opened, refused, obeyed)
     fi
 }
 
+/* The answer to a part. After the check the host greets again, and learns the new gearing. */
+inline host_kept(piece)
+{
+    if
+    :: h_phase == SETTING && h_sent && piece == h_part ->
+        h_sent = false; h_silent = false; h_part++;
+        if
+        :: h_part == 3 && SETS == 1 -> h_kept = true; host_greet()
+        :: h_part == 3 && SETS == 2 -> h_kept = true; h_phase = OPENING
+        :: else
+        fi
+    :: else
+    fi
+}
+
 inline host_greet()
 {
-    h_phase = GREETING; h_session = 0;
+    h_phase = GREETING; h_session = 0; h_part = 0; h_control = 0; h_wish = false; h_due = false;
     h_sent = false; h_end_sent = false; h_silent = false; h_doubt = false;
     nonces++;
     h_nonce = nonces
@@ -350,36 +457,54 @@ active proctype host()
 {
     mtype what;
     byte session, nonce, next, state, boot;
-    bool opened, refused, obeyed;
+    bool opened, refused, obeyed, held;
+    byte gear, control;
 
-    atomic { host_greet() }
+    atomic { if :: SETS -> writing = 2 :: else fi; host_greet() }
     do
     :: atomic { to_host?what, session, nonce, next, state, boot ->
         opened = state >= 128;
         refused = (state % 128) >= 64;
         state  = state % 64;
         obeyed = next >= 64;
-        next   = next % 64;
+        held   = (next % 64) >= 32;
+        next   = next % 32;
+        gear    = boot / 64;
+        control = (boot % 64) / 8;
+        boot    = boot % 8;
         if :: session == h_session -> h_silent = false :: else fi;
         if
         :: what == WELCOME && h_phase == GREETING && nonce == h_nonce ->
             h_session = session;
+            h_gear = gear;
             host_join(state / 16, next, state % 16, boot, opened)
         :: what == ACK && h_phase != GREETING && session == h_session ->
-            host_ack(state / 16, next, state % 16, opened, refused, obeyed)
+            host_ack(state / 16, next, state % 16, opened, refused, obeyed);
+            if
+            :: h_wish && control == h_control -> h_wish = false
+            :: else
+            fi;
+            if
+            :: PAUSES && h_phase == STREAMING && held && !h_wish && state / 16 == RUNNING ->
+                h_wish = true; h_due = true; h_control++; wishes++
+            :: else
+            fi
+        :: what == KEPT && session == h_session -> host_kept(next)
         :: what == REPORT && h_phase == STREAMING && session == h_session ->
             h_phase = CLOSING; h_sent = false
         :: else
         fi;
         what = HELLO; session = 0; nonce = 0; next = 0; state = 0; boot = 0;
-        opened = false; refused = false; obeyed = false }
+        opened = false; refused = false; obeyed = false; held = false; gear = 0; control = 0 }
 
     :: atomic { h_phase == GREETING && !h_sent && nfull(to_machine) ->
         h_sent = true; give(to_machine, HELLO, 0, h_nonce, 0) }
     :: atomic { h_phase == PLACING && !h_sent && nfull(to_machine) ->
         h_sent = true; give(to_machine, PLACE, h_session, 0, 0) }
+    :: atomic { h_phase == SETTING && !h_sent && nfull(to_machine) ->
+        h_sent = true; give(to_machine, SET, h_session, h_part, writing) }
     :: atomic { h_phase == OPENING && !h_sent && nfull(to_machine) ->
-        h_sent = true; h_asked = true; give(to_machine, JOB, h_session, h_nonce, 0) }
+        h_sent = true; h_asked = true; give(to_machine, JOB, h_session, h_nonce, h_gear) }
     :: atomic { h_phase == CLOSING && !h_sent && nfull(to_machine) ->
         h_sent = true; give(to_machine, CLOSE, h_session, 0, 0) }
     :: atomic { h_phase == STREAMING && h_send < K && h_send < h_limit && h_send < h_base + W &&
@@ -392,19 +517,24 @@ active proctype host()
 
     /* silence: a question, or the same message again, once; then start with the greeting */
     :: atomic { quiet && h_phase == GREETING && h_sent -> h_sent = false }
-    :: atomic { quiet && (h_phase == OPENING || h_phase == CLOSING || h_phase == PLACING) &&
+    :: atomic { h_due && nfull(to_machine) ->
+        h_due = false; give(to_machine, RESUME, h_session, h_control, 0) }
+    :: atomic { quiet && (h_phase == OPENING || h_phase == CLOSING || h_phase == PLACING ||
+                          h_phase == SETTING) &&
                 h_sent && !h_silent ->
         h_silent = true; h_sent = false }
     :: atomic { quiet && h_phase == CLOSING && h_sent && h_silent -> h_phase = FINISHED }
     :: atomic { quiet && h_phase == STREAMING && !h_silent && nfull(to_machine) ->
-        h_silent = true; h_doubt = true; give(to_machine, POLL, h_session, 0, 0) }
-    :: atomic { quiet && (h_phase == OPENING || h_phase == STREAMING || h_phase == PLACING) &&
+        h_silent = true; h_doubt = true; h_due = h_wish; give(to_machine, POLL, h_session, 0, 0) }
+    :: atomic { quiet && (h_phase == OPENING || h_phase == STREAMING || h_phase == PLACING ||
+                          h_phase == SETTING) &&
                 h_silent && nonces < MOST ->
         host_greet() }
 
     /* the program dies and is started again: it knows only its job */
-    :: atomic { deaths > 0 && (h_phase < CLOSING || h_phase == PLACING) && !distrusted ->
-        deaths--; h_opened = false; h_asked = false;
+    :: atomic { deaths > 0 && (h_phase < CLOSING || h_phase >= PLACING) && !distrusted ->
+        deaths--; h_opened = false; h_asked = false; h_kept = false;
+        if :: SETS -> writing++ :: else fi;
         h_base = 0; h_send = 0; h_limit = 0; h_boot = 0; host_greet() }
     :: over -> break
     od
