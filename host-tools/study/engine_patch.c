@@ -49,12 +49,23 @@ static void write_triangle(const decide_input *in, unsigned degree, const loft_v
 
 typedef int sheet_visit(const decide_input *in, const sheet *s);
 
-static int visit_sheets(const decide_input *in, sheet_visit *visit)
+static bool is_weighted(const surface *s)
+{
+    return s->kind == SURFACE_OCTANT ||
+           (s->rational && (s->kind == SURFACE_TENSOR || s->kind == SURFACE_TRIANGLE));
+}
+
+static int visit_sheets(const decide_input *in, sheet_visit *visit,
+                        int (*weighted)(const decide_input *in, size_t number))
 {
     static sheet held;
     int status = LOFT_OK;
 
     for (size_t k = 0; k < in->surfaces->count && status == LOFT_OK; k++) {
+        if (weighted && is_weighted(&in->surfaces->surface[k])) {
+            status = weighted(in, k);
+            continue;
+        }
         status = sheet_of(in, k, &held);
         if (status == LOFT_OK)
             status = visit(in, &held);
@@ -169,13 +180,45 @@ static int continue_sheet(const decide_input *in, const sheet *s)
     return status;
 }
 
-int ENGINE_OF(make_raise_patch)(const decide_input *in) { return visit_sheets(in, raise_sheet); }
+static int raise_with_weights(const decide_input *in, size_t number)
+{
+    const double times = in->of->value[0];
 
-int ENGINE_OF(make_split_patch)(const decide_input *in) { return visit_sheets(in, split_sheet); }
+    if (!(times >= 1 && times <= LOFT_DEGREE_MAX))
+        return LOFT_ERR_ARG;
+    return ENGINE_OF(raise_weighted)(in, number, (unsigned)times);
+}
 
-int ENGINE_OF(make_quarter)(const decide_input *in) { return visit_sheets(in, quarter_sheet); }
+static int split_with_weights(const decide_input *in, size_t number)
+{
+    const double *x = in->of->value;
 
-int ENGINE_OF(make_continue)(const decide_input *in) { return visit_sheets(in, continue_sheet); }
+    if (in->of->count != 2 || !(x[0] > 0 && x[0] < 1 && x[1] > 0 && x[1] < 1) ||
+        (surface_is_triangle(&in->surfaces->surface[number]) && !(x[0] + x[1] < 1)))
+        return LOFT_ERR_ARG;
+    return ENGINE_OF(split_weighted)(in, number, (loft_unit)(x[0] * (double)LOFT_UNIT(1)),
+                                     (loft_unit)(x[1] * (double)LOFT_UNIT(1)));
+}
+
+int ENGINE_OF(make_raise_patch)(const decide_input *in)
+{
+    return visit_sheets(in, raise_sheet, raise_with_weights);
+}
+
+int ENGINE_OF(make_split_patch)(const decide_input *in)
+{
+    return visit_sheets(in, split_sheet, split_with_weights);
+}
+
+int ENGINE_OF(make_quarter)(const decide_input *in)
+{
+    return visit_sheets(in, quarter_sheet, NULL);
+}
+
+int ENGINE_OF(make_continue)(const decide_input *in)
+{
+    return visit_sheets(in, continue_sheet, NULL);
+}
 
 static int join_of(const decide_input *in, const sheet *a, const sheet *b, size_t k)
 {

@@ -15,4 +15,10 @@ int ENGINE_OF(make_quarter)(const decide_input *in);
 int ENGINE_OF(make_continue)(const decide_input *in);
 int ENGINE_OF(answer_join)(const decide_input *in);
 
+/* engine_weighted.c: any surface with nets as tensor patches and triangles; those with weights: the
+ * surface of that number, raised or split */
+int ENGINE_OF(make_patches)(const decide_input *in);
+int ENGINE_OF(raise_weighted)(const decide_input *in, size_t number, unsigned by);
+int ENGINE_OF(split_weighted)(const decide_input *in, size_t number, loft_unit u, loft_unit w);
+
 #endif

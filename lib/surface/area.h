@@ -19,8 +19,8 @@ LOFT_BEGIN_C
  *           net.h). A plane patch without folds has only the second part
  *   cost    per piece 16 m^2 n^2 cross products in numbers of num/sci.h (bicubic: 144 with equal
  *           factors joined); the number of pieces is about the squared turning of the patch in
- *           radians times the area over 4 tol, and twice that for a twisted net; 20 kB of stack
- *           in q16, 10 kB in floats; not for an ISR
+ *           radians times the area over 4 tol, and twice that for a twisted net; 13 kB of stack
+ *           in q16, 7 kB in floats; not for an ISR
  *   see     Gravesen: Adaptive subdivision and the length and energy of Bezier curves, 1997, the
  *           same method for curves
  */

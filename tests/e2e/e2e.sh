@@ -1275,6 +1275,32 @@ case_sections_and_silhouettes() {
     one_line 64 'give one of them'  "$loft" contour --along 1,0,0 --light 1,0,0 "$tmp/bowl.loft"
     one_line 65 'no normal has such'     "$loft" contour --light 0,0,1 "$tmp/bowl.loft"
 }
+# Parts of an octant keep its radius; spans of a NURBS surface keep its points.
+case_patches_with_weights() {
+    printf 'octant 20\n' >"$tmp/octant.loft"
+    printf 'nurbs-surface 2 1 4 2\n0 0 0\n0 8 1\n9 0 5 : 2\n9 8 5\n20 0 0\n' >"$tmp/nurbs.loft"
+    printf '20 8 3\n30 0 0\n30 8 3\n' >>"$tmp/nurbs.loft"
+    for num in q16 f32 f64; do
+        "$loft" make raise --num $num --of 2 "$tmp/octant.loft" >"$tmp/high.loft"
+        "$loft" make split --num $num --of 0.3,0.4 "$tmp/high.loft" >"$tmp/parts.loft"
+        [ "$(grep -c '^triangle 6' "$tmp/parts.loft")" = 3 ] || job_fails "$num: three parts"
+        run 0 "$loft" eval --num $num --uv 0.2,0.3 "$tmp/parts.loft"
+        awk 'NF { n++; off = sqrt($1 ^ 2 + $2 ^ 2 + $3 ^ 2) - 20; if (off ^ 2 > 1e-6) exit 1 }
+             END { exit n != 3 }' "$tmp/out" || job_fails "$num: $(cat "$tmp/out")"
+        "$loft" make patches --num $num "$tmp/nurbs.loft" >"$tmp/spans.loft"
+        [ "$(grep -c '^tensor 2 1' "$tmp/spans.loft")" = 2 ] || job_fails "$num: two spans"
+        run 0 "$loft" eval --num $num --uv 0.25,0.5,0.75,0.5 "$tmp/nurbs.loft"
+        cp "$tmp/out" "$tmp/want"
+        run 0 "$loft" eval --num $num --uv 0.5,0.5 "$tmp/spans.loft"
+        grep . "$tmp/out" | paste -d ' ' - "$tmp/want" | awk '{ for (i = 1; i <= 3; i++)
+            if (($i - $(i + 3)) ^ 2 > 1e-8) exit 1 } END { exit NR != 2 }' ||
+            job_fails "spans $num: $(cat "$tmp/out" "$tmp/want")"
+        "$loft" make split --num $num --of 0.3,0.4 "$tmp/spans.loft" >"$tmp/parts.loft"
+        [ "$(grep -c '^tensor 2 1' "$tmp/parts.loft")" = 8 ] || job_fails "$num: eight parts"
+    done
+    printf 'sphere 5\n' >"$tmp/ball.loft"
+    one_line 65 'of kind sphere: give' "$loft" make patches "$tmp/ball.loft"
+}
 case_normals_and_curvatures() {         # of a sphere; of z = 32 x (10 - x) y (10 - y) / 10^4 on top
     printf 'sphere 10\n' >"$tmp/ball.loft"
     printf 'tensor 2 2\n0 0 0\n0 5 0\n0 10 0\n5 0 0\n5 5 8\n5 10 0\n10 0 0\n10 5 0\n10 10 0\n' \
