@@ -95,7 +95,7 @@ static void what_cannot_be_moved_is_refused(arb *a)
 
 int main(void)
 {
-    PROPERTY(each_point_is_passed_in_turn, 100);
+    PROPERTY(each_point_is_passed_in_turn, 25);
     PROPERTY(what_cannot_be_moved_is_refused, 200);
     return check_failures();
 }
