@@ -175,8 +175,16 @@ test-tools: $(patsubst %,build/test/tools/%,$(TOOL_TESTS)) $(CORPUS)
 
 ## Paths of a mill against 10 million points of surfaces (minutes)
 .PHONY: sweep-mill
-sweep-mill: build/test/tools/mill
-	@build/test/tools/mill 2500000
+sweep-mill: build/sweep/mill
+	@for s in bicubic octant pn gb; do build/sweep/mill 10000000 $$s || exit 1; done
+build/sweep/libtools.a: $(filter-out %/base/tool.o %/host-tools/loft.o,$(TOOL_OBJ))
+	@mkdir -p $(@D)
+	$(SAY) "  AR  $@"
+	$(Q)rm -f $@; $(AR) rcs $@ $^
+build/sweep/mill: tests/tools/test_mill.c build/sweep/libtools.a $(TOOL_LIBS)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(INCLUDE) -Itests $(BUILT) $(TOOL_STD) $(call tool_flag,q16) \
+	    $(filter %.c %.a,$^) $(shell $(PKG_CONFIG) --libs $(TOOL_PKG)) -lm -o $@
 
 # --- G-code beside LinuxCNC's interpreter, which is large: make deps-gcode ------------------------
 build/gcode/canon: tests/gcode/canon.c build/test/tools/libtools.a build/test/f64/libloft.a

@@ -15,6 +15,7 @@
 #include "engine/print.h"       /* print_point */
 #include "engine/surface.h"
 #include "num/status.h"         /* LOFT_ERR_ARG */
+#include "read/mill_trim.h"
 
 typedef struct {
     mill_order o;
@@ -105,7 +106,8 @@ static int print_path(const engine *e, const tool_wish *w, const mill_cut *p, co
 
     printf("# %s, %zu lines, %zu points, %.1f mm, %.1f of it between lines\n", w->name, r->lines,
            p->count, way_of(p), r->ways);
-    printf("# cuts below the surface: none, proved for each of %zu chords\n", p->count - 1);
+    printf("# cuts below the surface: none, proved for each of %zu chords\n",
+           p->count > 0 ? p->count - 1 : 0);
     printf(w->o.pattern == MILL_WATERLINE ? "# beside the surface: at most %g\n"
                                           : "# above the lowest way: at most %g\n",
            w->o.tol);
@@ -114,7 +116,8 @@ static int print_path(const engine *e, const tool_wish *w, const mill_cut *p, co
     if (w->o.entry != MILL_STRAIGHT)
         printf("# entries: %zu by a helix, %zu by a ramp, %zu straight down\n",
                r->entries[MILL_HELIX], r->entries[MILL_RAMP], r->entries[MILL_STRAIGHT]);
-    puts("line");
+    if (p->count > 0)
+        puts("line");
     for (size_t i = 0; i < p->count; i++)
         print_point((void *)&out, p->point[i]);
     return ferror(stdout) ? EX_IOERR : EX_OK;
@@ -124,14 +127,24 @@ static int refuse(const char *file, const surfaces *all, const mill_report *r, i
 {
     if (r->failed < all->count) {
         const surface *s = &all->surface[r->failed];
+        if (status == LOFT_ERR_ARG && (s->kind == SURFACE_SPATCH || s->kind == SURFACE_GB))
+            return tool_error(EX_DATAERR,
+                              "%s:%u: %s: cannot be milled: its bends have no bounds: give "
+                              "wachspress coordinates and a convex domain",
+                              file, s->line, surface_name(s->kind));
         if (status == LOFT_ERR_ARG)
             return tool_error(EX_DATAERR,
                               "%s:%u: %s: cannot be milled: give tensor, bicubic, coons, triangle, "
-                              "pn or octant",
+                              "pn, octant, spatch, toric, basepoint or gb",
                               file, s->line, surface_name(s->kind));
         return tool_error(EX_DATAERR, "%s:%u: %s: %s", file, s->line, surface_name(s->kind),
                           surface_status(s, status));
     }
+    if (status == LOFT_SINGULAR)
+        return tool_error(EX_DATAERR,
+                          "%s: nothing is left inside of the loops: --trim takes mm, "
+                          "--trim-uv 0 to 1",
+                          file);
     return tool_error(EX_DATAERR, "%s: --tool, --cusp, --step, --area: %s", file,
                       engine_status(status));
 }
@@ -147,6 +160,12 @@ static int mill_surfaces(const engine *e, tool_wish *w, const char *file)
     mill_report r;
     int code = surfaces_read_only(&all, file);
 
+    const bool by_uv = w->o.parametric || (w->o.trim.count > 0 && !w->o.trim.plane);
+    for (size_t k = 0; k < all.count && code == 0 && by_uv; k++)
+        if (surface_is_sided(&all.surface[k]))
+            code = tool_error(
+                EX_DATAERR, "%s:%u: %s: has no u and v: give --trim, and --along x or y",
+                source_name(file), all.surface[k].line, surface_name(all.surface[k].kind));
     if (code == 0) {
         progress_start(&bar, 1);
         w->o.tell = show;
@@ -195,12 +214,30 @@ static int plot_left(const tool_wish *w, const char *file, const char *record_fi
     return code;
 }
 
+/* trim: in u and v, in x and y. */
+static int mill_trimmed(const engine *e, tool_wish *w, const char *const trim[2], const char *file)
+{
+    int code = 0;
+
+    if (trim[0] && trim[1])
+        return tool_error(EX_USAGE, "--trim and --trim-uv: give one of them");
+    w->o.trim.plane = trim[1] != NULL;
+    w->o.trim.tol = trim[1] ? w->o.tol / 10 : 1e-4;
+    if (trim[0] || trim[1])
+        code = mill_trim_read(&w->o.trim, trim[1] ? trim[1] : trim[0]);
+    if (code == 0)
+        code = mill_surfaces(e, w, file);
+    mill_trim_free(&w->o.trim);
+    return code;
+}
+
 static int run_mill(const tool_command *self, int argc, char **argv)
 {
     const engine *e = &engine_f64;
     tool_wish w = { .o = { .radius = 3, .corner = 3, .tol = 0.01, .safe = 5 }, .name = "ball:6" };
     tool_list area = { .count = 0 }, lowest = { .count = 0 };
-    const char *along = "x", *pattern = "raster", *record_file = NULL, *output = "left.png";
+    const char *along = "x", *pattern = "raster", *record_file = NULL, *output = "left.png",
+               *trim[2] = { NULL, NULL };
     int first;
 
     const tool_option options[] = {
@@ -211,15 +248,21 @@ static int run_mill(const tool_command *self, int argc, char **argv)
         TOOL_NUMBER("step", "MM", &w.o.step, 0.001, 1000,
                     "distance of lines or heights, instead of --cusp"),
         TOOL_TEXT("pattern", "KIND", &pattern,
-                  "raster: there and back; spiral: around and inward; waterline: at even heights "
-                  "(raster)"),
-        TOOL_TEXT("along", "x|y", &along, "direction of a raster's lines (x)"),
+                  "raster: there and back; spiral: around and inward; waterline: at even heights; "
+                  "pencil: along valleys where a ball touches twice (raster)"),
+        TOOL_TEXT("along", "x|y|u|v", &along,
+                  "direction of a raster's lines; u, v: over lines of the surface on which the "
+                  "other parameter is constant, with --step of it, 0.001 to 1 (x)"),
         TOOL_NUMBER("tol", "MM", &w.o.tol, 0.001, 10,
                     "how much higher than necessary the path may be (0.01)"),
         TOOL_LIST("area", "X,Y,X,Y", &area, -4096, 4096,
                   "where the axis of the tool may be: two corners (0.7 radius around the surfaces, "
                   "1.25 with "
                   "waterlines)"),
+        TOOL_TEXT("trim", "DRAWING", &trim[1],
+                  "closed paths in x and y, mm: what is outside of the surfaces is not there"),
+        TOOL_TEXT("trim-uv", "DRAWING", &trim[0],
+                  "the same in the parameters u and v, 0 to 1, of each surface"),
         TOOL_LIST("floor", "Z", &lowest, -4096, 4096,
                   "lowest height of the tip (that of the surfaces)"),
         TOOL_NUMBER("safe", "MM", &w.o.safe, 0, 1000,
@@ -246,17 +289,27 @@ static int run_mill(const tool_command *self, int argc, char **argv)
     if (w.o.cusp >= w.o.radius / 2)
         return tool_error(EX_USAGE, "--cusp %g: give less than a quarter of the diameter",
                           w.o.cusp);
+    if (strcmp(along, "u") == 0 || strcmp(along, "v") == 0) {
+        w.o.parametric = true;
+        if (!(w.o.step > 0 && w.o.step <= 1) || strcmp(pattern, "raster") != 0)
+            return tool_error(EX_USAGE,
+                              "--along %s: is for --pattern raster and --step 0.001 to 1, of %s",
+                              along, along[0] == 'u' ? "v" : "u");
+    }
     if (w.o.cusp == 0 && w.o.step == 0)
         *(ball ? &w.o.cusp : &w.o.step) = ball ? fmin(0.02, w.o.radius / 8) : w.o.radius;
-    if (strcmp(along, "x") != 0 && strcmp(along, "y") != 0)
-        return tool_error(EX_USAGE, "--along %s: give x or y", along);
-    w.o.axis = along[0] == 'y';
-    static const char *const patterns[] = { "raster", "spiral", "waterline" };
+    if (strlen(along) != 1 || strchr("xyuv", along[0]) == NULL)
+        return tool_error(EX_USAGE, "--along %s: give x, y, u or v", along);
+    w.o.axis = along[0] == 'y' || along[0] == 'v';
+    static const char *const patterns[] = { "raster", "spiral", "waterline", "pencil" };
     int kind = 0;
-    while (kind < 3 && strcmp(pattern, patterns[kind]) != 0)
+    while (kind < 4 && strcmp(pattern, patterns[kind]) != 0)
         kind++;
-    if (kind == 3)
-        return tool_error(EX_USAGE, "--pattern %s: give raster, spiral or waterline", pattern);
+    if (kind == 4)
+        return tool_error(EX_USAGE, "--pattern %s: give raster, spiral, waterline or pencil",
+                          pattern);
+    if (kind == MILL_PENCIL && !ball)
+        return tool_error(EX_USAGE, "--pattern pencil: is for a ball: give --tool ball:DIAMETER");
     w.o.pattern = (enum mill_pattern)kind;
     if (lowest.count > 1 || (area.count != 0 && area.count != 4))
         return tool_error(EX_USAGE, lowest.count > 1 ? "--floor: give one height"
@@ -270,24 +323,28 @@ static int run_mill(const tool_command *self, int argc, char **argv)
         if (!(w.o.area[0][k] < w.o.area[1][k]))
             return tool_error(EX_USAGE, "--area: is empty: give two corners apart");
     }
-    return record_file != NULL ? plot_left(&w, argv[first], record_file, output)
-                               : mill_surfaces(e, &w, argv[first]);
+    if (record_file != NULL)
+        return plot_left(&w, argv[first], record_file, output);
+    return mill_trimmed(e, &w, trim, argv[first]);
 }
 
 const tool_command command_mill = {
     "mill", "[--tool ball:6] [--cusp MM|--step MM] FILE|-",
     "the path of a mill's tool over surfaces, as a curve in space",
     "FILE has surfaces in the format of host-tools/LOFT.md: tensor, bicubic, coons, triangle,\n"
-    "pn, octant. Prints the path of the tip as one `line` in .loft, which `loft stream` mills\n"
-    "with z: lines there and back, their distance from the cusps that a ball leaves, in\n"
-    "chords within --tol. Each chord is proved not to cut below any surface; beside walls the\n"
-    "path goes up and down on the spot. --pattern spiral goes around the area and inward\n"
-    "without a lift, one side to the left. --pattern waterline goes around what is steep, from\n"
-    "above down, the surface to the right; the distance of heights is that of --cusp on an\n"
-    "upright wall; each hill is finished before the next one. --entry leads the tool into the\n"
-    "material along the line or around, proved as all chords are; a helix without room becomes\n"
-    "a ramp. The first lines of the output say what is proved and measured. Surfaces\n"
-    "are seen from above. With --record the surfaces are drawn instead, coloured by what a\n"
-    "machine left on them or cut off them.\n",
+    "pn, octant, and spatch, toric, basepoint, gb with Wachspress coordinates. Prints the\n"
+    "path of the tip as one `line` in .loft, which `loft stream` mills with z: lines there\n"
+    "and back, their distance from the cusps that a ball leaves, in chords within --tol. Each\n"
+    "chord is proved not to cut below any surface; beside walls the path goes up and down on\n"
+    "the spot. --pattern spiral goes around the area and inward without a lift, one side to\n"
+    "the left. --pattern waterline goes around what is steep, from above down, the surface to\n"
+    "the right; the distance of heights is that of --cusp on an upright wall; each hill is\n"
+    "finished before the next one. --pattern pencil goes along valleys, where a ball touches\n"
+    "in two places that are half its radius apart: what a raster leaves there. --entry leads\n"
+    "the tool into the material along the line or around, proved as all chords are; a helix\n"
+    "without room becomes a ramp. --trim leaves of the surfaces what is inside of closed\n"
+    "paths; loops in loops are holes. The first lines of the output say what is proved and\n"
+    "measured. Surfaces are seen from above. With --record the surfaces are drawn instead,\n"
+    "coloured by what a machine left on them or cut off them.\n",
     run_mill
 };

@@ -8,8 +8,11 @@
 #include "toolpath/raster.h"        /* loft_raster */
 
 #include "base/tool.h"              /* tool_grow */
+#include "engine/engine_isolines.h"
 #include "engine/engine_levels.h"
 #include "engine/engine_links.h"
+#include "engine/engine_pencils.h"
+#include "engine/engine_points.h"
 #include "engine/engine_sheet.h"
 #include "engine/mill.h"
 
@@ -20,16 +23,21 @@
 /* Surfaces stay open, for sheets borrow them. */
 typedef struct {
     engine_surface **held;
-    loft_sheet *sheet;
-    size_t count, sheets;
+    size_t count;
+    engine_sheet_list of;
+    engine_points *points;
+    loft_region_edge *edge;
+    loft_region region;
 } sheet_list;
 
 static void close_sheets(sheet_list *l)
 {
     while (l->count > 0)
         ENGINE_OF(engine_surfaces).close(l->held[--l->count]);
+    ENGINE_OF(engine_points_free)(l->points);
     free(l->held);
-    free(l->sheet);
+    free(l->edge);
+    free(l->of.sheet);
 }
 
 static int open_sheets(sheet_list *l, const surfaces *all, size_t *failed)
@@ -37,36 +45,82 @@ static int open_sheets(sheet_list *l, const surfaces *all, size_t *failed)
     const unsigned level = all->count <= FEW ? 3 : 0;
 
     l->held = tool_grow(NULL, all->count * sizeof *l->held);
-    l->sheet = tool_grow(NULL, (all->count << 2 * level) * sizeof *l->sheet);
     for (size_t i = 0; i < all->count; i++) {
         *failed = i;
         int status = ENGINE_OF(engine_surfaces).open(&all->surface[i], &l->held[i]);
         if (status != LOFT_OK)
             return status;
         l->count++;
-        status = ENGINE_OF(engine_sheets)(l->held[i], level, l->sheet + l->sheets);
-        if (status < 0)
+        status = ENGINE_OF(engine_sheets)(l->held[i], level, &l->of);
+        if (status != LOFT_OK)
             return status;
-        l->sheets += (size_t)status;
     }
     *failed = all->count;
+    l->points = ENGINE_OF(engine_points_of)(l->of.sheet, l->of.count);
     return LOFT_OK;
+}
+
+/* Keep what is inside of the loops. */
+static int trim_sheets(sheet_list *l, const mill_trim *t)
+{
+    size_t kept = 0;
+
+    if (t->count == 0)
+        return LOFT_OK;
+    l->edge = tool_grow(NULL, t->count * sizeof *l->edge);
+    for (size_t k = 0; k < t->count; k++) {
+        loft_real at[2][2];
+        for (int i = 0; i < 4; i++)
+            if (!real_of(t->edge[k][i / 2][i % 2], &at[i / 2][i % 2]))
+                return LOFT_ERR_RANGE;
+        l->edge[k].from = loft_region_spot(at[0][0], at[0][1]);
+        l->edge[k].to = loft_region_spot(at[1][0], at[1][1]);
+    }
+    l->region = (loft_region){ l->edge, (uint32_t)t->count };
+    if (!loft_region_valid(&l->region))
+        return LOFT_ERR_RANGE;
+    for (size_t k = 0; k < l->of.count; k++)
+        if (loft_sheet_trim(&l->of.sheet[k], &l->region, t->plane))
+            l->of.sheet[kept++] = l->of.sheet[k];
+    l->of.count = kept;
+    return kept > 0 ? LOFT_OK : LOFT_SINGULAR;
+}
+
+/* Nothing is left of a box outside of the loops. */
+static void trim_box(const mill_trim *t, double low[2], double high[2])
+{
+    for (int k = 0; k < 2 && t->plane && t->count > 0; k++) {
+        double least = t->edge[0][0][k], most = least;
+        for (size_t i = 0; i < t->count; i++) {
+            least = fmin(least, t->edge[i][0][k]);
+            most = fmax(most, t->edge[i][0][k]);
+        }
+        low[k] = fmax(low[k], least);
+        high[k] = fmin(high[k], most);
+    }
 }
 
 /* What the order leaves open is that of the sheets. */
 static int complete_order(const sheet_list *l, mill_order *o, loft_box *area, mill_report *out)
 {
-    loft_box box = l->sheet[0].box;
+    const loft_sheet *const s = l->of.sheet;
+    loft_box box = s[0].box;
 
-    for (size_t k = 0; k < l->sheets; k++)
-        box = loft_box_join(loft_box_join(box, l->sheet[k].box.min), l->sheet[k].box.max);
+    for (size_t k = 0; k < l->of.count; k++)
+        box = loft_box_join(loft_box_join(box, s[k].box.min), s[k].box.max);
     out->top = double_of(box.max.axis[2]);
     if (!o->floored)
         o->lowest = double_of(box.min.axis[2]);
+    double low[2], high[2];
+    for (int k = 0; k < 2; k++) {
+        low[k] = double_of(box.min.axis[k]);
+        high[k] = double_of(box.max.axis[k]);
+    }
+    trim_box(&o->trim, low, high);
     for (int k = 0; k < 2 && !o->bounded; k++) {
         const double margin = (o->pattern == MILL_WATERLINE ? AROUND : BEYOND) * o->radius;
-        o->area[0][k] = double_of(box.min.axis[k]) - margin;
-        o->area[1][k] = double_of(box.max.axis[k]) + margin;
+        o->area[0][k] = low[k] - margin;
+        o->area[1][k] = high[k] + margin;
     }
     *area = box;
     for (int k = 0; k < 2; k++)
@@ -85,8 +139,9 @@ static int start_drop(const sheet_list *l, const mill_order *o, loft_drop *d)
         !real_of(o->lowest, &lowest))
         return LOFT_ERR_RANGE;
     const int status = loft_cutter_init(&cutter, radius, corner);
-    return status ? status
-                  : (int)loft_drop_init(d, l->sheet, (uint32_t)l->sheets, &cutter, tol, lowest);
+    return status
+               ? status
+               : (int)loft_drop_init(d, l->of.sheet, (uint32_t)l->of.count, &cutter, tol, lowest);
 }
 
 static int mill_raster(const loft_drop *d, const mill_order *o, const loft_box *area,
@@ -136,6 +191,17 @@ static int mill_levels(const loft_drop *d, const mill_order *o, const loft_box *
     return status;
 }
 
+static int mill_valleys(const loft_drop *d, const mill_order *o, const loft_box *area,
+                        mill_cuts *cuts, mill_report *out)
+{
+    const int status = ENGINE_OF(engine_pencils)(d, area, o, cuts);
+
+    out->lines = cuts->count;
+    out->depth = out->top - o->lowest;
+    mill_cuts_order(cuts, o->radius);
+    return status;
+}
+
 int ENGINE_OF(engine_mill)(const surfaces *all, mill_order *o, mill_cuts *path, mill_report *out)
 {
     mill_cuts cuts = { 0 };
@@ -146,12 +212,18 @@ int ENGINE_OF(engine_mill)(const surfaces *all, mill_order *o, mill_cuts *path, 
     *out = (mill_report){ 0 };
     int status = open_sheets(&l, all, &out->failed);
     if (status == LOFT_OK)
+        status = trim_sheets(&l, &o->trim);
+    if (status == LOFT_OK)
         status = complete_order(&l, o, &area, out);
     if (status == LOFT_OK)
         status = start_drop(&l, o, &d);
-    if (status == LOFT_OK)
-        status = (o->pattern == MILL_WATERLINE ? mill_levels : mill_raster)(&d, o, &area, &cuts,
-                                                                            out);
+    if (status == LOFT_OK && o->parametric) {
+        status = ENGINE_OF(engine_isolines)(&d, &l.of, o, &cuts, &out->lines);
+        out->depth = out->top - o->lowest;
+    } else if (status == LOFT_OK)
+        status = (o->pattern == MILL_WATERLINE ? mill_levels
+                  : o->pattern == MILL_PENCIL  ? mill_valleys
+                                               : mill_raster)(&d, o, &area, &cuts, out);
     if (status == LOFT_OK)
         ENGINE_OF(engine_links)(&d, o, &cuts, path, out);
     mill_cuts_free(&cuts);

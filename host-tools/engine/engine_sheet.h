@@ -6,12 +6,26 @@
 #define LOFT_HOST_ENGINE_SHEET_H
 
 #include "engine/engine_num.h"      /* ENGINE_OF */
+#include "engine/surface.h"         /* engine_surface */
 #include "surface/net.h"            /* loft_net */
-#include "toolpath/sheet.h"         /* loft_sheet */
+#include "toolpath/sector.h"        /* loft_sheet, loft_sector */
 
-/* Make 4^level sheets of a tensor patch, or one of another surface, which is kept open. Returns
- * their number, or a negative enum loft_status: LOFT_ERR_ARG for kinds that have none. */
-int ENGINE_OF(engine_sheets)(engine_surface *e, unsigned level, loft_sheet out[]);
+typedef struct engine_sheet_list {
+    loft_sheet *sheet;
+    size_t count, room;
+} engine_sheet_list;
+
+/* Room for one more, which is counted. */
+loft_sheet *ENGINE_OF(engine_sheet_add)(engine_sheet_list *l);
+
+/* Add 4^level sheets of a tensor patch, or one of another surface, which is kept open; of patches
+ * with n sides so many for each sector, and more where they have no bounds. Returns enum
+ * loft_status: LOFT_ERR_ARG for kinds that have none. */
+int ENGINE_OF(engine_sheets)(engine_surface *e, unsigned level, engine_sheet_list *out);
+
+/* Add the sheets of all sectors; sector[loft_sector_count(disk)] must outlive them. */
+int ENGINE_OF(engine_sectors)(const loft_disk *disk, loft_sector sector[], unsigned level,
+                              engine_sheet_list *out);
 
 /* Visit the nets of a surface: the spans of a NURBS surface, or one. Parameter k of the surface is
  * from[k] + share[k] times that of the net. A visit that returns other than 0 ends it. Returns 0,

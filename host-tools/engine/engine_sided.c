@@ -17,6 +17,7 @@
 
 #include "engine/engine_harmonic.h"     /* engine_harmonic_solve */
 #include "engine/engine_num.h"          /* real_of, vec_of, point_of */
+#include "engine/engine_sheet.h"        /* engine_sectors */
 #include "engine/engine_sided.h"
 #include "base/tool.h"                  /* tool_grow */
 
@@ -29,6 +30,8 @@ struct engine_sided {
     loft_domain domain;
     engine_harmonic *harmonic;
     loft_lattice_polygon lattice;
+    loft_disk round;                    /* for sheets */
+    loft_sector sector[SURFACE_SIDES_MAX];
     union {
         loft_spatch spatch;
         loft_toric toric;
@@ -402,6 +405,14 @@ static int sided_disk(const engine_sided *e, loft_disk *out)
     return status;
 }
 
+static int sided_sheets(engine_sided *e, unsigned level, engine_sheet_list *out)
+{
+    const int status = sided_disk(e, &e->round);
+
+    return status ? status
+                  : ENGINE_OF(engine_sectors)(&e->round, e->sector, level ? level : 2, out);
+}
+
 /* The first vertex at which a polygon does not turn left. */
 static unsigned hollow_vertex(const loft_spot v[], unsigned n)
 {
@@ -484,4 +495,5 @@ const engine_sides ENGINE_OF(engine_sides) = { .open = sided_open,
     .look     = sided_look,
     .complete = sided_complete,
     .cut      = sided_cut,
-                                               .disk = sided_disk };
+    .disk = sided_disk,
+                                               .sheets = sided_sheets };

@@ -10,6 +10,7 @@
 
 typedef struct engine_sided engine_sided;
 struct loft_disk;          /* of the library */
+struct engine_sheet_list;  /* engine_sheet.h */
 
 /* As in engine_surfaces. */
 typedef struct {
@@ -28,6 +29,8 @@ typedef struct {
     int (*cut)(surface *s, unsigned at[2]);
     /* The whole patch as a surface around its middle; it borrows from `e`. */
     int (*disk)(const engine_sided *e, struct loft_disk *out);
+    /* As engine_sheets. */
+    int (*sheets)(engine_sided *e, unsigned level, struct engine_sheet_list *out);
 } engine_sides;
 
 extern const engine_sides engine_sides_q16, engine_sides_f32, engine_sides_f64;

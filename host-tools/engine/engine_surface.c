@@ -453,20 +453,19 @@ static int surface_contour(const engine_surface *e, const engine_level *of, doub
 // Sheets
 // ------
 
-static int tensor_sheets(const loft_tensor *t, unsigned level, loft_sheet out[])
+static int tensor_sheets(const loft_tensor *t, unsigned level, engine_sheet_list *out)
 {
     const unsigned n = 1u << level;
 
-    if (level == 0) {
-        const int status = loft_sheet_from_tensor(out, t);
-        return status ? status : 1;
-    }
+    if (level == 0)
+        return loft_sheet_from_tensor(ENGINE_OF(engine_sheet_add)(out), t);
     for (unsigned k = 0; k < n * n; k++) {
-        const int status = loft_sheet_from_tensor_part(&out[k], t, level, k / n, k % n);
+        loft_sheet *const s = ENGINE_OF(engine_sheet_add)(out);
+        const int status = loft_sheet_from_tensor_part(s, t, level, k / n, k % n);
         if (status != LOFT_OK)
             return status;
     }
-    return (int)(n * n);
+    return LOFT_OK;
 }
 
 /* Write a surface as a tensor product or a triangle of the library, which then replaces it. */
@@ -492,27 +491,26 @@ static int convert_surface(engine_surface *e)
     return status;
 }
 
-int ENGINE_OF(engine_sheets)(engine_surface *e, unsigned level, loft_sheet out[])
+int ENGINE_OF(engine_sheets)(engine_surface *e, unsigned level, engine_sheet_list *out)
 {
     const enum surface_kind kind = e->s->kind;
-    int status = LOFT_OK;
 
+    if (e->sided)
+        return ENGINE_OF(engine_sides).sheets(e->sided, level, out);
+    if (kind == SURFACE_TENSOR && !e->s->rational)
+        return tensor_sheets(&e->as.tensor, level, out);
     if (kind == SURFACE_TENSOR)
-        return !e->s->rational ? tensor_sheets(&e->as.tensor, level, out)
-               : (status = loft_sheet_from_tensor_rational(out, &e->as.tensor_rational)) ? status
-                                                                                         : 1;
+        return loft_sheet_from_tensor_rational(ENGINE_OF(engine_sheet_add)(out),
+                                               &e->as.tensor_rational);
     if (kind == SURFACE_OCTANT || (kind == SURFACE_TRIANGLE && e->s->rational))
-        status = loft_sheet_from_triangle_rational(out, &e->as.triangle_rational);
-    else if (kind == SURFACE_TRIANGLE)
-        status = loft_sheet_from_triangle(out, &e->as.triangle);
-    else {
-        status = convert_surface(e);
-        if (status == LOFT_OK && kind != SURFACE_PN)
-            return tensor_sheets(&e->as.tensor, level, out);
-        if (status == LOFT_OK)
-            status = loft_sheet_from_triangle(out, &e->as.triangle);
-    }
-    return status ? status : 1;
+        return loft_sheet_from_triangle_rational(ENGINE_OF(engine_sheet_add)(out),
+                                                 &e->as.triangle_rational);
+    const int status = kind == SURFACE_TRIANGLE ? LOFT_OK : convert_surface(e);
+    if (status != LOFT_OK)
+        return status;
+    return kind == SURFACE_TRIANGLE || kind == SURFACE_PN
+               ? (int)loft_sheet_from_triangle(ENGINE_OF(engine_sheet_add)(out), &e->as.triangle)
+               : tensor_sheets(&e->as.tensor, level, out);
 }
 
 static int visit_spans(const engine_surface *e, engine_net_visit *visit, void *context)

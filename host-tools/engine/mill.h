@@ -3,8 +3,11 @@
  *
  *     engine_mill.c     lib/toolpath over the surfaces of a file; compiled once per number type
  *     engine_levels.c   waterlines, level by level; likewise
+ *     engine_isolines.c lines of constant parameters; likewise
+ *     engine_pencils.c  valleys; likewise
  *     engine_links.c    the ways between lines, and into the material; likewise
  *     mill_cuts.c       lines, and the order in which they are cut
+ *     mill_trim.h       reads loops to which surfaces are trimmed
  */
 #ifndef LOFT_HOST_MILL_H
 #define LOFT_HOST_MILL_H
@@ -12,10 +15,18 @@
 #include "engine/engine.h"      /* engine_point_sink */
 #include "engine/surface.h"     /* surfaces */
 
-enum mill_pattern { MILL_RASTER, MILL_SPIRAL, MILL_WATERLINE };
+enum mill_pattern { MILL_RASTER, MILL_SPIRAL, MILL_WATERLINE, MILL_PENCIL };
 
 /* How the tool goes down to a line: straight, along the line, or around. */
 enum mill_entry { MILL_STRAIGHT, MILL_RAMP, MILL_HELIX, MILL_ENTRIES };
+
+/* Closed loops, in chords within `tol`: of x and y (`plane`), or of u and v. */
+typedef struct {
+    double (*edge)[2][2];
+    size_t count;
+    double tol;
+    bool plane;
+} mill_trim;
 
 /* What is asked. Lengths in mm. */
 typedef struct {
@@ -24,11 +35,13 @@ typedef struct {
     double cusp, step;          /* one of them is 0 */
     double tol;
     unsigned axis;              /* along which lines run: 0, x; 1, y */
+    bool parametric;            /* 0, u; 1, v: then step is one of the other parameter */
     bool bounded, floored;      /* area, lowest are given; otherwise those of the surfaces */
     double area[2][2];          /* the smallest x and y, the largest */
     double lowest;              /* height of the tip */
     enum mill_entry entry;
     double slope, around;       /* of ramps and helices: the tangent; the radius of a helix */
+    mill_trim trim;             /* no edge: the whole surfaces */
     double safe;                /* above the surfaces, where the path begins and ends */
     void (*tell)(void *context, double share);      /* of the work that is done */
     void *context;

@@ -291,6 +291,7 @@ enum loft_status loft_disk_from_spatch(loft_disk *r, const loft_spatch *s, const
 
     if (status == LOFT_OK) {
         r->at = spatch_at;
+        r->of = LOFT_DISK_OF_SPATCH;
         r->patch = s;
     }
     return status;
@@ -303,6 +304,7 @@ enum loft_status loft_disk_from_gb(loft_disk *r, const loft_gb *g, const loft_do
 
     if (status == LOFT_OK) {
         r->at = gb_at;
+        r->of = LOFT_DISK_OF_GB;
         r->patch = g;
     }
     return status;
@@ -312,6 +314,7 @@ void loft_disk_from_toric(loft_disk *r, const loft_toric *t)
 {
     init_without_polygon(r, t->lattice->sides);
     r->at = toric_at;
+    r->of = LOFT_DISK_OF_TORIC;
     r->patch = t;
 }
 
@@ -371,6 +374,7 @@ void loft_disk_from_basepoint(loft_disk *r, const loft_basepoint *b)
 {
     init_without_polygon(r, loft_basepoint_sides(b));
     r->at = basepoint_at;
+    r->of = LOFT_DISK_OF_BASEPOINT;
     r->patch = b;
 }
 
@@ -453,6 +457,7 @@ void loft_disk_from_zheng_ball(loft_disk *r, const loft_zheng_ball *g)
 {
     init_without_polygon(r, g->sides);
     r->at = g->sides == 3 ? triple_at : zheng_ball_at;
+    r->of = LOFT_DISK_OF_ZHENG_BALL;
     r->patch = g;
 }
 

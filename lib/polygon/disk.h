@@ -32,8 +32,16 @@ LOFT_BEGIN_C
 
 /* loft_wachspress_eval, loft_meanvalue_eval. */
 typedef enum loft_status loft_coordinates(const loft_domain *d, loft_spot p, loft_sci phi[]);
+
+enum loft_disk_of {
+    LOFT_DISK_OF_SPATCH,
+    LOFT_DISK_OF_GB,
+    LOFT_DISK_OF_TORIC,
+    LOFT_DISK_OF_BASEPOINT,
+    LOFT_DISK_OF_ZHENG_BALL
+};
+
 /* Everything is borrowed. Do not fill it yourself. */
-/* All is borrowed. Do not fill it yourself. */
 typedef struct loft_disk {
     enum loft_status (*at)(const struct loft_disk *r, unsigned side, loft_unit share, loft_unit u,
                            loft_vec *out);
@@ -42,8 +50,9 @@ typedef struct loft_disk {
     loft_coordinates *coordinates;
     const loft_harmonic *harmonic;
     loft_partition cut;         /* over a polygon: its convex pieces */
-    uint8_t sides;
+    uint8_t sides, of;          /* enum loft_disk_of */
 } loft_disk;
+
 /* Make a disk of a patch over a polygon, with its coordinates or, with NULL, harmonic ones (below);
  * of a toric patch; of a patch with base points; of a Zheng-Ball patch. The middle is the mean of
  * the vertices, or of those of the first piece when the polygon is not convex.

@@ -31,6 +31,7 @@ typedef struct {
     uint16_t i, j;
     uint8_t level, corners;
     bool upper;                 /* of a triangle: its right angle is at the far end */
+    bool inside;                /* of the region to which the sheet is trimmed */
 } piece;
 
 /* A way of the tip. To find a height: from a point at height 0 to itself, and `limit` rises. */
@@ -232,6 +233,17 @@ static loft_acc find_bound(const way *w, const piece *p, loft_acc off, const foo
     return loft_acc_min(bound, bound_of(w, p, off, g));
 }
 
+/* Is it a point of a sheet that may be trimmed? */
+static bool belongs_to(const loft_sheet *s, const loft_vec *p, loft_unit u, loft_unit v)
+{
+    if (!s->trim)
+        return true;
+    return loft_region_has(s->trim, s->plane
+                                        ? loft_region_spot(loft_vec_axis(p, 0), loft_vec_axis(p, 1))
+                                        : loft_region_spot(loft_acc_round(loft_unit_to_acc(u)),
+                                                           loft_acc_round(loft_unit_to_acc(v))));
+}
+
 /* A point of the surface: the cutter must rise at least so much for it. */
 static void learn_point(way *w, const loft_vec *p, uint32_t sheet, loft_unit u, loft_unit v)
 {
@@ -244,7 +256,7 @@ static void learn_point(way *w, const loft_vec *p, uint32_t sheet, loft_unit u, 
         return;
     const loft_acc need = loft_to_acc(loft_vec_axis(p, 2)) - at.below -
                           loft_cutter_rise(&w->d->cutter, at.distance);
-    if (need > w->limit) {
+    if (need > w->limit && belongs_to(&w->d->sheet[sheet], p, u, v)) {
         w->limit = need;
         w->spot.sheet = sheet;
         w->spot.u = u;
@@ -294,6 +306,17 @@ static loft_acc enough_for(const way *w, bool learn)
     return learn ? loft_acc_max(w->limit + loft_to_acc(w->d->tol), w->need) : w->limit;
 }
 
+static void grow_box(loft_box *box, loft_acc off)
+{
+    const loft_real by = loft_acc_round(off +
+                                        loft_real_ulp(loft_to_acc(LOFT_REAL(LOFT_SHEET_REACH))));
+
+    for (int k = 0; k < LOFT_AXES; k++) {
+        box->min.axis[k] -= by;
+        box->max.axis[k] += by;
+    }
+}
+
 /* Is the piece of interest? Then p->bound is known. */
 static bool weigh_piece(way *w, uint32_t sheet, piece *p, bool learn)
 {
@@ -309,6 +332,14 @@ static bool weigh_piece(way *w, uint32_t sheet, piece *p, bool learn)
               loft_vec_axis(&box.min, 1) / 2 + loft_vec_axis(&box.max, 1) / 2, &middle);
     if (lies_beyond(w, p, off, &middle))
         return false;
+    if (!p->inside) {
+        grow_box(&box, off);
+        const enum loft_region_part part = loft_sheet_part_of(&w->d->sheet[sheet], &box, p->level,
+                                                              p->i, p->j);
+        if (part == LOFT_REGION_OUT)
+            return false;
+        p->inside = part == LOFT_REGION_IN;
+    }
     p->bound = find_bound(w, p, off, &middle);
     if (p->level < LOFT_DROP_LEVELS && p->bound > enough_for(w, learn))
         return true;
@@ -357,14 +388,17 @@ static void quarter_triangle(way *w, uint32_t sheet, const piece *p, bool learn,
 static void whole_sheet(way *w, uint32_t sheet, bool learn, piece *p)
 {
     const loft_sheet *s = &w->d->sheet[sheet];
+    const uint32_t far = s->upper ? 1 : 0;
 
     p->corners = s->surface.over == LOFT_SURFACE_TRIANGLE ? 3 : 4;
     p->i = s->i;
     p->j = s->j;
     p->level = s->level;
-    p->upper = false;
+    p->upper = s->upper;
+    p->inside = s->trim == NULL;
     for (uint32_t k = 0; k < p->corners; k++)
-        p->corner[k] = get_point(w, sheet, p->i + (k & 1), p->j + (k >> 1), p->level, learn);
+        p->corner[k] = get_point(w, sheet, p->i + ((k & 1) ^ far), p->j + ((k >> 1) ^ far),
+                                 p->level, learn);
 }
 
 /* Search one sheet. `learn`: find what it asks for; otherwise stop when some piece of the smallest
@@ -391,6 +425,7 @@ static bool search_sheet(way *w, uint32_t sheet, bool learn)
         for (unsigned k = 0; k < 4; k++) {
             child[k].level = (uint8_t)(p.level + 1);
             child[k].corners = p.corners;
+            child[k].inside = p.inside;
             if (!weigh_piece(w, sheet, &child[k], learn))
                 continue;
             unsigned place = count++;       /* the highest one last: it is the next */

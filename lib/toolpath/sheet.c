@@ -148,7 +148,9 @@ static void measure_quotient(const net_view *s, unsigned count, quotient *q)
 static enum loft_status make_sheet(loft_sheet *s, net_view *net, unsigned count,
                                    loft_surface surface)
 {
-    loft_sheet made = { surface, { *point_of(net, 0), *point_of(net, 0) }, 0, 0, 0, 0, 0 };
+    loft_sheet made = {
+        surface, { *point_of(net, 0), *point_of(net, 0) }, 0, 0, 0, 0, 0, false, false, NULL
+    };
     loft_real most = 0;
     quotient q;
 
@@ -238,4 +240,34 @@ enum loft_status loft_sheet_from_triangle_rational(loft_sheet *s, const loft_tri
 
     return make_sheet(s, &net, (t->degree + 1u) * (t->degree + 2u) / 2,
                       loft_surface_from_triangle_rational(t));
+}
+
+
+/* Trimmed sheets */
+
+/* i of 2^level steps, as a coordinate. */
+static loft_real step_of(unsigned i, unsigned level)
+{
+    return loft_acc_round(
+        loft_acc_ratio(loft_to_acc(LOFT_REAL(1)) * (int32_t)i, (int32_t)1 << level));
+}
+
+enum loft_region_part loft_sheet_part_of(const loft_sheet *s, const loft_box *box, unsigned level,
+                                         unsigned i, unsigned j)
+{
+    if (!s->trim)
+        return LOFT_REGION_IN;
+    if (s->plane)
+        return loft_region_part_of(
+            s->trim, loft_region_spot(loft_vec_axis(&box->min, 0), loft_vec_axis(&box->min, 1)),
+            loft_region_spot(loft_vec_axis(&box->max, 0), loft_vec_axis(&box->max, 1)));
+    return loft_region_part_of(s->trim, loft_region_spot(step_of(i, level), step_of(j, level)),
+                               loft_region_spot(step_of(i + 1, level), step_of(j + 1, level)));
+}
+
+bool loft_sheet_trim(loft_sheet *s, const loft_region *r, bool plane)
+{
+    s->trim = r;
+    s->plane = plane;
+    return loft_sheet_part_of(s, &s->box, s->level, s->i, s->j) != LOFT_REGION_OUT;
 }

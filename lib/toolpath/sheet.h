@@ -12,6 +12,7 @@
 #define LOFT_TOOLPATH_SHEET_H
 
 #include "surface/surface.h"    /* loft_surface */
+#include "toolpath/region.h"    /* loft_region */
 
 LOFT_BEGIN_C
 
@@ -26,6 +27,9 @@ typedef struct {
     loft_acc fuzz;              /* the error of its points, and of those of a part's net */
     uint16_t i, j;              /* the part: squares of 2^-level from the start */
     uint8_t level;
+    bool upper;                 /* of a triangle: the half that is farther from the start */
+    bool plane;                 /* the region is one of x and y, otherwise of u and v */
+    const loft_region *trim;    /* NULL: all of it */
 } loft_sheet;
 
 /* Make a sheet of a surface, which must outlive it.
@@ -54,6 +58,27 @@ enum loft_status loft_sheet_from_triangle_rational(loft_sheet *s,
  */
 enum loft_status loft_sheet_from_tensor_part(loft_sheet *s, const loft_tensor *t, unsigned level,
                                              unsigned i, unsigned j) LOFT_CHECKED;
+
+/* Trim a sheet to a region of x and y (`plane`), or of the parameters u and v of the surface. What
+ * is outside is no longer there. Returns false if nothing is left of it: leave it out then.
+ *
+ *   shape   the region must outlive *s
+ *   range   a region that is valid
+ *   error   what is beside the border by less than 2^-14 of the parameters, or in x and y than the
+ *           bend of such a part, may count as inside
+ *   cost    one loft_region_part_of
+ */
+bool loft_sheet_trim(loft_sheet *s, const loft_region *r, bool plane);
+
+/* Where a square of parameters lies, or a piece within a box of x and y, of a sheet that may be
+ * trimmed.
+ *
+ *   shape   the square of side 2^-level at i, j
+ *   error   none
+ *   cost    loft_region_part_of if it is trimmed
+ */
+enum loft_region_part loft_sheet_part_of(const loft_sheet *s, const loft_box *box, unsigned level,
+                                         unsigned i, unsigned j);
 
 LOFT_END_C
 

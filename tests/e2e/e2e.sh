@@ -1167,7 +1167,8 @@ case_mill() {
     one_line 64 'give straight, ramp:DEGREES' "$loft" mill --entry ramp:60 "$tmp/dome.loft"
     run 0 "$loft" mill --tool ball:4 --pattern spiral --cusp 0.2 --tol 0.05 "$tmp/dome.loft"
     says out '^# cusps: at most 0\.[01][0-9]*, asked 0.2$'
-    one_line 64 'give raster, spiral or waterline' "$loft" mill --pattern round "$tmp/dome.loft"
+    one_line 64 'give raster, spiral, waterline or pencil' \
+        "$loft" mill --pattern round "$tmp/dome.loft"
     printf 'octant 9\n' >"$tmp/octant.loft"
     run 0 "$loft" mill --tool flat:3 --step 3 --floor 4 "$tmp/octant.loft"
     says out '^# flat:3, 5 lines'
@@ -1179,12 +1180,44 @@ case_mill() {
     printf 'tensor 1 1\n0 0 0.4\n0 9 0.4\n9 0 0.4\n9 9 0.4\n' >"$tmp/plane.loft"
     run 0 "$loft" mill --tool flat:4 --record "$tmp/pulses.csv" -o "$tmp/left.png" "$tmp/plane.loft"
     says out 'left.png: 529 places of the tool, 0.1000 mm left at worst, 0.0000 mm cut'
+    printf '%s\n' 'tensor 1 1' '-9 -9 9' '-9 9 9' '9 -9 -9' '9 9 -9' 'tensor 1 1' '-9 -9 -9' \
+        '-9 9 -9' '9 -9 9' '9 9 9' >"$tmp/valley.loft"
+    run 0 "$loft" mill --tool ball:4 --pattern pencil --tol 0.05 "$tmp/valley.loft"
+    says out '^# ball:4, 1 lines'; says out '^# cuts below the surface: none, proved'
+    run 0 "$loft" mill --tool ball:4 --pattern pencil --tol 0.05 "$tmp/plane.loft"
+    says out '^# ball:4, 0 lines'
+    one_line 64 'pencil: is for a ball' "$loft" mill --tool flat:4 --pattern pencil \
+        "$tmp/dome.loft"
+    printf 'spatch 5 1\n0 9 4\n-8 3 2\n-5 -7 0\n5 -7 1\n8 3 3\n' >"$tmp/five.loft"
+    printf 'line\n-3 -3\n3 -3\n3 3\n-3 3\n-3 -3\n' >"$tmp/loop.loft"
+    printf 'line\n0.5 0.1\n0.9 0.1\n0.9 0.9\n0.5 0.1\n' >"$tmp/loop-uv.loft"
+    for num in f32 f64; do
+        run 0 "$loft" mill --num $num --tool ball:4 --step 3 --tol 0.1 "$tmp/five.loft"
+        says out '^# ball:4, 8 lines'; says out '^# cuts below the surface: none, proved'
+    done
+    run 0 "$loft" mill --tool ball:4 --along v --step 0.25 --tol 0.1 "$tmp/plane.loft"
+    says out '^# ball:4, 5 lines'; says out '^9 9 0.4'
+    one_line 64 'is for --pattern raster and --step' "$loft" mill --along u "$tmp/plane.loft"
+    run 0 "$loft" mill --tool ball:4 --step 3 --tol 0.1 --trim "$tmp/loop.loft" "$tmp/five.loft"
+    says out '^# ball:4, 4 lines'
+    run 0 "$loft" mill --tool ball:4 --step 3 --tol 0.1 --trim-uv "$tmp/loop-uv.loft" \
+        "$tmp/plane.loft"
+    says out '^1\.975 -1\.4'       # 0.7 radius beside the eighth that ends at u = 0.5
+    one_line 65 'has no u and v: give' "$loft" mill --trim-uv "$tmp/loop-uv.loft" "$tmp/five.loft"
+    printf 'line\n5 5\n6 5\n6 6\n5 5\n' >"$tmp/far.loft"
+    one_line 65 'nothing is left inside' "$loft" mill --trim-uv "$tmp/far.loft" "$tmp/plane.loft"
+    one_line 64 'give one of them' "$loft" mill --trim "$tmp/loop.loft" \
+        --trim-uv "$tmp/loop.loft" "$tmp/five.loft"
+    printf 'line\n0 0\n3 0\n3 3\n' >"$tmp/open.loft"
+    one_line 65 'a path is open' "$loft" mill --trim "$tmp/open.loft" "$tmp/five.loft"
+    sed 's/5 1/5 1 meanvalue/' "$tmp/five.loft" >"$tmp/mean.loft"
+    one_line 65 'its bends have no bounds' "$loft" mill "$tmp/mean.loft"
     printf 'sphere 9\n' >"$tmp/ball.loft"
     one_line 65 'sphere: cannot be milled' "$loft" mill "$tmp/ball.loft"
     one_line 64 'is for a ball'           "$loft" mill --tool flat:4 --cusp 0.1 "$tmp/dome.loft"
     one_line 64 'give ball:DIAMETER'      "$loft" mill --tool ball "$tmp/dome.loft"
     one_line 64 'give one of them'        "$loft" mill --cusp 1 --step 1 "$tmp/dome.loft"
-    one_line 64 'give x or y'             "$loft" mill --along z "$tmp/dome.loft"
+    one_line 64 'give x, y, u or v'       "$loft" mill --along z "$tmp/dome.loft"
     one_line 64 'two corners apart'       "$loft" mill --area 1,1,1,5 "$tmp/dome.loft"
     one_line 65 'no surface in it'        "$loft" mill "$tmp/small.csv"
 }

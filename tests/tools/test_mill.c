@@ -1,7 +1,7 @@
 /* tests/tools/test_mill.c -- paths of a mill, by brute force: points of the surfaces against each
  * chord; the order of lines
  * SPDX-License-Identifier: MIT
- * usage: test_mill [POINTS], 20000 per surface without
+ * usage: test_mill [POINTS SHAPE]: sweep one shape, or a file of surfaces, with so many points
  */
 #include <math.h>
 
@@ -107,6 +107,21 @@ static double over_chord(const chords *c, const double *a, const double *b, cons
     return over_point(c, a, b, low, p);
 }
 
+/* No place of the chord is lower over the point. */
+static double least_over(const chords *c, const double *a, const double *b, const double p[3])
+{
+    const double x = b[0] - a[0], y = b[1] - a[1], length2 = x * x + y * y,
+                 to = (p[0] - a[0]) * x + (p[1] - a[1]) * y,
+                 t = length2 > 0 ? fmax(0, fmin(1, to / length2)) : 0,
+                 d = hypot(a[0] + t * x - p[0], a[1] + t * y - p[1]), corner = c->o->corner,
+                 beyond = d - (c->o->radius - corner);
+
+    if (d > c->o->radius)
+        return FREE;
+    return fmin(a[2], b[2]) - p[2] +
+           (beyond <= 0 ? 0 : corner - sqrt(fmax(0, corner * corner - beyond * beyond)));
+}
+
 static double over_path(const chords *c, const double p[3])
 {
     const size_t k = square_of(c, p[1], 1, c->rows) * c->across + square_of(c, p[0], 0, c->across);
@@ -114,7 +129,7 @@ static double over_path(const chords *c, const double p[3])
 
     for (size_t i = c->first[k]; i < c->first[k + 1]; i++) {
         const double *const a = c->path->point[c->chord[i]], *const b = a + 3;
-        if (fmin(a[2], b[2]) - p[2] < least)
+        if (fmin(a[2], b[2]) - p[2] < least && least_over(c, a, b, p) < least)
             least = fmin(least, over_chord(c, a, b, p));
     }
     return least;
@@ -134,8 +149,9 @@ static double sweep(arb *a, const surfaces *all, const mill_order *o, const mill
         CHECK(engine_surfaces_f64.open(&all->surface[i], &s) == 0);
         for (size_t n = 0; n < points / all->count; n++) {
             double p[3], u = random_unit(a), v = random_unit(a);
-            if (engine_surfaces_f64.eval(s, u, v, p) != 0)
-                CHECK(engine_surfaces_f64.eval(s, 1 - u, 1 - v, p) == 0);
+            const unsigned kite = arb_below(a, surface_kites(&all->surface[i]));
+            if (engine_surfaces_f64.kite(s, kite, u, v, p) != 0)
+                CHECK(engine_surfaces_f64.kite(s, kite, 1 - u, 1 - v, p) == 0);
             least = fmin(least, over_path(&c, p));
         }
         engine_surfaces_f64.close(s);
@@ -161,18 +177,18 @@ static int say_bump(char *text, size_t size, int x, int y)
                     2 * sin(x / 4.0) * cos(y / 5.0), -fx / length, -fy / length, 1 / length);
 }
 
-/* 32 triangles from the normals of a waved sheet. */
-static void say_mesh(char *text, size_t size)
+/* Triangles from the normals of a waved sheet: squares of `by` mm, 2 for each of n^2. */
+static void say_mesh(char *text, size_t size, int n, int by)
 {
     static const int corner[6][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 0 }, { 1, 1 }, { 0, 1 } };
     int used = 0;
 
-    for (int k = 0; k < 16 * 6; k++) {
+    for (int k = 0; k < n * n * 6; k++) {
         const int *const c = corner[k % 6];
         if (k % 3 == 0)
             used += snprintf(text + used, size - (size_t)used, "pn\n");
-        used += say_bump(text + used, size - (size_t)used, 4 * (k / 6 % 4 + c[0]),
-                         4 * (k / 24 + c[1]));
+        used += say_bump(text + used, size - (size_t)used, by * (k / 6 % n + c[0]),
+                         by * (k / 6 / n + c[1]));
         if (k % 3 == 2)
             used += snprintf(text + used, size - (size_t)used, "\n");
     }
@@ -185,7 +201,7 @@ static void arb_surfaces(arb *a, unsigned kind, surfaces *all)
     char text[16384] = "octant 9\n";
 
     if (kind == 1)
-        say_mesh(text, sizeof text);
+        say_mesh(text, sizeof text, 4, 4);
     else if (kind > 1) {
         int used = snprintf(text, sizeof text, "tensor 3 3\n");
         for (int k = 0; k < 16; k++)
@@ -256,10 +272,63 @@ static void hills_are_cut_downward(arb *a)
     mill_cuts_free(&all);
 }
 
+/* The shapes of a sweep. Returns how many surfaces of the file they are, from the first one. */
+static size_t read_shape(const char *name, surfaces *all)
+{
+    static char text[1 << 19];
+
+    if (strcmp(name, "gb") == 0) {          /* one of a hexagon */
+        CHECK(surfaces_read_only(all, "tests/drawings/sided.loft") == 0);
+        for (size_t k = 1; k < all->count; k++)
+            if (all->surface[k].kind == SURFACE_GB && all->surface[k].n == 6) {
+                const surface first = all->surface[0];
+                all->surface[0] = all->surface[k];
+                all->surface[k] = first;
+                break;
+            }
+        return 1;
+    }
+    if (strcmp(name, "bicubic") == 0 || strchr(name, '.') != NULL) {
+        CHECK(surfaces_read_only(all, strchr(name, '.') ? name : "tests/drawings/patch.loft") == 0);
+        return all->count;
+    }
+    if (strcmp(name, "octant") == 0)
+        snprintf(text, sizeof text, "octant 20\n");
+    else
+        say_mesh(text, sizeof text, 32, 1);
+    CHECK(surfaces_read_text(all, "-", text) == 0);
+    return all->count;
+}
+
+/* One row: what was asked and what came of it. */
+static void sweep_shape(const char *name)
+{
+    mill_order o = { .radius = 3, .corner = 3, .cusp = 0.1, .tol = 0.01, .safe = 3, .tell = tell };
+    arb a = { 1 };
+    surfaces all = { 0 };
+    mill_cuts path = { 0 };
+    mill_report r;
+
+    const size_t used = read_shape(name, &all), read = all.count;
+    all.count = used;
+    CHECK(used > 0 && engine_mill_f64(&all, &o, &path, &r) == 0);
+    const double least = sweep(&a, &all, &o, &path.cut[0]);
+    printf("%-8s %4zu surfaces, %6zu chords, cusp asked %g, at most %.5f; %zu points, the nearest "
+           "%.2e mm below the tool\n",
+           name, all.count, path.cut[0].count - 1, o.cusp, r.cusp, points, least);
+    CHECK(least > -1e-9 && r.cusp <= o.cusp && r.cusp >= 0.92 * o.cusp);
+    all.count = read;
+    mill_cuts_free(&path);
+    surfaces_free(&all);
+}
+
 int main(int argc, char **argv)
 {
-    if (argc > 1)
+    if (argc > 2) {
         points = strtoul(argv[1], NULL, 10);
+        sweep_shape(argv[2]);
+        return check_failures();
+    }
     PROPERTY(no_way_into_the_material_cuts, 4);
     PROPERTY(hills_are_cut_downward, 10);
     return check_failures();
