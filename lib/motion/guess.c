@@ -26,10 +26,10 @@ static void set_pace(loft_guess_round *g, const loft_period *period)
 
     loft_barrier_time(period, g->knot, n, g->timed, !g->ended, STEPS);
     for (unsigned k = n; k < g->count; k++)
-        g->knot[k].v2 = g->knot[n - 1].v2;
+        g->knot[k].now.v2 = g->knot[n - 1].now.v2;
     if (g->timed < 2)
-        g->knot[0].v2 = g->knot[1].v2 = g->knot[2].v2;
-    g->knot[g->count - 1].v2 = g->knot[g->count - 2].v2;
+        g->knot[0].now.v2 = g->knot[1].now.v2 = g->knot[2].now.v2;
+    g->knot[g->count - 1].now.v2 = g->knot[g->count - 2].now.v2;
 }
 
 
@@ -53,7 +53,7 @@ static void forget(loft_guess_round *g)
 
 static void append(loft_guess_round *g, const loft_path_place *p)
 {
-    g->knot[g->count].on = *p;
+    g->knot[g->count].is.on = *p;
     g->knot[g->count].point = p->at;
     g->count++;
 }
@@ -61,13 +61,13 @@ static void append(loft_guess_round *g, const loft_path_place *p)
 /* The last knot stands for the rest behind the end; there are six at least. */
 static void close_chain(loft_guess_round *g)
 {
-    loft_path_place first = g->knot[0].on, last = g->knot[g->count - 1].on;
+    loft_path_place first = g->knot[0].is.on, last = g->knot[g->count - 1].is.on;
 
     first.skip = last.skip = 0;
     while (g->placed == 0 && g->count < 5) {
         for (unsigned k = g->count; k > 0; k--)
             g->knot[k] = g->knot[k - 1];
-        g->knot[0].on = first;
+        g->knot[0].is.on = first;
         g->count++;
     }
     append(g, &last);
@@ -125,7 +125,7 @@ static int64_t time_to(const loft_guess_round *g, unsigned k)
 static unsigned next_sharp(const loft_guess_round *g, unsigned end)
 {
     unsigned k = g->at + 1;
-    while (k < end && !g->knot[k].on.sharp)
+    while (k < end && !g->knot[k].is.on.sharp)
         k++;
     return k;
 }
@@ -143,7 +143,7 @@ static int64_t step_of(const loft_guess_round *g, unsigned sharp, bool known)
 static void around(const loft_guess_round *g, const loft_path_place *at[4])
 {
     for (unsigned i = 0; i < 4; i++)
-        at[i] = &g->knot[g->at + i - 1].on;
+        at[i] = &g->knot[g->at + i - 1].is.on;
 }
 
 /* The place that is `time` after knot `at`. */
@@ -152,8 +152,8 @@ static void place_at(const loft_guess_round *g, int64_t time, loft_position *out
     const loft_path_place *at[4];
     const loft_knot *k = &g->knot[g->at];
     const int64_t whole = loft_timing_time(g->knot, g->at);
-    const int64_t v0 = loft_coord_sqrt((uint64_t)((int64_t)k[0].v2 + k[1].v2) << 7),
-                  v1 = loft_coord_sqrt((uint64_t)((int64_t)k[1].v2 + k[2].v2) << 7);
+    const int64_t v0 = loft_coord_sqrt((uint64_t)((int64_t)k[0].now.v2 + k[1].now.v2) << 7),
+                  v1 = loft_coord_sqrt((uint64_t)((int64_t)k[1].now.v2 + k[2].now.v2) << 7);
     int64_t z = v0 * time + (v1 - v0) * time / whole * time / 2;   /* 2^-32 */
 
     z = z >> 8;
@@ -176,14 +176,14 @@ static void pass(loft_guess_round *g, int64_t time, unsigned end)
 static void place_here(const loft_guess_round *g, loft_position *out)
 {
     if (g->time == 0)
-        *out = g->knot[g->at].on.at;
+        *out = g->knot[g->at].is.on.at;
     else
         place_at(g, g->time, out);
 }
 
 static void take(loft_guess_round *g, loft_path_place *out)
 {
-    const loft_path_place *p = &g->knot[g->at].on, *next = &g->knot[g->at + 1].on;
+    const loft_path_place *p = &g->knot[g->at].is.on, *next = &g->knot[g->at + 1].is.on;
 
     place_here(g, &out->at);
     out->feed   = next->feed < p->feed ? next->feed : p->feed;
@@ -211,16 +211,16 @@ static void next_place(loft_guess_round *g, unsigned end)
     const int64_t step = step_of(g, sharp, sharp < end || g->ended);
     int64_t gone = 0;
     bool to_sharp = time_to(g, sharp) <= step && (sharp < end || g->ended);
-    loft_coord skip = 0, feed = g->knot[g->at].on.feed;
-    bool loose = g->knot[g->at].on.loose;
+    loft_coord skip = 0, feed = g->knot[g->at].is.on.feed;
+    bool loose = g->knot[g->at].is.on.loose;
 
     for (int n = 0; n < 3; n++) {
         pass(g, step * (n + 1) / 4 - gone, end);
         gone = step * (n + 1) / 4;
         place_here(g, &q[-1].inner[n]);
-        skip = g->knot[g->at].on.skip > skip ? g->knot[g->at].on.skip : skip;
-        feed = g->knot[g->at].on.feed < feed ? g->knot[g->at].on.feed : feed;
-        loose = loose && g->knot[g->at].on.loose;
+        skip = g->knot[g->at].is.on.skip > skip ? g->knot[g->at].is.on.skip : skip;
+        feed = g->knot[g->at].is.on.feed < feed ? g->knot[g->at].is.on.feed : feed;
+        loose = loose && g->knot[g->at].is.on.loose;
     }
     pass(g, step - gone, end);
     if (to_sharp) {

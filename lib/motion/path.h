@@ -19,13 +19,13 @@ LOFT_BEGIN_C
 
 /* A place of the path. */
 typedef struct {
-    loft_position at;
     loft_coord feed;        /* the speed that is asked for from the last place to this one */
-    loft_coord skip;        /* how far the path is from the cubic through four places
-                             * (loft_path_between), from this one to the next */
     uint16_t   number;      /* of its curve */
     bool       sharp;       /* it is a corner */
     bool       loose;       /* up to the next one it is near corners */
+    loft_position at;
+    loft_coord skip;        /* how far the path is from the cubic through four places
+                             * (loft_path_between), from this one to the next */
 } loft_path_place;
 
 /* How far the motion may be from the path, from this place to the next. */

@@ -14,7 +14,7 @@
 #define ALL       (LOFT_PLAN_EFFORT > 1)
 #define STEP      (ALL ? 20 : 32)    /* knots at a time, and what they need on both sides */
 #define SWEEPS    60                 /* of smoothing */
-#define MEASURED  (ALL ? 1024u : 32u) /* knots that are measured at once */
+#define MEASURED  (ALL ? 1024u : 32u) /* knots that are measured at once, the last one again */
 #define AT_ONCE   (ALL ? SWEEPS : 6) /* of them in a part */
 #define RAISES    (ALL ? 4 : 1)      /* of a whole chain 4 times as many */
 #define REFINED   2
@@ -47,9 +47,8 @@ static void forget(loft_plan *plan)
 static void append(loft_plan *plan, const loft_path_place *p)
 {
     loft_knot *k = &plan->knot[plan->count++];
-    k->on = *p;
+    k->is.on = *p;
     k->point = p->at;
-    k->v2 = k->goal = 0;
 }
 
 /* Control points of three knots are at the start, and at the end. The third place is near it. */
@@ -65,16 +64,16 @@ static bool is_far(const loft_plan *plan, const loft_path_place *a, const loft_p
 /* The last knot stands for the rest behind the end; there are seven at least. */
 static void close_chain(loft_plan *plan)
 {
-    loft_path_place first = plan->knot[0].on, last = plan->knot[plan->count - 1].on;
+    loft_path_place first = plan->knot[0].is.on, last = plan->knot[plan->count - 1].is.on;
 
     first.skip = last.skip = 0;
     while (plan->placed == 0 && plan->count < 6) {
         for (unsigned k = plan->count; k > 0; k--)
             plan->knot[k] = plan->knot[k - 1];
-        plan->knot[0].on = first;
+        plan->knot[0].is.on = first;
         plan->count++;
     }
-    if (is_far(plan, &plan->knot[plan->count - 2].on, &last))
+    if (is_far(plan, &plan->knot[plan->count - 2].is.on, &last))
         append(plan, &last);
     append(plan, &last);
     plan->ended = true;
@@ -83,9 +82,9 @@ static void close_chain(loft_plan *plan)
 
 static void append_start(loft_plan *plan)
 {
-    loft_path_place first = plan->knot[0].on;
+    loft_path_place first = plan->knot[0].is.on;
 
-    plan->knot[0].on.skip = plan->knot[1].on.skip = 0;
+    plan->knot[0].is.on.skip = plan->knot[1].is.on.skip = 0;
     append(plan, &first);
 }
 
@@ -103,7 +102,7 @@ static enum loft_path_state fill(loft_plan *plan)
         return state;
     if (plan->count == 0)
         loft_emit_begin(&plan->emit, &plan->period, plan->guess.path.chain.from);
-    if (plan->count == 2 && is_far(plan, &plan->knot[1].on, &p))
+    if (plan->count == 2 && is_far(plan, &plan->knot[1].is.on, &p))
         append_start(plan);
     append(plan, &p);
     if (plan->count == 1)
@@ -122,10 +121,12 @@ static void begin_smoothing(loft_plan *plan)
     plan->stage = MEASURING;
 }
 
-/* A part of measuring how far points may be moved; true: that was the last. */
+/* A part of measuring how far points may be moved; true: that was the last. Those before the last
+ * four that were known have been measured. */
 static bool measure(loft_plan *plan)
 {
-    const unsigned from = first_loose(plan) + plan->part * MEASURED, to = plan->count - 3u;
+    const unsigned first = plan->known > 7 ? plan->known - 4u : 3,
+                   from = first + plan->part * (MEASURED - 1), to = plan->count - 3u;
 
     if (from >= to)
         return true;
@@ -138,9 +139,14 @@ static bool measure(loft_plan *plan)
 static void place(loft_plan *plan)
 {
     const unsigned from = first_loose(plan);
+    loft_knot *knot = plan->knot;
 
+    if (plan->placed == 0)
+        knot[0].is.most.goal = 0;
     plan->placed = plan->ended ? plan->count : (uint16_t)(plan->count - SMOOTHING);
-    loft_timing_load(&plan->period, plan->knot, from > 3 ? from - 2 : 1, plan->placed - 2u);
+    loft_timing_load(&plan->period, knot, from > 3 ? from - 2 : 1, plan->placed - 2u);
+    if (plan->ended)
+        knot[plan->count - 2].is.most.goal = knot[plan->count - 1].is.most.goal = 0;
     plan->loaded = plan->count;
 }
 
@@ -170,7 +176,7 @@ static void creep(loft_plan *plan)
 
     for (;; b /= 2) {
         for (unsigned k = from; k < to; k++)
-            plan->knot[k].v2 = b;
+            plan->knot[k].now.v2 = b;
         if (b < 256 || loft_timing_all_hold(&timing, from > 3 ? from - 2 : 1, timing.end))
             break;
     }
@@ -190,7 +196,7 @@ static int32_t first_pace(const loft_plan *plan, const loft_timing *timing)
 {
     int32_t sum = 0;
     for (unsigned k = timing->from; k < timing->from + MARGIN && k < timing->end; k++)
-        sum += plan->knot[k].v2 / MARGIN;
+        sum += plan->knot[k].now.v2 / MARGIN;
     return sum;
 }
 
@@ -218,7 +224,7 @@ static bool raise(loft_plan *plan)
     if (plan->sweep < plan->sweeps && (!ALL || gain >= (now + gain) >> 10))
         return false;
     if (!ALL || timing.from <= from ||
-        first_pace(plan, &timing) - plan->first <= plan->knot[timing.from].v2 / 64)
+        first_pace(plan, &timing) - plan->first <= plan->knot[timing.from].now.v2 / 64)
         return true;
     plan->near = (uint16_t)(2 * plan->near);
     plan->sweep = 0;
@@ -361,7 +367,8 @@ static bool has_spare(const loft_plan *plan)
     for (int i = 0; i < LOFT_AXES; i++)
         p.jerk[i] = 0;
     for (unsigned k = 1; k < plan->sure && has; k++)
-        has = plan->knot[k + 1].v2 < plan->knot[k].top - plan->knot[k].top / 8 &&
+        has = plan->knot[k + 1].now.v2 <
+                  plan->knot[k].is.most.top - plan->knot[k].is.most.top / 8 &&
               loft_timing_holds(&p, plan->knot, k, 60);
     return has;
 }
@@ -397,7 +404,7 @@ static loft_time step_of(const loft_plan *plan)
 static loft_coord feed_of(const loft_plan *plan)
 {
     const loft_knot *k = &plan->knot[plan->at.knot];
-    return k[0].on.feed > k[1].on.feed ? k[0].on.feed : k[1].on.feed;
+    return k[0].is.on.feed > k[1].is.on.feed ? k[0].is.on.feed : k[1].is.on.feed;
 }
 
 static void add_sample(loft_plan *plan)
@@ -405,13 +412,13 @@ static void add_sample(loft_plan *plan)
     loft_position p;
 
     loft_sample_place(&plan->at, plan->knot, &p);
-    loft_emit_add(&plan->emit, &p, feed_of(plan), plan->knot[plan->at.knot].on.number);
+    loft_emit_add(&plan->emit, &p, feed_of(plan), plan->knot[plan->at.knot].is.on.number);
 }
 
 static void add_end(loft_plan *plan)
 {
     const loft_knot *last = &plan->knot[plan->count - 1];
-    loft_emit_add(&plan->emit, &last->point, last->on.feed, plan->guess.path.chain.dropped);
+    loft_emit_add(&plan->emit, &last->point, last->is.on.feed, plan->guess.path.chain.dropped);
     loft_emit_end(&plan->emit, plan->to);
 }
 

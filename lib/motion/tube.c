@@ -28,9 +28,9 @@ static loft_coord second(loft_coord a, loft_coord b, loft_coord c)
 
 static loft_coord centre(const loft_knot knot[], unsigned k, int i)
 {
-    const loft_coord at = knot[k].on.at.axis[i];
-    return loft_coord_add(at,
-                          -sixth(second(knot[k - 1].on.at.axis[i], at, knot[k + 1].on.at.axis[i])));
+    const loft_coord at = knot[k].is.on.at.axis[i];
+    return loft_coord_add(
+        at, -sixth(second(knot[k - 1].is.on.at.axis[i], at, knot[k + 1].is.on.at.axis[i])));
 }
 
 void loft_tube_load(loft_knot knot[], unsigned from, unsigned to)
@@ -43,16 +43,16 @@ void loft_tube_load(loft_knot knot[], unsigned from, unsigned to)
 void loft_tube_tie(loft_knot knot[], unsigned count, bool begins, bool ends)
 {
     for (int k = 0; k < 3 && begins; k++)
-        knot[k].point = knot[0].on.at;
+        knot[k].point = knot[0].is.on.at;
     for (unsigned k = 1; k <= 3 && ends; k++)
-        knot[count - k].point = knot[count - 1].on.at;
+        knot[count - k].point = knot[count - 1].is.on.at;
 }
 
 /* The centre of a knot; of the first one that is kept, its place. */
 static void centre_of(const loft_knot knot[], unsigned k, loft_coord out[])
 {
     for (int i = 0; i < LOFT_AXES; i++)
-        out[i] = k > 0 ? centre(knot, k, i) : knot[0].on.at.axis[i];
+        out[i] = k > 0 ? centre(knot, k, i) : knot[0].is.on.at.axis[i];
 }
 
 /* How far the spline through the centres is from the cubic through the places, in the middle
@@ -77,7 +77,7 @@ static loft_coord off_between(const loft_knot knot[], unsigned k, const loft_pat
 static void four(const loft_knot knot[], unsigned k, const loft_path_place *at[])
 {
     for (unsigned i = 0; i < 4; i++)
-        at[i] = &knot[k + i - 1].on;
+        at[i] = &knot[k + i - 1].is.on;
 }
 
 /* The same at knot k, where it is D4 / 36 off: from the way before it or from the way behind it. */
@@ -110,7 +110,8 @@ static loft_coord left_between(const loft_period *p, const loft_knot knot[], uns
     const loft_coord x = *off, y = off_at(knot, k + 1), z = off_between(knot, k, here);
     const loft_coord most = x > y ? x : y;
     *off = y;
-    return p->tube + (knot[k].on.loose ? p->more : 0) - knot[k].on.skip - (most > z ? most : z);
+    return p->tube + (knot[k].is.on.loose ? p->more : 0) - knot[k].is.on.skip -
+           (most > z ? most : z);
 }
 
 /* 6/7 of the least tolerance on the ways that the point matters for. */
@@ -119,7 +120,7 @@ static loft_coord most_room(const loft_period *p, const loft_knot knot[], unsign
     loft_coord tol = p->tol + p->more;
 
     for (unsigned i = k - 2; i <= k + 1; i++) {
-        const loft_coord x = loft_path_tol(p, &knot[i].on);
+        const loft_coord x = loft_path_tol(p, &knot[i].is.on);
         tol = x < tol ? x : tol;
     }
     return tol - tol / 7;
@@ -130,12 +131,12 @@ void loft_tube_measure(const loft_period *p, loft_knot knot[], unsigned from, un
     loft_coord off = from > 3 ? off_at(knot, from - 2) : 0;
 
     for (unsigned k = from; k < to; k++)
-        knot[k].work.room = most_room(p, knot, k);
+        knot[k].now.room = most_room(p, knot, k);
     for (unsigned k = from - 2; k < to; k++) {
         const loft_coord left = left_between(p, knot, k, &off);
         for (unsigned i = k - 1; i <= k + 2; i++)
-            if (i >= from && i < to && knot[i].work.room > left)
-                knot[i].work.room = left > 0 ? left : 0;
+            if (i >= from && i < to && knot[i].now.room > left)
+                knot[i].now.room = left > 0 ? left : 0;
     }
 }
 
@@ -176,7 +177,7 @@ static void pull(loft_coord e[], loft_coord r)
 static void relax(loft_knot knot[], unsigned k)
 {
     loft_coord e[LOFT_AXES], c[LOFT_AXES];
-    const loft_coord r = knot[k].work.room;
+    const loft_coord r = knot[k].now.room;
     bool far = false;
 
     for (int i = 0; i < LOFT_AXES; i++) {

@@ -29,10 +29,10 @@ static inline void arb_path(arb *a)
     for (unsigned k = 0; k < knots; k++) {
         const double size = period.accel[0] * arb_between(a, 0.5, 1) *
                             fmin(8, fmin(k, knots - 1 - k)) / 2;
-        knot[k].on.feed = period.speed[0];
-        knot[k].on.skip = 0;
+        knot[k].is.on.feed = period.speed[0];
+        knot[k].is.on.skip = 0;
         for (int i = 0; i < LOFT_AXES; i++) {
-            knot[k].on.at.axis[i] = knot[k].point.axis[i] = (loft_coord)at[i];
+            knot[k].is.on.at.axis[i] = knot[k].point.axis[i] = (loft_coord)at[i];
             at[i] += size * (step[i] + 0.02 * k * turn[i]);
         }
     }
@@ -47,7 +47,8 @@ static inline void arb_path(arb *a)
 
 static inline double v2_at(unsigned k, double z, double *slope, double *curve)
 {
-    const double x = knot[k].v2, y = knot[k + 1].v2, w = knot[k + 2].v2, one = LOFT_V2_ONE;
+    const double x = knot[k].now.v2, y = knot[k + 1].now.v2, w = knot[k + 2].now.v2,
+                 one = LOFT_V2_ONE;
     *curve = (x - 2 * y + w) / one;
     *slope = (y - x) / one + *curve * z;
     return ((x + y) / 2 + (y - x) * z) / one + *curve * z * z / 2;

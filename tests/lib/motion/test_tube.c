@@ -26,15 +26,15 @@ static void arb_knots(arb *a)
         if (arb_below(a, 8) == 0)
             arb_direction(a, step);
         const double size = period.tol * arb_between(a, 0.01, 20);
-        knot[k].on.loose = arb_below(a, 4) > 0;
-        knot[k].on.skip = arb_below(a, 3) ? 0 : (loft_coord)(period.tol * arb_between(a, 0, 1));
+        knot[k].is.on.loose = arb_below(a, 4) > 0;
+        knot[k].is.on.skip = arb_below(a, 3) ? 0 : (loft_coord)(period.tol * arb_between(a, 0, 1));
         for (int i = 0; i < LOFT_AXES; i++) {
-            knot[k].on.at.axis[i] = (loft_coord)at[i];
+            knot[k].is.on.at.axis[i] = (loft_coord)at[i];
             at[i] += size * step[i];
         }
     }
     for (unsigned k = 0; k < knots; k++)
-        knot[k].point = knot[k].on.at;
+        knot[k].point = knot[k].is.on.at;
     loft_tube_load(knot, 1, knots - 1);
 }
 
@@ -59,10 +59,10 @@ static void the_path_meets_its_places(arb *a)
             const double on = ((double)knot[k - 1].point.axis[i] + 4.0 * knot[k].point.axis[i] +
                                knot[k + 1].point.axis[i]) /
                               6;
-            const double d4 = (double)knot[k - 2].on.at.axis[i] - 4.0 * knot[k - 1].on.at.axis[i] +
-                              6.0 * knot[k].on.at.axis[i] - 4.0 * knot[k + 1].on.at.axis[i] +
-                              knot[k + 2].on.at.axis[i];
-            CHECK_NEAR(on + d4 / 36, knot[k].on.at.axis[i], 4 + 0.002 * period.tol);
+            const double d4 = (double)knot[k - 2].is.on.at.axis[i] -
+                              4.0 * knot[k - 1].is.on.at.axis[i] + 6.0 * knot[k].is.on.at.axis[i] -
+                              4.0 * knot[k + 1].is.on.at.axis[i] + knot[k + 2].is.on.at.axis[i];
+            CHECK_NEAR(on + d4 / 36, knot[k].is.on.at.axis[i], 4 + 0.002 * period.tol);
         }
 }
 
@@ -86,9 +86,9 @@ static void smoothing_stays_within_the_tolerance(arb *a)
         }
         loft_coord tol = period.tol + period.more;
         for (unsigned i = k - 2; k >= from && k < to && i <= k + 1; i++)
-            tol = loft_path_tol(&period, &knot[i].on) < tol ? period.tol : tol;
+            tol = loft_path_tol(&period, &knot[i].is.on) < tol ? period.tol : tol;
         CHECK(sqrt(sum) <= (k < from || k >= to ? 0 : 6.0 / 7 * tol + 4));
-        if (k > 0 && knot[k].on.skip > tol)
+        if (k > 0 && knot[k].is.on.skip > tol)
             CHECK(sqrt(sum) <= period.tol / 5 + 4);
     }
 }
@@ -103,13 +103,13 @@ static void a_line_stays_as_it_is(arb *a)
         step[i] = (loft_coord)arb_below(a, 1u << 20) - (1 << 19);
     for (unsigned k = 0; k < knots; k++)
         for (int i = 0; i < LOFT_AXES; i++)
-            knot[k].point.axis[i] = knot[k].on.at.axis[i] = (loft_coord)k * step[i];
+            knot[k].point.axis[i] = knot[k].is.on.at.axis[i] = (loft_coord)k * step[i];
     loft_tube_load(knot, 1, knots - 1);
     loft_tube_measure(&period, knot, 3, knots - 3);
     loft_tube_smooth(knot, 3, knots - 3, 10);
     for (unsigned k = 0; k < knots; k++)
         for (int i = 0; i < LOFT_AXES; i++)
-            CHECK(knot[k].point.axis[i] == knot[k].on.at.axis[i]);
+            CHECK(knot[k].point.axis[i] == knot[k].is.on.at.axis[i]);
 }
 
 int main(void)
