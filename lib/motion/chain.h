@@ -38,8 +38,8 @@ typedef struct {
 /* A curve that is walked by its length. */
 typedef struct {
     loft_arc arc;
-    uint32_t to;                /* the parameter where the arc ends */
     int64_t  s;                 /* where the arc begins */
+    uint32_t to;                /* the parameter where the arc ends */
     loft_coord length;           /* of the arc; 0: none yet */
     loft_coord feed;            /* the speed that is asked for, in a period */
     uint16_t number;            /* of the curve, of all that were pushed */

@@ -106,7 +106,6 @@ static void add_stretch(loft_corners *c)
     loft_chain_direction(w, 0, e.from);
     loft_chain_direction(w, 2, e.to);
     e.length = w->length;
-    e.s = w->s;
     e.cap = least(loft_corner_cap(c->chain->period, e.from, w->feed),
                   loft_corner_cap(c->chain->period, e.to, w->feed));
     if (c->stretches == 0 || !is_scrap(c, last, &e)) {
@@ -293,9 +292,22 @@ loft_corner loft_corners_last(const loft_corners *c, bool ends)
     return loft_corner_of(c->known, 0, loft_corner_jerk(c->chain->period, e->to, e->cap), ends);
 }
 
+static int64_t scanned(const loft_corners *c) { return c->walk.s + c->walk.length; }
+
+/* The start of stretch `looked`: corners are known before it. */
+static int64_t known(const loft_corners *c)
+{
+    int64_t s = scanned(c);
+
+    for (unsigned k = c->looked; k < c->stretches; k++)
+        s -= c->stretch[k].length;
+    return s;
+}
+
 /* The joint before stretch `looked`. */
 static void look_at_joint(loft_corners *c)
 {
+    const int64_t s = known(c);
     const unsigned i = c->looked;
     const loft_period *p = c->chain->period;
     const loft_corner_stretch *before = &c->stretch[i - 1], *after = &c->stretch[i];
@@ -303,9 +315,9 @@ static void look_at_joint(loft_corners *c)
     const loft_coord speed = joint_speed(c, i, corner), cap = least(before->cap, after->cap);
 
     if (corner)
-        add_zone(c, after->s);
+        add_zone(c, s);
     if (speed < cap)
-        loft_corners_add(c, loft_corner_of(after->s, speed > 1 ? speed : 1,
+        loft_corners_add(c, loft_corner_of(s, speed > 1 ? speed : 1,
                                            least(loft_corner_jerk(p, before->to, cap),
                                                  loft_corner_jerk(p, after->from, cap)),
                                            is_sharp(before, after)));
@@ -317,16 +329,14 @@ static loft_coord scale_most(const loft_corners *c)
     return (c->chain->period->tol + c->chain->period->more) << (SCALES - 1);
 }
 
-static int64_t scanned(const loft_corners *c) { return c->walk.s + c->walk.length; }
-
 /* Forget stretches that no joint to come looks back at. */
 static void forget(loft_corners *c)
 {
-    unsigned n = 0;
-    const int64_t from = c->looked < c->stretches ? c->stretch[c->looked].s : scanned(c);
+    unsigned n = c->looked > 0 ? c->looked - 1u : 0;
+    const loft_coord need = scale_most(c);
 
-    while (n + 1u < c->looked && c->stretch[n + 1].s < from - scale_most(c))
-        n++;
+    for (int64_t back = 0; n > 0 && back + c->stretch[n].length <= need; n--)
+        back += c->stretch[n].length;
     if (n == 0 && c->stretches == LOFT_CORNERS_STRETCHES)
         n = c->looked > 1 ? (c->looked - 1u + 1) / 2 : 0;
     for (unsigned k = n; k < c->stretches; k++)
@@ -346,16 +356,11 @@ static void look(loft_corners *c, bool all)
     const loft_coord need = scale_most(c);
 
     while (c->looked < c->stretches && !loft_corners_full(c) &&
-           (all || scanned(c) - c->stretch[c->looked].s > need)) {
+           (all || scanned(c) - known(c) > need)) {
         if (c->looked > 0)
             look_at_joint(c);
         c->looked++;
     }
-}
-
-static int64_t known(const loft_corners *c)
-{
-    return c->looked < c->stretches ? c->stretch[c->looked].s : scanned(c);
 }
 
 void loft_corners_scan(loft_corners *c, int64_t to)

@@ -12,10 +12,10 @@
 LOFT_BEGIN_C
 
 /* Corners that are known ahead, and stretches of the path around one. */
-#define LOFT_CORNERS_MOST   48
-#define LOFT_CORNERS_STRETCHES 40
+#define LOFT_CORNERS_MOST   (LOFT_PLAN_EFFORT > 1 ? 48 : 24)
+#define LOFT_CORNERS_STRETCHES (LOFT_PLAN_EFFORT > 1 ? 40 : 28)
 /* Parts of the path near corners: the next ones, if they have a tolerance of their own. */
-#define LOFT_CORNERS_ZONES  16
+#define LOFT_CORNERS_ZONES  (LOFT_PLAN_EFFORT > 1 ? 16 : 8)
 /* A period, in times of corners. */
 #define LOFT_CORNER_ONE     1024
 
@@ -38,7 +38,6 @@ typedef struct {
     loft_position at;                                      /* where it begins */
     int16_t    from[LOFT_AXES], to[LOFT_AXES];          /* directions at its ends, 2^-14 */
     loft_coord  length, cap;                             /* cap: of speed, in a period */
-    int64_t    s;
 } loft_corner_stretch;
 
 /* Do not rely on the fields. */

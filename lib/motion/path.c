@@ -369,17 +369,16 @@ static loft_coord off_at(const loft_chain_walk *w, int64_t s, const between *cub
 /* The last walk that has not passed s. */
 static const loft_chain_walk *walk_before(const loft_path *path, int64_t s)
 {
-    const loft_chain_walk *ahead = path->last.s <= s ? &path->last : &path->ahead;
-    return ahead->s > path->check.s && ahead->s <= s ? ahead : &path->check;
+    return path->last.s > path->check.s && path->last.s <= s ? &path->last : &path->check;
 }
 
 /* Go to the next arc, which another walk may know. */
 static bool follow(const loft_path *path, loft_chain_walk *w)
 {
-    const loft_chain_walk *const known[] = { &path->ahead, &path->last, &path->walk };
+    const loft_chain_walk *const known[] = { &path->last, &path->walk };
     const int64_t s = w->s + w->length;
 
-    for (unsigned n = 0; n < 3; n++)
+    for (unsigned n = 0; n < 2; n++)
         if (known[n]->s == s && known[n]->length > 0) {
             *w = *known[n];
             return true;
@@ -402,7 +401,6 @@ static loft_coord skipped(loft_path *path, unsigned k)
     loft_chain_walk w = *walk_before(path, from);
     while (from >= w.s + w.length && follow(path, &w))
         ;
-    path->ahead = w;
     const int step = from + way <= w.s + w.length ? 2 : 1;
     for (int n = step; n < 8; n += step) {
         const int64_t s = from + way * n / 8;
@@ -533,7 +531,7 @@ void loft_path_begin(loft_path *path)
 {
     path->chain.walked = path->chain.closed = path->over = false;
     loft_corners_begin(&path->corners, &path->chain);
-    path->last = path->ahead = path->check = path->walk = path->corners.walk;
+    path->last = path->check = path->walk = path->corners.walk;
     path->queued = path->settled = 0;
     path->s = 0;
     path->along = -1;

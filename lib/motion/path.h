@@ -47,8 +47,8 @@ typedef struct {
     loft_chain         chain;
     loft_corners       corners;
     loft_chain_walk    walk, check;
-    loft_chain_walk    ahead, last;         /* behind check, where ways are looked at: at the start
-                                             * of the last one, and at its end */
+    loft_chain_walk    last;                /* behind check: at the end of the last way that was
+                                             * looked at */
     bool               over;
     loft_vec           end;                 /* of the chain that is over */
     int64_t            s;                   /* of the last place */

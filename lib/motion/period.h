@@ -13,7 +13,7 @@
 LOFT_BEGIN_C
 
 /* The most periods in a span. */
-#define LOFT_PERIOD_JOINED 16
+#define LOFT_PERIOD_JOINED (LOFT_PLAN_EFFORT > 1 ? 16 : 8)
 
 /* Do not rely on the fields. All in units of loft_coord. */
 typedef struct {

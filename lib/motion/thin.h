@@ -15,7 +15,7 @@
 LOFT_BEGIN_C
 
 #define LOFT_THIN_POINTS  12
-#define LOFT_THIN_SAMPLES 64        /* more than three spans of LOFT_PERIOD_JOINED periods */
+#define LOFT_THIN_SAMPLES (4 * LOFT_PERIOD_JOINED)  /* three long spans, and six periods */
 
 /* A control point. Its knot is at `time`. */
 typedef struct {
