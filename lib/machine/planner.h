@@ -30,7 +30,7 @@ LOFT_BEGIN_C
  * speed is reduced. */
 typedef struct {
     loft_move *moves;
-    loft_knot *knots;                   /* all but 48 of them look ahead, a period each */
+    loft_knot *knots;                   /* all but 52 of them look ahead, a period each */
     uint16_t  *passed;                  /* cells of the queue + LOFT_PLANNER_AHEAD      */
     uint16_t   move_room, knot_room;
 } loft_planner_memory;

@@ -82,7 +82,7 @@ static int32_t even_at(const loft_timing *t, unsigned k)
     int32_t most = LOFT_V2_MAX / 2;
 
     for (unsigned n = k > 4 ? k - 4 : 1; n <= k + 2 && n < t->end; n++)
-        most = least(most, t->knot[n].is.most.goal);
+        most = least(most, t->knot[n].is.pace.goal);
     return most;
 }
 
@@ -90,19 +90,19 @@ static int32_t even_at(const loft_timing *t, unsigned k)
 static unsigned set_aim(const loft_timing *t)
 {
     loft_knot *q = t->knot;
-    int32_t v2 = t->open ? q[t->to].now.v2 : LOFT_V2_MIN, slope = 0;
+    int32_t v2 = t->open ? q[t->to].is.pace.v2 : LOFT_V2_MIN, slope = 0;
     unsigned first = t->to;
 
     for (unsigned k = t->to; k-- > t->from;) {
-        q[k].is.most.aim = v2 = rise(t, k, v2, &slope, even_at(t, k));
-        if (v2 <= q[k].now.v2 + q[k].now.v2 / 32)
+        q[k].is.pace.aim = v2 = rise(t, k, v2, &slope, even_at(t, k));
+        if (v2 <= q[k].is.pace.v2 + q[k].is.pace.v2 / 32)
             break;
         first = k;
     }
-    v2 = q[first - 1].now.v2;
-    slope = first > 1 ? v2 - q[first - 2].now.v2 : 0;
+    v2 = q[first - 1].is.pace.v2;
+    slope = first > 1 ? v2 - q[first - 2].is.pace.v2 : 0;
     for (unsigned k = first; k < t->to; k++)
-        q[k].is.most.aim = v2 = rise(t, k - 1, v2, &slope, q[k].is.most.aim);
+        q[k].is.pace.aim = v2 = rise(t, k - 1, v2, &slope, q[k].is.pace.aim);
     return first;
 }
 
@@ -110,12 +110,12 @@ static unsigned set_aim(const loft_timing *t)
 static void take_means(const loft_timing *t, unsigned first)
 {
     for (int n = 0; n < MEANS; n++) {
-        int32_t before = t->knot[first - 1].now.v2;
+        int32_t before = t->knot[first - 1].is.pace.v2;
         for (unsigned k = first; k + 1 < t->to; k++) {
-            const int32_t at = t->knot[k].is.most.aim,
-                          mean = before / 4 + at / 2 + t->knot[k + 1].is.most.aim / 4;
+            const int32_t at = t->knot[k].is.pace.aim,
+                          mean = before / 4 + at / 2 + t->knot[k + 1].is.pace.aim / 4;
             before = at;
-            t->knot[k].is.most.aim = least(at, mean);
+            t->knot[k].is.pace.aim = least(at, mean);
         }
     }
 }
@@ -132,7 +132,7 @@ static int32_t step_at(const step *s, unsigned k)
     const loft_knot *q = &s->t->knot[k];
     int32_t part = s->part;
 
-    if (k < s->from || k >= s->to || q->is.most.aim <= q->now.v2)
+    if (k < s->from || k >= s->to || q->is.pace.aim <= q->is.pace.v2)
         return 0;
     if (s->middle > 0) {
         const int32_t off = loft_coord_abs((int32_t)k - (int32_t)s->middle),
@@ -140,7 +140,7 @@ static int32_t step_at(const step *s, unsigned k)
                                                 : STEEP * (STRETCH - off) * (STRETCH - off);
         part = part * fall >> 15;
     }
-    return 2 * loft_part(q->is.most.aim - q->now.v2, part);
+    return 2 * loft_part(q->is.pace.aim - q->is.pace.v2, part);
 }
 
 static void take_step(step *s)
@@ -158,7 +158,7 @@ static void take_step(step *s)
     }
     s->part -= s->part / 16;
     for (unsigned k = s->from; k < s->to; k++)
-        q[k].now.v2 += step_at(s, k);
+        q[k].is.pace.v2 += step_at(s, k);
 }
 
 void loft_aim_raise(const loft_timing *t)

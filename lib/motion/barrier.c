@@ -82,7 +82,7 @@ static int32_t inverse_root(int32_t b)
 /* In the places 0, 1 and 2: at knot k, in the middle, at the next. */
 static bool set_pace(const loft_knot *k, pace at[3])
 {
-    const int32_t x = k[0].now.v2 >> 4, y = k[1].now.v2 >> 4, z = k[2].now.v2 >> 4;
+    const int32_t x = k[0].is.pace.v2 >> 4, y = k[1].is.pace.v2 >> 4, z = k[2].is.pace.v2 >> 4;
 
     at[0].b = (x + y) / 2;
     at[1].b = (x + 6 * y + z) / 8;
@@ -114,7 +114,7 @@ static void row_of(const loft_knot *k, int place, int64_t b, int64_t slope, int6
                                    b / 8 + slope / 2 + curve },
                                  { curve, b / 2 - slope - 2 * curve, b / 2 + slope + curve } };
     for (int e = 0; e < 3; e++) {
-        const int64_t x = rows[place][e] * (k[e].now.v2 >> 8) >> 16;
+        const int64_t x = rows[place][e] * (k[e].is.pace.v2 >> 8) >> 16;
         out[e] = x > ROW_MAX ? ROW_MAX : x < -ROW_MAX ? -ROW_MAX : x;
     }
 }
@@ -210,7 +210,7 @@ static bool add_interval(const problem *p, unsigned k, column *at)
         return false;
     const int64_t time = x[1].time, m = (p->share * time >> 16) + 1;
     for (int n = 0; n < 2; n++) {
-        const int32_t v = speed_part(x[n].b, knot->is.most.top);
+        const int32_t v = speed_part(x[n].b, knot->is.pace.top);
         if (v >= ONE)
             return false;
         if (at) {
@@ -236,7 +236,7 @@ static bool add_interval(const problem *p, unsigned k, column *at)
 /* A tied knot: half the square of by how much of its pace it is off. */
 static void add_tie(const loft_knot *knot, column *at)
 {
-    const int64_t whole = ((int64_t)knot->now.v2 << 16) / (at->tied + 1),
+    const int64_t whole = ((int64_t)knot->is.pace.v2 << 16) / (at->tied + 1),
                   part = whole < 16 * ONE ? whole : 16 * ONE;
     at->slope += (part - ONE) * part >> 16;
     at->same += part * part >> 16;
@@ -331,7 +331,7 @@ static bool go(problem *p)
     int64_t most = STEP_MAX, part = INT32_C(1) << 24;
 
     for (unsigned k = 1; k < p->count; k++) {
-        c[k].was = p->knot[k].now.v2;
+        c[k].was = p->knot[k].is.pace.v2;
         most = loft_long_abs(c[k].slope) > most ? loft_long_abs(c[k].slope) : most;
     }
     part = most > STEP_MAX ? over(STEP_MAX, most) : part;
@@ -339,13 +339,13 @@ static bool go(problem *p)
         for (unsigned k = 1; k < p->count; k++) {
             int64_t by = times(c[k].slope, part);
             by = by < -(INT32_C(1) << 23) ? -(INT32_C(1) << 23) : by;
-            p->knot[k].now.v2 = c[k].was + (int32_t)times(c[k].was, by);
+            p->knot[k].is.pace.v2 = c[k].was + (int32_t)times(c[k].was, by);
         }
         if (all_hold(p))
             return n == 0;
     }
     for (unsigned k = 1; k < p->count; k++)
-        p->knot[k].now.v2 = c[k].was;
+        p->knot[k].is.pace.v2 = c[k].was;
     return true;
 }
 
@@ -355,7 +355,7 @@ static void set_even(const problem *p)
     const int32_t b = loft_timing_least(p->knot, p->count);
 
     for (unsigned k = 0; k < p->count; k++)
-        p->knot[k].now.v2 = b - b / 16;
+        p->knot[k].is.pace.v2 = b - b / 16;
 }
 
 void loft_barrier_time(const loft_period *period, loft_knot knot[], unsigned count, unsigned tied,
@@ -370,7 +370,7 @@ void loft_barrier_time(const loft_period *period, loft_knot knot[], unsigned cou
     p.loose = open && count > tied + OPEN ? count - OPEN : count;
     p.share = FIRST;
     for (unsigned k = 0; k < count; k++)
-        p.at[k].tied = k < tied ? knot[k].now.v2 : LOFT_V2_ONE;
+        p.at[k].tied = k < tied ? knot[k].is.pace.v2 : LOFT_V2_ONE;
     set_even(&p);
     for (int n = 0; n < steps; n++) {
         set_derivatives(&p);
@@ -380,5 +380,5 @@ void loft_barrier_time(const loft_period *period, loft_knot knot[], unsigned cou
             p.share = p.share / 3 > LAST ? p.share / 3 : LAST;
     }
     for (unsigned k = 0; k < tied; k++)
-        knot[k].now.v2 = p.at[k].tied;
+        knot[k].is.pace.v2 = p.at[k].tied;
 }

@@ -245,7 +245,7 @@ static int32_t part_within(const loft_period *period, const loft_knot knot[], un
                            const int32_t add[3], bool far)
 {
     interval t; /* an initial value would be set byte by byte */
-    const int32_t v2[3] = { knot[k].now.v2, knot[k + 1].now.v2, knot[k + 2].now.v2 };
+    const int32_t v2[3] = { knot[k].is.pace.v2, knot[k + 1].is.pace.v2, knot[k + 2].is.pace.v2 };
     const int32_t x = v2[0] + add[0], y = v2[1] + add[1], z = v2[2] + add[2];
     int32_t pace[3], more[3];
 
@@ -300,8 +300,8 @@ static bool is_far(const int32_t v2[3], const int32_t add[3])
 int32_t loft_bump_part(const loft_period *period, const loft_knot knot[], unsigned k, int share,
                        const int32_t add[3])
 {
-    const int32_t v2[3] = { knot[k].now.v2, knot[k + 1].now.v2, knot[k + 2].now.v2 },
-                  top = knot[k].is.most.top;
+    const int32_t v2[3] = { knot[k].is.pace.v2, knot[k + 1].is.pace.v2, knot[k + 2].is.pace.v2 },
+                  top = knot[k].is.pace.top;
     int32_t pace[3], more[3], some[3], part = LOFT_BUMP_ONE;
 
     set_pace(v2, pace);

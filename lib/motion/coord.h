@@ -16,6 +16,9 @@ typedef int32_t loft_coord;      /* 2^-24 mm */
 #define LOFT_COORD_BITS 24
 #define LOFT_COORD_MM   ((loft_coord)1 << LOFT_COORD_BITS)
 
+/* A grain is 2^-16 mm: the last bit of a span in q16. */
+#define LOFT_COORD_GRAIN ((loft_coord)1 << (LOFT_COORD_BITS - 16))
+
 typedef struct {
     loft_coord axis[LOFT_AXES];
 } loft_position;
@@ -59,6 +62,15 @@ static inline uint32_t loft_coord_sqrt(uint64_t x) { return loft_root(x); }
  *   cost    22 rounds
  */
 uint32_t loft_coord_cbrt(uint64_t x);
+
+/* A length in grains, rounded down, at most 65535: 1 mm.
+ *
+ *   range   x >= 0
+ */
+static inline uint16_t loft_coord_grains(loft_coord x)
+{
+    return (uint16_t)(x < 65536 * LOFT_COORD_GRAIN ? x / LOFT_COORD_GRAIN : 65535);
+}
 
 /* The length of a vector of differences.
  *

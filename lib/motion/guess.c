@@ -26,10 +26,10 @@ static void set_pace(loft_guess_round *g, const loft_period *period)
 
     loft_barrier_time(period, g->knot, n, g->timed, !g->ended, STEPS);
     for (unsigned k = n; k < g->count; k++)
-        g->knot[k].now.v2 = g->knot[n - 1].now.v2;
+        g->knot[k].is.pace.v2 = g->knot[n - 1].is.pace.v2;
     if (g->timed < 2)
-        g->knot[0].now.v2 = g->knot[1].now.v2 = g->knot[2].now.v2;
-    g->knot[g->count - 1].now.v2 = g->knot[g->count - 2].now.v2;
+        g->knot[0].is.pace.v2 = g->knot[1].is.pace.v2 = g->knot[2].is.pace.v2;
+    g->knot[g->count - 1].is.pace.v2 = g->knot[g->count - 2].is.pace.v2;
 }
 
 
@@ -152,8 +152,8 @@ static void place_at(const loft_guess_round *g, int64_t time, loft_position *out
     const loft_path_place *at[4];
     const loft_knot *k = &g->knot[g->at];
     const int64_t whole = loft_timing_time(g->knot, g->at);
-    const int64_t v0 = loft_coord_sqrt((uint64_t)((int64_t)k[0].now.v2 + k[1].now.v2) << 7),
-                  v1 = loft_coord_sqrt((uint64_t)((int64_t)k[1].now.v2 + k[2].now.v2) << 7);
+    const int64_t v0 = loft_coord_sqrt((uint64_t)((int64_t)k[0].is.pace.v2 + k[1].is.pace.v2) << 7),
+                  v1 = loft_coord_sqrt((uint64_t)((int64_t)k[1].is.pace.v2 + k[2].is.pace.v2) << 7);
     int64_t z = v0 * time + (v1 - v0) * time / whole * time / 2;   /* 2^-32 */
 
     z = z >> 8;
@@ -211,7 +211,8 @@ static void next_place(loft_guess_round *g, unsigned end)
     const int64_t step = step_of(g, sharp, sharp < end || g->ended);
     int64_t gone = 0;
     bool to_sharp = time_to(g, sharp) <= step && (sharp < end || g->ended);
-    loft_coord skip = 0, feed = g->knot[g->at].is.on.feed;
+    uint16_t skip = 0;
+    loft_coord feed = g->knot[g->at].is.on.feed;
     bool loose = g->knot[g->at].is.on.loose;
 
     for (int n = 0; n < 3; n++) {
@@ -260,7 +261,7 @@ static void pop_place(loft_guess_round *g, loft_path_place *out)
         off = x > off ? x : off;
     }
     *out = g->queue[1].on;
-    out->skip = n > 2 ? out->skip + off : 0;
+    loft_path_set_skip(out, n > 2 ? loft_path_skip(out) + off : 0);
     g->queued--;
     for (unsigned k = 0; k < g->queued; k++)
         g->queue[k] = g->queue[k + 1];

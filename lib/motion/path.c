@@ -435,11 +435,11 @@ static void halve(loft_path *path, unsigned k)
     q[1].on.sharp = q[1].on.loose = false;
 }
 
-/* A place in the middle, if less is skipped then: not of teeth that the tolerance swallows. */
-static bool is_better_halved(loft_path *path, unsigned k)
+/* A place in the middle, if less than `whole` is skipped then: not of teeth that the tolerance
+ * swallows. */
+static bool is_better_halved(loft_path *path, unsigned k, loft_coord whole)
 {
-    const loft_path_place *q = &path->queue[k].on;
-    const loft_coord whole = q->skip, most = loft_path_tol(path->chain.period, q) * 13 / 20;
+    const loft_coord most = loft_path_tol(path->chain.period, &path->queue[k].on) * 13 / 20;
 
     halve(path, k);
     const loft_coord first = skipped(path, k), last = skipped(path, k + 1);
@@ -456,10 +456,12 @@ static bool is_halved(loft_path *path, unsigned k)
 {
     loft_path_waiting *q = &path->queue[k];
 
-    q->on.skip = skipped(path, k);
+    const loft_coord skip = skipped(path, k);
+
+    loft_path_set_skip(&q->on, skip);
     q->on.loose = loft_corners_loose(&path->corners, q[0].s, q[1].s);
-    return q->on.skip > loft_path_tol(path->chain.period, &q->on) / 4 &&
-           path->queued < LOFT_PATH_QUEUE && q[1].s - q[0].s >= 64 && is_better_halved(path, k);
+    return skip > loft_path_tol(path->chain.period, &q->on) / 4 && path->queued < LOFT_PATH_QUEUE &&
+           q[1].s - q[0].s >= 64 && is_better_halved(path, k, skip);
 }
 
 /* A place that is put between two changes the cubic before them as well. */

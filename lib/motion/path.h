@@ -24,9 +24,20 @@ typedef struct {
     bool       sharp;       /* it is a corner */
     bool       loose;       /* up to the next one it is near corners */
     loft_position at;
-    loft_coord skip;        /* how far the path is from the cubic through four places
-                             * (loft_path_between), from this one to the next */
+    uint16_t   skip;        /* how far the path is from the cubic through four places
+                             * (loft_path_between), from this one to the next, grains */
+    uint16_t   room;        /* how far a control point may be moved, grains: tube.h */
 } loft_path_place;
+
+static inline loft_coord loft_path_skip(const loft_path_place *p)
+{
+    return p->skip * LOFT_COORD_GRAIN;
+}
+
+static inline void loft_path_set_skip(loft_path_place *p, loft_coord skip)
+{
+    p->skip = loft_coord_grains(skip + LOFT_COORD_GRAIN - 1);
+}
 
 /* How far the motion may be from the path, from this place to the next. */
 static inline loft_coord loft_path_tol(const loft_period *p, const loft_path_place *from)

@@ -15,7 +15,6 @@
  */
 #include "motion/period.h"
 
-#define GRAIN       ((loft_coord)1 << (LOFT_COORD_BITS - 16))
 #define MOST        ((loft_coord)1 << 28)    /* of a difference that is allowed */
 #define TICKS_MAX   1001u                   /* below LOFT_SPAN_TICKS_MAX */
 
@@ -38,7 +37,7 @@ static loft_coord speed_of(const loft_period *period, loft_real speed)
 loft_coord loft_period_speed(const loft_period *period, loft_real speed)
 {
     const loft_coord v = speed_of(period, speed);
-    return v - least(6 * GRAIN, v / 4);
+    return v - least(6 * LOFT_COORD_GRAIN, v / 4);
 }
 
 /* Sixteenths of a tick that a period may last, and the fewest ticks that it must. */
@@ -94,9 +93,11 @@ void loft_period_init(loft_period *period, const loft_limits *limits)
                       j = in_period(period, (int64_t)limits->max_jerk[i] << LOFT_COORD_BITS);
         const loft_coord accel = cut_off(in_period(period, a)), soft = 2 * period->tol,
                          jerk = cut_off(in_period(period, in_period(period, j)));
-        period->speed[i] = whole(speed_of(period, limits->max_speed[i]), 3 * GRAIN);
-        period->accel[i] = whole(jerk > 0 ? accel : least(accel, 6 * period->tol), 6 * GRAIN);
-        period->jerk[i] = whole(least(jerk > 0 ? jerk : period->accel[i], soft), 6 * GRAIN);
+        period->speed[i] = whole(speed_of(period, limits->max_speed[i]), 3 * LOFT_COORD_GRAIN);
+        period->accel[i] = whole(jerk > 0 ? accel : least(accel, 6 * period->tol),
+                                 6 * LOFT_COORD_GRAIN);
+        period->jerk[i] = whole(least(jerk > 0 ? jerk : period->accel[i], soft),
+                                6 * LOFT_COORD_GRAIN);
     }
     const loft_coord spans = period->tol / 24 + loft_coord_length(period->jerk) / 18;
     period->tube = period->tol - spans;

@@ -10,7 +10,7 @@
 #include "motion/aim.h" /* loft_aim_raise */
 
 #define BEHIND    4
-#define SMOOTHING 24 /* knots whose points may still move */
+#define SMOOTHING 16 /* knots whose points may still move */
 #define ALL       (LOFT_PLAN_EFFORT > 1)
 #define STEP      (ALL ? 20 : 32)    /* knots at a time, and what they need on both sides */
 #define SWEEPS    60                 /* of smoothing */
@@ -142,11 +142,11 @@ static void place(loft_plan *plan)
     loft_knot *knot = plan->knot;
 
     if (plan->placed == 0)
-        knot[0].is.most.goal = 0;
+        knot[0].is.pace.goal = 0;
     plan->placed = plan->ended ? plan->count : (uint16_t)(plan->count - SMOOTHING);
     loft_timing_load(&plan->period, knot, from > 3 ? from - 2 : 1, plan->placed - 2u);
     if (plan->ended)
-        knot[plan->count - 2].is.most.goal = knot[plan->count - 1].is.most.goal = 0;
+        knot[plan->count - 2].is.pace.goal = knot[plan->count - 1].is.pace.goal = 0;
     plan->loaded = plan->count;
 }
 
@@ -176,7 +176,7 @@ static void creep(loft_plan *plan)
 
     for (;; b /= 2) {
         for (unsigned k = from; k < to; k++)
-            plan->knot[k].now.v2 = b;
+            plan->knot[k].is.pace.v2 = b;
         if (b < 256 || loft_timing_all_hold(&timing, from > 3 ? from - 2 : 1, timing.end))
             break;
     }
@@ -196,7 +196,7 @@ static int32_t first_pace(const loft_plan *plan, const loft_timing *timing)
 {
     int32_t sum = 0;
     for (unsigned k = timing->from; k < timing->from + MARGIN && k < timing->end; k++)
-        sum += plan->knot[k].now.v2 / MARGIN;
+        sum += plan->knot[k].is.pace.v2 / MARGIN;
     return sum;
 }
 
@@ -224,7 +224,7 @@ static bool raise(loft_plan *plan)
     if (plan->sweep < plan->sweeps && (!ALL || gain >= (now + gain) >> 10))
         return false;
     if (!ALL || timing.from <= from ||
-        first_pace(plan, &timing) - plan->first <= plan->knot[timing.from].now.v2 / 64)
+        first_pace(plan, &timing) - plan->first <= plan->knot[timing.from].is.pace.v2 / 64)
         return true;
     plan->near = (uint16_t)(2 * plan->near);
     plan->sweep = 0;
@@ -367,8 +367,8 @@ static bool has_spare(const loft_plan *plan)
     for (int i = 0; i < LOFT_AXES; i++)
         p.jerk[i] = 0;
     for (unsigned k = 1; k < plan->sure && has; k++)
-        has = plan->knot[k + 1].now.v2 <
-                  plan->knot[k].is.most.top - plan->knot[k].is.most.top / 8 &&
+        has = plan->knot[k + 1].is.pace.v2 <
+                  plan->knot[k].is.pace.top - plan->knot[k].is.pace.top / 8 &&
               loft_timing_holds(&p, plan->knot, k, 60);
     return has;
 }

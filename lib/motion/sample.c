@@ -14,9 +14,9 @@
 /* b at the part z, 2^-24. */
 static int64_t pace_at(const loft_knot knot[], unsigned k, int32_t z)
 {
-    const int64_t b0 = ((int64_t)knot[k].now.v2 + knot[k + 1].now.v2) / 2,
-                  rise = (int64_t)knot[k + 1].now.v2 - knot[k].now.v2,
-                  curve = (int64_t)knot[k + 2].now.v2 - knot[k + 1].now.v2 - rise;
+    const int64_t b0 = ((int64_t)knot[k].is.pace.v2 + knot[k + 1].is.pace.v2) / 2,
+                  rise = (int64_t)knot[k + 1].is.pace.v2 - knot[k].is.pace.v2,
+                  curve = (int64_t)knot[k + 2].is.pace.v2 - knot[k + 1].is.pace.v2 - rise;
     return b0 + ((rise + (curve * z >> 31)) * z >> 30);
 }
 

@@ -36,8 +36,7 @@
 
 #define FIRST       2       /* the next span begins at knot FIRST */
 #define FINE        14      /* bits of velocities and accelerations below a unit */
-#define GRAIN       ((int32_t)1 << (LOFT_COORD_BITS - 16))      /* in units */
-#define SIX_GRAINS  (6 * GRAIN)
+#define SIX_GRAINS  (6 * LOFT_COORD_GRAIN)
 #define SLACK       64      /* units, a quarter of a grain, by which what is wanted of a span may be
                              * beyond the limits */
 
@@ -322,7 +321,7 @@ static int64_t over_of(steps_of_axis x, const wanted *w)
     return beyond(x.v, w->speed) + beyond(x.v + x.n0, w->speed) +
            beyond(x.v + x.n0 + x.n1, w->speed) + beyond(x.n0, w->accel) + beyond(x.n1, w->accel) +
            beyond(x.n1 - x.n0, w->jerk) +
-           (w->ends ? beyond(w->rest - way_of(x) * GRAIN, w->remains) : 0);
+           (w->ends ? beyond(w->rest - way_of(x) * LOFT_COORD_GRAIN, w->remains) : 0);
 }
 
 static int64_t cost_of(steps_of_axis x, const wanted *w)
@@ -374,10 +373,10 @@ static wanted want(const loft_thin *t, int i)
         .n0 = n0 + more / 2,
         .n1 = n1 - (more - more / 2),
         .way  = e.six_p3 - t->grains[i] * SIX_GRAINS,
-        .rest = t->point[t->count - 1].at[i] - t->grains[i] * GRAIN,
-        .speed = p->speed[i] / (3 * GRAIN) * n,
-        .accel = p->accel[i] / (6 * GRAIN) * n * n,
-        .jerk  = p->jerk[i] / (6 * GRAIN) * n * n * n,
+        .rest = t->point[t->count - 1].at[i] - t->grains[i] * LOFT_COORD_GRAIN,
+        .speed = p->speed[i] / (3 * LOFT_COORD_GRAIN) * n,
+        .accel = p->accel[i] / (6 * LOFT_COORD_GRAIN) * n * n,
+        .jerk  = p->jerk[i] / (6 * LOFT_COORD_GRAIN) * n * n * n,
         .remains = p->jerk[i] / 6,
                        .ends = t->ended && FIRST + 5u == t->count };
     return w;
@@ -386,7 +385,8 @@ static wanted want(const loft_thin *t, int i)
 /* Units from the start, mm. */
 static loft_real real_of(const loft_thin *t, int i, int64_t grains)
 {
-    return loft_acc_round(loft_to_acc(t->from.axis[i]) + loft_coord_to_acc(grains * GRAIN));
+    return loft_acc_round(loft_to_acc(t->from.axis[i]) +
+                          loft_coord_to_acc(grains * LOFT_COORD_GRAIN));
 }
 
 static void set_span(loft_thin *t, loft_span *out)

@@ -14,7 +14,7 @@
 
 #include "motion/bump.h"    /* loft_bump_part */
 
-#define EASY        32      /* knots before an open end */
+#define EASY        16      /* knots before an open end */
 #define FINE        (LOFT_PLAN_EFFORT > 1 ? 1000 : 500)
 #define BACK        (LOFT_PLAN_EFFORT < 2)  /* from the end: a knot can rise when the next has */
 
@@ -64,8 +64,8 @@ static int32_t top_of(const loft_period *p, const loft_knot knot[], unsigned k)
 void loft_timing_load(const loft_period *period, loft_knot knot[], unsigned from, unsigned to)
 {
     for (unsigned k = from; k < to; k++) {
-        knot[k].is.most.top  = top_of(period, knot, k);
-        knot[k].is.most.goal = loft_timing_even(period, knot, k);
+        knot[k].is.pace.top  = top_of(period, knot, k);
+        knot[k].is.pace.goal = loft_timing_even(period, knot, k);
     }
 }
 
@@ -121,10 +121,10 @@ static void set_pace(int32_t x, int32_t y, int32_t z, pace at[3])
 bool loft_timing_holds(const loft_period *period, const loft_knot knot[], unsigned k, int share)
 {
     pace at[3];
-    const int32_t curve = knot[k].now.v2 - 2 * knot[k + 1].now.v2 + knot[k + 2].now.v2,
-                  top = knot[k].is.most.top;
+    const int32_t curve = knot[k].is.pace.v2 - 2 * knot[k + 1].is.pace.v2 + knot[k + 2].is.pace.v2,
+                  top = knot[k].is.pace.top;
 
-    set_pace(knot[k].now.v2, knot[k + 1].now.v2, knot[k + 2].now.v2, at);
+    set_pace(knot[k].is.pace.v2, knot[k + 1].is.pace.v2, knot[k + 2].is.pace.v2, at);
     if (at[0].b > top || at[1].b > top || at[2].b > top)
         return false;
     for (int i = 0; i < LOFT_AXES; i++)
@@ -137,7 +137,7 @@ bool loft_timing_holds(const loft_period *period, const loft_knot knot[], unsign
  *      = 2^14 (part^2)^(1/3) = 2^7 (part^2 2^21)^(1/3) */
 int32_t loft_timing_even(const loft_period *period, const loft_knot knot[], unsigned k)
 {
-    int64_t b = knot[k].is.most.top;
+    int64_t b = knot[k].is.pace.top;
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const legs e = legs_of(knot, k, i);
@@ -166,7 +166,7 @@ int32_t loft_timing_least(const loft_knot knot[], unsigned count)
     int32_t b = LOFT_V2_ONE;
 
     for (unsigned k = 1; k + 2 < count; k++)
-        b = knot[k].is.most.goal < b ? knot[k].is.most.goal : b;
+        b = knot[k].is.pace.goal < b ? knot[k].is.pace.goal : b;
     return b;
 }
 
@@ -224,14 +224,14 @@ static bool raise(bump *b)
 {
     const loft_timing *t = b->t;
     loft_knot *q = &t->knot[b->at];
-    const int32_t fine = q->now.v2 / FINE, rise = q[-1].is.most.goal - q->now.v2;
+    const int32_t fine = q->is.pace.v2 / FINE, rise = q[-1].is.pace.goal - q->is.pace.v2;
     const unsigned from = b->at > t->from + b->width ? b->at - b->width : t->from,
                    first = from > 3 ? from - 2 : 1, last = b->at + b->width + 1,
                    to = last < t->to ? last : t->to, end = to < t->end ? to : t->end;
 
-    b->by = rise > q->now.v2 ? rise : q->now.v2;
-    if (b->by >= LOFT_V2_MAX - q->now.v2)
-        b->by = LOFT_V2_MAX - q->now.v2 - 1;
+    b->by = rise > q->is.pace.v2 ? rise : q->is.pace.v2;
+    if (b->by >= LOFT_V2_MAX - q->is.pace.v2)
+        b->by = LOFT_V2_MAX - q->is.pace.v2 - 1;
     /* from the middle outwards: there it is most likely to be refused */
     for (unsigned n = 0; n <= b->width + 1 && b->by / 2 > fine; n++) {
         if (b->at + n < end)
@@ -243,16 +243,16 @@ static bool raise(bump *b)
     if (b->by <= fine)
         return false;
     for (unsigned k = from; k < to; k++)
-        t->knot[k].now.v2 += add_at(b, k);
+        t->knot[k].is.pace.v2 += add_at(b, k);
     return true;
 }
 
 int32_t loft_timing_time(const loft_knot knot[], unsigned k)
 {
-    const uint32_t v0 = loft_coord_sqrt((uint64_t)(uint32_t)(knot[k].now.v2 + knot[k + 1].now.v2)
-                                        << 23),
+    const uint32_t v0 = loft_coord_sqrt(
+                       (uint64_t)(uint32_t)(knot[k].is.pace.v2 + knot[k + 1].is.pace.v2) << 23),
                    v1 = loft_coord_sqrt(
-                       (uint64_t)(uint32_t)(knot[k + 1].now.v2 + knot[k + 2].now.v2) << 23);
+                       (uint64_t)(uint32_t)(knot[k + 1].is.pace.v2 + knot[k + 2].is.pace.v2) << 23);
     return (int32_t)(((uint64_t)2 << 40) / (v0 + v1 + 1));
 }
 /* v = sqrt(b 2^48) = 2^24 sqrt b */

@@ -110,7 +110,7 @@ static loft_coord left_between(const loft_period *p, const loft_knot knot[], uns
     const loft_coord x = *off, y = off_at(knot, k + 1), z = off_between(knot, k, here);
     const loft_coord most = x > y ? x : y;
     *off = y;
-    return p->tube + (knot[k].is.on.loose ? p->more : 0) - knot[k].is.on.skip -
+    return p->tube + (knot[k].is.on.loose ? p->more : 0) - loft_path_skip(&knot[k].is.on) -
            (most > z ? most : z);
 }
 
@@ -131,12 +131,13 @@ void loft_tube_measure(const loft_period *p, loft_knot knot[], unsigned from, un
     loft_coord off = from > 3 ? off_at(knot, from - 2) : 0;
 
     for (unsigned k = from; k < to; k++)
-        knot[k].now.room = most_room(p, knot, k);
+        knot[k].is.on.room = loft_coord_grains(most_room(p, knot, k));
     for (unsigned k = from - 2; k < to; k++) {
-        const loft_coord left = left_between(p, knot, k, &off);
+        const loft_coord most = left_between(p, knot, k, &off);
+        const uint16_t left = loft_coord_grains(most > 0 ? most : 0);
         for (unsigned i = k - 1; i <= k + 2; i++)
-            if (i >= from && i < to && knot[i].now.room > left)
-                knot[i].now.room = left > 0 ? left : 0;
+            if (i >= from && i < to && knot[i].is.on.room > left)
+                knot[i].is.on.room = left;
     }
 }
 
@@ -177,7 +178,7 @@ static void pull(loft_coord e[], loft_coord r)
 static void relax(loft_knot knot[], unsigned k)
 {
     loft_coord e[LOFT_AXES], c[LOFT_AXES];
-    const loft_coord r = knot[k].now.room;
+    const loft_coord r = knot[k].is.on.room * LOFT_COORD_GRAIN;
     bool far = false;
 
     for (int i = 0; i < LOFT_AXES; i++) {

@@ -11,37 +11,36 @@
 
 LOFT_BEGIN_C
 
-/* The most that the pace of a knot may be. It begins as its place does, which is kept then. */
+/* The pace of a knot. It begins as its place does: that is kept. */
 typedef struct {
     loft_coord feed;
     uint16_t   number;
     bool       sharp, loose;
-    int32_t    top;         /* the most that speed allows it to be, up to the next knot */
+    int32_t    top;         /* the most that speed allows v2 to be, up to the next knot */
     int32_t    goal;        /* the most that all limits allow an even one, up to the next knot */
     int32_t    aim;         /* what v2 is moved to, at first: aim.h */
-} loft_knot_most;
+    int32_t    v2;          /* control value of the squared pace, 2^-24: timing.h */
+} loft_knot_pace;
 
-/* A path is smoothed first, and then it is timed. With little effort both use the same memory; the
- * guess (guess.h) goes on with the places. */
+/* A path is smoothed first, and then it is timed. With little effort both use the same memory:
+ * `on` is known until a knot is placed, its `at` until the next one is; then it has a pace, and all
+ * of it when the next but one is placed. The guess (guess.h) goes on with the places. */
 #if LOFT_PLAN_EFFORT > 1
-#define LOFT_KNOT_EITHER struct
+typedef struct {
+    loft_path_place on;     /* what is given */
+    loft_knot_pace  pace;
+} loft_knot_state;
 #else
-#define LOFT_KNOT_EITHER union
+typedef union {
+    loft_path_place on;
+    loft_knot_pace  pace;
+} loft_knot_state;
 #endif
 
 /* A knot of the path. Do not rely on the fields. */
 typedef struct {
-    loft_position point;    /* control point of the path */
-    union {
-        loft_coord room;    /* until it is placed: how far that may be from where it meets places */
-        int32_t    v2;      /* then: control value of the squared pace, 2^-24: timing.h */
-    } now;
-    LOFT_KNOT_EITHER
-    {
-        loft_path_place on;     /* until the next one is placed, too: what is given */
-        loft_knot_most  most;   /* when the next but one is placed, too */
-    }
-    is;
+    loft_position   point;  /* control point of the path */
+    loft_knot_state is;
 } loft_knot;
 
 /* Put the control points from..to - 1 where the path through the knots has them.

@@ -9,7 +9,7 @@ dir=$1; shift
 for tool in arm-none-eabi-gcc qemu-system-arm; do
     command -v $tool >/dev/null || { echo "$tool is missing: make deps-target" >&2; exit 1; }
 done
-knots=${KNOTS:-176} moves=${MOVES:-32}
+knots=${KNOTS:-112} moves=${MOVES:-32}
 mkdir -p "$dir/lists"
 [ -s "$dir/lists/outline-chords.moves" ] ||
     /usr/bin/python3 tests/bench/motion_lists.py "$dir/lists"

@@ -47,7 +47,7 @@ static inline void arb_path(arb *a)
 
 static inline double v2_at(unsigned k, double z, double *slope, double *curve)
 {
-    const double x = knot[k].now.v2, y = knot[k + 1].now.v2, w = knot[k + 2].now.v2,
+    const double x = knot[k].is.pace.v2, y = knot[k + 1].is.pace.v2, w = knot[k + 2].is.pace.v2,
                  one = LOFT_V2_ONE;
     *curve = (x - 2 * y + w) / one;
     *slope = (y - x) / one + *curve * z;

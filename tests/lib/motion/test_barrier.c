@@ -29,14 +29,14 @@ static void it_takes_no_more_time_than_bumps(arb *a)
 {
     arb_path(a);
     for (unsigned k = 0; k < knots; k++)
-        knot[k].now.v2 = LOFT_V2_ONE / 1024;
+        knot[k].is.pace.v2 = LOFT_V2_ONE / 1024;
     const loft_timing t = { &period, knot, 1, knots, knots - 2, false };
     for (unsigned n = 0; n < 12; n++)
         loft_timing_raise(&t, n);
     const double bumps = time_of_knots();
     double fastest = 0;
     for (unsigned k = 0; k < knots; k++)
-        fastest = fmax(fastest, knot[k].now.v2);
+        fastest = fmax(fastest, knot[k].is.pace.v2);
     loft_barrier_time(&period, knot, knots, 0, false, 30);
     if (fastest < LOFT_BARRIER_FASTEST)
         CHECK(time_of_knots() <= 1.02 * bumps);
@@ -62,11 +62,11 @@ static void tied_knots_keep_their_pace(arb *a)
     loft_barrier_time(&period, knot, knots, 0, false, 12);
     const unsigned tied = 2 + arb_below(a, knots - 4);
     for (unsigned k = 0; k < knots; k++)
-        v2[k] = knot[k].now.v2;
+        v2[k] = knot[k].is.pace.v2;
     loft_barrier_time(&period, knot, knots, tied, false, 12);
     for (unsigned k = 0; k < tied; k++)
-        CHECK(knot[k].now.v2 == v2[k]);
-    CHECK_NEAR(knot[tied].now.v2, v2[tied], v2[tied] / 4);
+        CHECK(knot[k].is.pace.v2 == v2[k]);
+    CHECK_NEAR(knot[tied].is.pace.v2, v2[tied], v2[tied] / 4);
 }
 
 /* However slow a feed is. */
@@ -75,13 +75,13 @@ static void slow_feeds_are_held(arb *a)
     arb_path(a);
     for (unsigned k = 0; k < knots; k++)
         if (arb_below(a, 2)) {
-            knot[k].is.most.top  = LOFT_V2_MIN << arb_below(a, 12);
-            knot[k].is.most.goal = knot[k].is.most.goal < knot[k].is.most.top ? knot[k].is.most.goal
-                                                                              : knot[k].is.most.top;
+            knot[k].is.pace.top  = LOFT_V2_MIN << arb_below(a, 12);
+            knot[k].is.pace.goal = knot[k].is.pace.goal < knot[k].is.pace.top ? knot[k].is.pace.goal
+                                                                              : knot[k].is.pace.top;
         }
     loft_barrier_time(&period, knot, knots, 0, false, 30);
     for (unsigned k = 1; k + 2 < knots; k++)
-        CHECK((knot[k].now.v2 + knot[k + 1].now.v2) / 2 < knot[k].is.most.top + 32);
+        CHECK((knot[k].is.pace.v2 + knot[k + 1].is.pace.v2) / 2 < knot[k].is.pace.top + 32);
 }
 
 int main(void)

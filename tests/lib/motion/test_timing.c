@@ -11,7 +11,7 @@
 static void creep(void)
 {
     for (unsigned k = 0; k < knots; k++)
-        knot[k].now.v2 = LOFT_V2_ONE / 1024;
+        knot[k].is.pace.v2 = LOFT_V2_ONE / 1024;
 }
 
 static loft_timing timing_of(bool open)
@@ -25,14 +25,14 @@ static void what_holds_holds_all_the_way(arb *a)
 {
     arb_path(a);
     for (unsigned k = 0; k < knots; k++)
-        knot[k].now.v2 = (int32_t)(LOFT_V2_ONE * arb_decades(a, 0.01, 2));
+        knot[k].is.pace.v2 = (int32_t)(LOFT_V2_ONE * arb_decades(a, 0.01, 2));
     for (unsigned k = 1; k + 2 < knots; k++) {
         double use[3];
         uses_of(k, use);
         const bool holds = loft_timing_holds(&period, knot, k, 64);
         if (holds)
             CHECK(use[0] <= 1.001 && use[1] <= 1.1 && use[2] <= 1.3);
-        if (use[0] < 0.9 && use[1] < 0.97 && use[2] < 0.97 && knot[k].is.most.top > 3 * LOFT_V2_ONE)
+        if (use[0] < 0.9 && use[1] < 0.97 && use[2] < 0.97 && knot[k].is.pace.top > 3 * LOFT_V2_ONE)
             CHECK(holds);
     }
 }
@@ -43,23 +43,24 @@ static void a_part_of_a_change_holds(arb *a)
 {
     arb_path(a);
     for (unsigned k = 0; k < knots; k++)
-        knot[k].now.v2 = (int32_t)(LOFT_V2_ONE * arb_decades(a, 0.001, 0.002));
+        knot[k].is.pace.v2 = (int32_t)(LOFT_V2_ONE * arb_decades(a, 0.001, 0.002));
     for (unsigned n = 0; n < 200; n++) {
         const unsigned k = 1 + arb_below(a, knots - 3);
         const int share = (int)(16 + arb_below(a, 49));
         int32_t add[3];
         for (int j = 0; j < 3; j++)
-            add[j] = (int32_t)(knot[k + 1].now.v2 * arb_decades(a, 0.01, 100));
+            add[j] = (int32_t)(knot[k + 1].is.pace.v2 * arb_decades(a, 0.01, 100));
         if (!loft_timing_holds(&period, knot, k, share))
             continue;
         const int32_t part = loft_bump_part(&period, knot, k, share, add);
         CHECK(part >= 0 && part <= LOFT_BUMP_ONE);
         int32_t before[3];
         for (int j = 0; j < 3; j++)
-            before[j] = knot[k + (unsigned)j].now.v2;
+            before[j] = knot[k + (unsigned)j].is.pace.v2;
         for (int of = 1; of <= 4; of++) {
             for (unsigned j = 0; j < 3; j++)
-                knot[k + j].now.v2 = before[j] + (int32_t)((double)add[j] * part * of / 4 / 32768);
+                knot[k + j].is.pace.v2 = before[j] +
+                                         (int32_t)((double)add[j] * part * of / 4 / 32768);
             CHECK(loft_timing_holds(&period, knot, k, share));
         }
         double least = 1e9, most = 0;
@@ -70,11 +71,11 @@ static void a_part_of_a_change_holds(arb *a)
         const double more = part / 32768.0 * 1.5 + 0.25 * least;
         const bool asked = more < 1 && most < 0.5 && least > 0.5;
         for (unsigned j = 0; j < 3; j++)
-            knot[k + j].now.v2 = before[j] + (int32_t)(add[j] * more);
+            knot[k + j].is.pace.v2 = before[j] + (int32_t)(add[j] * more);
         if (asked)
             CHECK(!loft_timing_holds(&period, knot, k, share));
         for (unsigned j = 0; j < 3; j++)
-            knot[k + j].now.v2 = before[j];
+            knot[k + j].is.pace.v2 = before[j];
     }
 }
 
@@ -99,7 +100,7 @@ static void raising_holds_all_limits(arb *a)
         before = time;
     }
     for (unsigned k = knots - 4; open && k < knots; k++)
-        CHECK(knot[k].now.v2 == LOFT_V2_ONE / 1024);
+        CHECK(knot[k].is.pace.v2 == LOFT_V2_ONE / 1024);
     double most = 0;
     for (unsigned k = 1; k + 2 < knots; k++) {
         double use[3];
@@ -116,7 +117,7 @@ static void an_even_pace_holds(arb *a)
     for (unsigned k = 1; k + 2 < knots; k++) {
         const int32_t v2 = loft_timing_even(&period, knot, k);
         for (unsigned j = k; j <= k + 2; j++)
-            knot[j].now.v2 = v2 - v2 / 16;
+            knot[j].is.pace.v2 = v2 - v2 / 16;
         CHECK(loft_timing_holds(&period, knot, k, 64));
     }
 }
@@ -125,9 +126,9 @@ static void an_even_pace_holds(arb *a)
 static void times_are_those_of_the_pace(arb *a)
 {
     knots = 3;
-    knot[0].now.v2 = (int32_t)(LOFT_V2_ONE * arb_decades(a, 0.01, 4));
+    knot[0].is.pace.v2 = (int32_t)(LOFT_V2_ONE * arb_decades(a, 0.01, 4));
     for (unsigned k = 1; k < 3; k++)
-        knot[k].now.v2 = (int32_t)(knot[k - 1].now.v2 * arb_between(a, 0.75, 1.33));
+        knot[k].is.pace.v2 = (int32_t)(knot[k - 1].is.pace.v2 * arb_between(a, 0.75, 1.33));
     double sum = 0, slope, curve;
     const int32_t z = (int32_t)(0x1p30 * arb_between(a, 0, 1));
     double part = 0;
@@ -146,7 +147,7 @@ static void passing_in_steps_is_passing_at_once(arb *a)
 {
     arb_path(a);
     for (unsigned k = 0; k < knots; k++)
-        knot[k].now.v2 = (int32_t)(LOFT_V2_ONE * arb_decades(a, 0.1, 2));
+        knot[k].is.pace.v2 = (int32_t)(LOFT_V2_ONE * arb_decades(a, 0.1, 2));
     loft_sample one = { 1, 0, 0 }, many = { 1, 0, 0 };
     const loft_time step = (loft_time)(0x1p30 * arb_between(a, 0.01, 1.5));
     CHECK(loft_sample_pass(&one, knot, knots - 2, 7 * step) == 0 || one.knot == knots - 2);

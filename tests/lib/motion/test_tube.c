@@ -27,7 +27,8 @@ static void arb_knots(arb *a)
             arb_direction(a, step);
         const double size = period.tol * arb_between(a, 0.01, 20);
         knot[k].is.on.loose = arb_below(a, 4) > 0;
-        knot[k].is.on.skip = arb_below(a, 3) ? 0 : (loft_coord)(period.tol * arb_between(a, 0, 1));
+        loft_path_set_skip(&knot[k].is.on,
+                           arb_below(a, 3) ? 0 : (loft_coord)(period.tol * arb_between(a, 0, 1)));
         for (int i = 0; i < LOFT_AXES; i++) {
             knot[k].is.on.at.axis[i] = (loft_coord)at[i];
             at[i] += size * step[i];
@@ -88,7 +89,7 @@ static void smoothing_stays_within_the_tolerance(arb *a)
         for (unsigned i = k - 2; k >= from && k < to && i <= k + 1; i++)
             tol = loft_path_tol(&period, &knot[i].is.on) < tol ? period.tol : tol;
         CHECK(sqrt(sum) <= (k < from || k >= to ? 0 : 6.0 / 7 * tol + 4));
-        if (k > 0 && knot[k].is.on.skip > tol)
+        if (k > 0 && loft_path_skip(&knot[k].is.on) > tol)
             CHECK(sqrt(sum) <= period.tol / 5 + 4);
     }
 }
