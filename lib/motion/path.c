@@ -419,15 +419,28 @@ static loft_coord skipped(loft_path *path, unsigned k)
     return most;
 }
 
-/* A place in the middle of place k and the next. */
+/* Where a place goes between place k and the next: ways should be longer or shorter by little than
+ * those around them, so it shares this one as they are, between 1 : 2 and 2 : 1. */
+static int64_t middle_of(const loft_path_waiting *q, unsigned count, unsigned k)
+{
+    const int64_t way = q[k + 1].s - q[k].s, before = k > 0 ? q[k].s - q[k - 1].s : 0,
+                  after = k + 2 < count ? q[k + 2].s - q[k + 1].s : 0;
+
+    return q[k].s + (before >= 2 * after   ? way - way / 3
+                     : after >= 2 * before ? way / 3
+                                           : before * way / (before + after));
+}
+
+/* A place between place k and the next. */
 static void halve(loft_path *path, unsigned k)
 {
     loft_path_waiting *q = &path->queue[k];
+    const int64_t s = middle_of(path->queue, path->queued, k);
 
     for (unsigned i = path->queued - k; i > 1; i--)
         q[i] = q[i - 1];
     path->queued++;
-    q[1].s = (q[0].s + q[2].s) / 2;
+    q[1].s = s;
     loft_chain_walk w = *walk_before(path, q[1].s);
     q[1].on.feed = least(loft_chain_go(&path->chain, &w, q[1].s), q[2].on.feed);
     loft_chain_place(&w, q[1].s, &q[1].on.at);
@@ -451,25 +464,28 @@ static bool is_better_halved(loft_path *path, unsigned k, loft_coord whole)
     return false;
 }
 
-/* Set what is skipped from place k to the next; true: a place was put between them. */
-static bool is_halved(loft_path *path, unsigned k)
+/* Set what is skipped from place k to the next; gives that, or 0, if no place is wanted between. */
+static loft_coord coarse(loft_path *path, unsigned k)
 {
     loft_path_waiting *q = &path->queue[k];
-
     const loft_coord skip = skipped(path, k);
 
     loft_path_set_skip(&q->on, skip);
     q->on.loose = loft_corners_loose(&path->corners, q[0].s, q[1].s);
-    return skip > loft_path_tol(path->chain.period, &q->on) / 4 && path->queued < LOFT_PATH_QUEUE &&
-           q[1].s - q[0].s >= 64 && is_better_halved(path, k, skip);
+    return skip > loft_path_tol(path->chain.period, &q->on) / 4 && q[1].s - q[0].s >= 64 ? skip : 0;
 }
 
-/* A place that is put between two changes the cubic before them as well. */
+/* A place that is put between two changes the cubic before them as well. Where there is no room for
+ * it, there is when those before have been given. */
 static void settle(loft_path *path)
 {
     while (path->settled < AHEAD && path->settled + 2u < path->queued) {
         const unsigned k = path->settled + 1u;
-        if (is_halved(path, k))
+        const loft_coord skip = coarse(path, k);
+        const bool full = path->queued == LOFT_PATH_QUEUE;
+        if (skip > 0 && full && k > 1)
+            break;
+        if (skip > 0 && !full && is_better_halved(path, k, skip))
             path->settled = (uint8_t)(k > 2 ? k - 2 : 0);
         else
             path->settled++;
