@@ -40,5 +40,5 @@ int main(void)
 
 /* prints
  *
- *     4 curves in 1736 ms, at rest again
+ *     4 curves in 1732 ms, at rest again
  */
