@@ -91,6 +91,7 @@
 #include "curve/catmull.h"
 #include "curve/circle.h"
 #include "curve/drawing.h"
+#include "curve/fit.h"
 #include "curve/to_cubics.h"
 #include "curve/tween.h"
 #include "curve/forward.h"

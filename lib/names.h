@@ -158,6 +158,7 @@
 #define loft_binomial_sci          LOFT_NAME(loft_binomial_sci)
 #define loft_bspline_deriv         LOFT_NAME(loft_bspline_deriv)
 #define loft_bspline_eval          LOFT_NAME(loft_bspline_eval)
+#define loft_bspline_fit           LOFT_NAME(loft_bspline_fit)
 #define loft_bspline_init          LOFT_NAME(loft_bspline_init)
 #define loft_bspline_insert        LOFT_NAME(loft_bspline_insert)
 #define loft_bspline_next          LOFT_NAME(loft_bspline_next)
