@@ -23,11 +23,11 @@ struct tool_command {
 };
 
 extern const tool_command command_compare, command_contour, command_decide, command_eval,
-    command_export, command_figures, command_flatten, command_go, command_harmonic, command_home,
-    command_jog, command_make, command_measure, command_mill, command_monitor, command_plan,
-    command_plot, command_ports, command_sample, command_set, command_settings, command_simulate,
-    command_stream, command_study, command_surface, command_park, command_pen, command_probe,
-    command_unlock, command_zero;
+    command_export, command_figures, command_fit, command_flatten, command_go, command_harmonic,
+    command_home, command_jog, command_make, command_measure, command_mill, command_monitor,
+    command_plan, command_plot, command_ports, command_sample, command_set, command_settings,
+    command_simulate, command_stream, command_study, command_surface, command_park, command_pen,
+    command_probe, command_unlock, command_zero;
 
 /* Print `loft: <message>` and return `code`. With EX_OK it is a warning: --strict, which all
  * commands take, ends the program with EX_DATAERR then. */

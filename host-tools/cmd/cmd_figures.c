@@ -59,7 +59,7 @@ static const tool_command *command_of(const char *name)
 {
     static const tool_command *const used[] = { &command_make,    &command_decide,  &command_eval,
                                                 &command_measure, &command_compare, &command_plot,
-                                                &command_contour, &command_surface };
+                                                &command_contour, &command_surface, &command_fit };
 
     for (size_t i = 0; i < sizeof used / sizeof used[0]; i++)
         if (strcmp(used[i]->name, name) == 0)

@@ -10,6 +10,7 @@
 #include "motion/plan.h"    /* LOFT_PLAN_REACH */
 #include "machine/step.h"   /* loft_steps_of */
 
+#include "engine/engine_fit.h"      /* engine_fit_spline */
 #include "engine/engine_num.h"     /* real_of, vec_of, point_of */
 
 static int hold_number(double x, double *out)
@@ -108,6 +109,7 @@ const engine ENGINE_OF(engine) = { .name = ENGINE_TEXT(LOFT_TAG),
                                    .curve = &ENGINE_OF(engine_curves),
                                    .piece = &ENGINE_OF(engine_pieces),
                                    .measure = &ENGINE_OF(engine_measures),
+                                   .fit = ENGINE_OF(engine_fit_spline),
                                    .ellipse = ellipse,
                                    .arc = arc,
                                    .surface = &ENGINE_OF(engine_surfaces),

@@ -174,6 +174,16 @@ extern const engine_surfaces engine_surfaces_q16, engine_surfaces_f32, engine_su
 extern const engine_curves engine_curves_q16, engine_curves_f32, engine_curves_f64;
 extern const engine_pieces engine_pieces_q16, engine_pieces_f32, engine_pieces_f64;
 
+/* Points with ascending parameters, and the knots of the B-spline that curve/fit.h makes near them;
+ * weight NULL: 1 each. */
+typedef struct {
+    const double (*p)[ENGINE_AXES], *u, *weight;
+    size_t count;
+    const double *knot;         /* points + degree + 1 */
+    unsigned points, degree;
+    bool closed;
+} engine_fit;
+
 /* A plan in progress: its memory does not depend on the number of moves. */
 typedef struct engine_plan engine_plan;
 
@@ -203,6 +213,8 @@ typedef struct {
     const engine_curves *curve;
     const engine_pieces *piece;
     const engine_measures *measure;
+    /* The control points of the B-spline nearest to points. */
+    int (*fit)(const engine_fit *f, double out[][ENGINE_AXES]);
     /* The arc of an SVG path, at most about one turn, as cubics in the plane within tol of it.
      * turns is 1 from x to y, or -1. */
     int (*ellipse)(const double from[2], const double to[2], const double radii[2], double degrees,

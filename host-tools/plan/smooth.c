@@ -2,10 +2,8 @@
  * SPDX-License-Identifier: MIT
  *
  * A chain is sampled at its vertices and on long lines. A cubic B-spline over the length along the
- * chain is fitted by least squares (C. de Boor, A Practical Guide to Splines, 2001, chapter XIV);
- * the normal equations have seven diagonals. Intervals with too large an error are halved until the
- * fit is good, or until a vertex proves to be a corner. Then the chain is cut there, and both parts
- * are tried.
+ * chain is fitted (spline_fit.h). Where a vertex proves to be a corner the chain is cut, and both
+ * parts are tried.
  */
 #include <math.h>
 #include <stdint.h>
@@ -13,6 +11,7 @@
 #include <string.h>
 
 #include "plan/smooth.h"
+#include "plan/spline_fit.h"
 #include "base/space.h"          /* space_distance */
 #include "base/tool.h"           /* tool_grow */
 
@@ -21,177 +20,14 @@
 #define LEAST       4       /* lines, at least, to fit a curve */
 #define APART       0.25    /* mm: between samples on a long line; at most MANY of them */
 #define MANY        200
-#define BETWEEN     4       /* checked places between two samples */
-#define CHECKED     0.9     /* of `within` may be used there */
-#define ROUNDS      40
 #define CHAIN       4096    /* lines; longer chains are cut, so that memory is bounded */
 
 /* Samples of a chain, and the spline through them. */
 typedef struct fit {
-    double (*p)[3], *u;     /* place, length along the chain                  */
-    size_t *vertex;         /* the line that starts there, or that it lies on */
-    size_t count, room;
-    double *knot;           /* ends and inner knots, ascending: `intervals` + 1 */
-    size_t *first;          /* of each interval: its first sample             */
-    size_t intervals;
-    double (*c)[3];         /* intervals + 3 coefficients                     */
-    double (*a)[4], (*b)[3];
+    spline_fit s;
+    size_t *vertex;         /* of each sample: the line that starts there, or that it lies on */
+    size_t room;
 } fit;
-
-
-// The spline
-// ----------
-
-static double knot_at(const fit *f, long i)
-{
-    return f->knot[i < 0 ? 0 : i > (long)f->intervals ? (long)f->intervals : i];
-}
-
-/* The four B-splines that are not 0 on interval k, and their derivatives (de Boor's recurrence). */
-static void basis_values(const fit *f, size_t k, double u, double value[4], double deriv[4])
-{
-    double left[4], right[4], lower[3] = { 0 };
-
-    value[0] = 1;
-    for (int j = 1; j <= 3; j++) {
-        double saved = 0;
-        if (j == 3)
-            memcpy(lower, value, sizeof lower);
-        left[j]  = u - knot_at(f, (long)k + 1 - j);
-        right[j] = knot_at(f, (long)k + j) - u;
-        for (int r = 0; r < j; r++) {
-            const double part = value[r] / (right[r + 1] + left[j - r]);
-            value[r] = saved + right[r + 1] * part;
-            saved    = left[j - r] * part;
-        }
-        value[j] = saved;
-    }
-    for (int r = 0; r <= 3; r++) {
-        const long i = (long)k + r - 3;
-        deriv[r] = (r > 0 ? 3 * lower[r - 1] / (knot_at(f, i + 3) - knot_at(f, i)) : 0) -
-                   (r < 3 ? 3 * lower[r] / (knot_at(f, i + 4) - knot_at(f, i + 1)) : 0);
-    }
-}
-
-static void eval_spline(const fit *f, size_t k, double u, double out[3], double slope[3])
-{
-    double value[4], deriv[4];
-
-    basis_values(f, k, u, value, deriv);
-    for (int i = 0; i < 3; i++) {
-        out[i] = slope[i] = 0;
-        for (int r = 0; r < 4; r++) {
-            out[i]   += value[r] * f->c[k + (size_t)r][i];
-            slope[i] += deriv[r] * f->c[k + (size_t)r][i];
-        }
-    }
-}
-
-/* Cholesky with seven diagonals: a[i][j] is row i, column i - j. */
-static void solve_banded(double (*a)[4], double (*b)[3], size_t n)
-{
-    for (size_t i = 0; i < n; i++) {
-        for (size_t j = i < 3 ? i : 3; j + 1 > 0; j--) {
-            double sum = a[i][j];
-            for (size_t k = j + 1; k <= 3 && k <= i; k++)
-                sum -= a[i][k] * a[i - j][k - j];
-            a[i][j] = j > 0 ? sum / a[i - j][0] : sqrt(sum > 1e-300 ? sum : 1e-300);
-            if (j == 0)
-                break;
-        }
-        for (int x = 0; x < 3; x++) {
-            for (size_t j = 1; j <= 3 && j <= i; j++)
-                b[i][x] -= a[i][j] * b[i - j][x];
-            b[i][x] /= a[i][0];
-        }
-    }
-    for (size_t i = n; i-- > 0;)
-        for (int x = 0; x < 3; x++) {
-            for (size_t j = 1; j <= 3 && i + j < n; j++)
-                b[i][x] -= a[i + j][j] * b[i + j][x];
-            b[i][x] /= a[i][0];
-        }
-}
-
-/* Each sample counts by the length around it; the ends are exact. */
-static void solve_spline(fit *f)
-{
-    const size_t n = f->intervals + 3, last = f->count - 1;
-
-    memset(f->a, 0, n * sizeof *f->a);
-    memset(f->b, 0, n * sizeof *f->b);
-    for (size_t k = 0; k < f->intervals; k++)
-        for (size_t s = f->first[k]; s < f->first[k + 1]; s++) {
-            const double weight = f->u[s < last ? s + 1 : s] - f->u[s > 0 ? s - 1 : 0];
-            double value[4], deriv[4];
-            basis_values(f, k, f->u[s], value, deriv);
-            for (size_t r = 0; r < 4; r++) {
-                for (size_t j = 0; j <= r; j++)
-                    f->a[k + r][j] += weight * value[r] * value[r - j];
-                for (int x = 0; x < 3; x++)
-                    f->b[k + r][x] += weight * value[r] * f->p[s][x];
-            }
-        }
-    f->a[0][0]     += 1e12;
-    f->a[n - 1][0] += 1e12;
-    for (int x = 0; x < 3; x++) {
-        f->b[0][x]     += 1e12 * f->p[0][x];
-        f->b[n - 1][x] += 1e12 * f->p[last][x];
-    }
-    solve_banded(f->a, f->b, n);
-    memcpy(f->c, f->b, n * sizeof *f->c);
-    memcpy(f->c[0], f->p[0], sizeof f->c[0]);
-    memcpy(f->c[n - 1], f->p[last], sizeof f->c[n - 1]);
-}
-
-/* The largest distance of interval k from the chain, and the sample after which it occurs. */
-static double error_of(const fit *f, size_t k, size_t *where)
-{
-    double worst = 0;
-
-    for (size_t s = f->first[k]; s < f->first[k + 1]; s++)
-        for (int j = 0; j <= BETWEEN && s + 1 < f->count; j++) {
-            const double part = (double)j / (BETWEEN + 1),
-                         u = f->u[s] + part * (f->u[s + 1] - f->u[s]);
-            double at[3], slope[3], chord[3];
-            if (u > f->knot[k + 1])
-                break;
-            eval_spline(f, k, u, at, slope);
-            for (int i = 0; i < 3; i++)
-                chord[i] = f->p[s][i] + part * (f->p[s + 1][i] - f->p[s][i]);
-            const double off = space_distance(at, chord);
-            if (off > worst) {
-                worst  = off;
-                *where = s;
-            }
-        }
-    return worst;
-}
-
-/* Halve all intervals with an error above `within`. Returns how many; SIZE_MAX if one cannot be
- * halved, at sample *where. */
-static size_t refine_intervals(fit *f, double within, size_t *where)
-{
-    const size_t before = f->intervals;
-    size_t bad = 0, worst_at = 0;
-
-    for (size_t k = before; k-- > 0;) {
-        if (error_of(f, k, &worst_at) <= CHECKED * within)
-            continue;
-        const size_t middle = (f->first[k] + f->first[k + 1]) / 2;
-        bad++;
-        if (f->first[k + 1] - f->first[k] < 4) {
-            *where = worst_at;
-            return SIZE_MAX;
-        }
-        memmove(&f->knot[k + 2], &f->knot[k + 1], (f->intervals - k) * sizeof *f->knot);
-        memmove(&f->first[k + 2], &f->first[k + 1], (f->intervals - k) * sizeof *f->first);
-        f->first[k + 1] = middle;
-        f->knot[k + 1]  = (f->u[middle - 1] + f->u[middle]) / 2;
-        f->intervals++;
-    }
-    return bad;
-}
 
 
 // Chains
@@ -248,16 +84,12 @@ static bool vertex_is_smooth(const drawing_curve *a, const drawing_curve *b, dou
 
 static void add_sample(fit *f, const double p[3], size_t vertex)
 {
-    if (f->count == f->room) {
+    if (f->s.count == f->room) {
         f->room   = f->room ? 2 * f->room : 1024;
-        f->p      = tool_grow(f->p, f->room * sizeof *f->p);
-        f->u      = tool_grow(f->u, f->room * sizeof *f->u);
         f->vertex = tool_grow(f->vertex, f->room * sizeof *f->vertex);
     }
-    const size_t n = f->count++;
-    memcpy(f->p[n], p, sizeof f->p[n]);
-    f->u[n]      = n > 0 ? f->u[n - 1] + space_distance(p, f->p[n - 1]) : 0;
-    f->vertex[n] = vertex;
+    f->vertex[f->s.count] = vertex;
+    spline_fit_add(&f->s, p);
 }
 
 /* Sample lines from..to-1 of `d`. */
@@ -265,7 +97,7 @@ static void sample_lines(fit *f, const drawing *d, size_t from, size_t to)
 {
     double a[3], b[3] = { 0 };
 
-    f->count = 0;
+    spline_fit_begin(&f->s);
     for (size_t i = from; i < to; i++) {
         place_of(&d->curve[i], 0, a);
         place_of(&d->curve[i], 3, b);
@@ -278,40 +110,22 @@ static void sample_lines(fit *f, const drawing *d, size_t from, size_t to)
         }
     }
     add_sample(f, b, to);
-    f->knot  = tool_grow(f->knot, (f->count + 2) * sizeof *f->knot);
-    f->first = tool_grow(f->first, (f->count + 2) * sizeof *f->first);
-    f->a     = tool_grow(f->a, (f->count + 4) * sizeof *f->a);
-    f->b     = tool_grow(f->b, (f->count + 4) * sizeof *f->b);
-    f->c     = tool_grow(f->c, (f->count + 4) * sizeof *f->c);
-    f->knot[0]   = 0;
-    f->knot[1]   = f->u[f->count - 1];
-    f->first[0]  = 0;
-    f->first[1]  = f->count;
-    f->intervals = 1;
 }
 
 /* Returns `to`, or the line before which the chain must be cut. */
 static size_t fit_lines(fit *f, const drawing *d, size_t from, size_t to, double within)
 {
-    size_t where = 0;
+    size_t where;
 
     sample_lines(f, d, from, to);
-    for (int round = 0; round < ROUNDS; round++) {
-        if (f->count < f->intervals + 3)
-            break;
-        solve_spline(f);
-        const size_t bad = refine_intervals(f, within, &where);
-        if (bad == 0)
-            return to;
-        if (bad == SIZE_MAX)
-            break;
-    }
+    if (spline_fit_within(&f->s, within, &where))
+        return to;
     const size_t at = f->vertex[where] +
-                      (where + 1 < f->count && f->vertex[where + 1] != f->vertex[where]);
+                      (where + 1 < f->s.count && f->vertex[where + 1] != f->vertex[where]);
     return at <= from ? from + 1 : at >= to ? to - 1 : at;
 }
 
-static void give_spline(drawing *to, const fit *f, bool fresh, const drawing_curve *like)
+static void give_spline(drawing *to, const spline_fit *f, bool fresh, const drawing_curve *like)
 {
     double p[4][3], slope[2][3];
 
@@ -319,8 +133,8 @@ static void give_spline(drawing *to, const fit *f, bool fresh, const drawing_cur
     for (size_t k = 0; k < f->intervals; k++) {
         const double third = (f->knot[k + 1] - f->knot[k]) / 3;
         memcpy(p[0], p[3], sizeof p[0]);
-        eval_spline(f, k, f->knot[k], p[1], slope[0]);
-        eval_spline(f, k, f->knot[k + 1], p[3], slope[1]);
+        spline_fit_eval(f, k, f->knot[k], p[1], slope[0]);
+        spline_fit_eval(f, k, f->knot[k + 1], p[3], slope[1]);
         for (int i = 0; i < 3; i++) {
             p[1][i] = p[0][i] + third * slope[0][i];
             p[2][i] = p[3][i] - third * slope[1][i];
@@ -365,7 +179,7 @@ static size_t smooth_chain(drawing *to, const drawing *d, fit *f, size_t from, s
             stop = cut;
             continue;
         }
-        give_spline(to, f, from == 0 || d->curve[from].path != d->curve[from - 1].path,
+        give_spline(to, &f->s, from == 0 || d->curve[from].path != d->curve[from - 1].path,
                     &d->curve[from]);
         replaced += stop - from;
         from = stop;
@@ -402,7 +216,8 @@ void smooth_more(smoothing *s, drawing *to, drawing *from, bool last)
     bool open;
 
     if (s->fit == NULL)
-        *(s->fit = tool_grow(NULL, sizeof *s->fit)) = (fit){ 0 };
+        *(s->fit = tool_grow(NULL, sizeof *s->fit)) =
+            (fit){ .s = { .e = &engine_f64, .degree = 3, .between = true, .by_length = true } };
     for (size_t end; i < from->count; i = end) {
         end = chain_end(from, i, s->within, &open);
         if (open && !last)
@@ -421,14 +236,8 @@ void smooth_end(smoothing *s)
 
     if (f == NULL)
         return;
-    free(f->p);
-    free(f->u);
+    spline_fit_free(&f->s);
     free(f->vertex);
-    free(f->knot);
-    free(f->first);
-    free(f->a);
-    free(f->b);
-    free(f->c);
     free(f);
     s->fit = NULL;
 }

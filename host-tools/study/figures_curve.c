@@ -324,6 +324,34 @@ const figure figures_curve[] = {
           .pick = "@2:2",
           .want = 27.5,
           .lsb = 1 } } },
+    { "least-squares",
+      "Splines",
+      "approximation",
+      "A B-spline near 49 measured points",
+      "-0.1 7.8\n2.1 10.4\n4 13.1\n5.7 15.7\n7.7 18\n9.7 19.9\n12 22.2\n13.8 23.4\n"
+      "16.1 25.1\n18 25.8\n20.3 26.2\n22.2 26.6\n23.8 26.4\n25.9 26.3\n27.8 25.3\n"
+      "30.1 24\n32 22.2\n33.7 20.5\n36.1 18.4\n37.9 16.1\n40 13.3\n42.2 10.8\n"
+      "43.8 7.8\n46 5\n48.1 1.6\n50.3 -1.5\n52 -4.1\n53.8 -7.1\n55.7 -9.7\n58.2 -12.3\n"
+      "60.2 -14.7\n62.1 -16.5\n64 -18.3\n66.2 -19.4\n68 -20.6\n69.7 -21.3\n72.1 -21.4\n"
+      "74.2 -21.8\n75.9 -21.2\n77.7 -20.7\n79.8 -19.8\n81.7 -18.1\n83.8 -16.8\n"
+      "85.9 -14.6\n87.7 -12.8\n90 -10.4\n92.2 -8.1\n93.9 -6\n95.9 -3.3\n",
+      NULL,
+      "fit --tol 0.6 {0}",
+      "--control {1}",
+      "svg",
+      { { .says = "error against the definition, in LSB; the parameter is rounded too",
+          .run = "compare {1}",
+          .pick = "eval:5",
+          .off = 1.01,
+          .floats = 2.5 },
+        { .says = "no point is farther than the tolerance",
+          .run = "fit --tol 0.6 {0}",
+          .pick = "within ",
+          .off = 0.6 },
+        { .says = "with this tolerance one curve of so many control points",
+          .run = "fit --tol 0.6 {0}",
+          .pick = "# ",
+          .want = 14 } } },
 };
 
 const size_t figures_curves = sizeof figures_curve / sizeof figures_curve[0];

@@ -1136,7 +1136,7 @@ case_help_everywhere() {
     run 0 "$loft" --version; says out '^loft [0-9]'
     run 64 "$loft"
     for command in stream simulate plot ports eval sample flatten measure compare surface contour \
-                   export decide make mill figures
+                   export decide make mill figures fit
     do
         run 0 "$loft" help $command;   says out "^usage: loft $command"; cp "$tmp/out" "$tmp/help"
         run 0 "$loft" $command --help
@@ -1233,6 +1233,31 @@ case_eval_and_sample() {
     run 0 sh -c "'$loft' sample --n 2 '$tmp/small.csv' | '$loft' flatten - | wc -l"
     says out '^ *[0-9]'
 }
+case_fit() {
+    awk 'BEGIN { print "x,y"
+                 for (i = 0; i <= 80; i++) print (i < 40 ? i : 40) "," (i < 40 ? 0 : i - 40)
+                 for (i = 0; i < 90; i++) {
+                     a = i / 90; print 40 * cos(a) "," 40 * sin(a) + 0.01 * (i % 3) }
+                }' >"$tmp/measured.csv"
+    sed -n '1,82p' "$tmp/measured.csv" >"$tmp/corner.csv"
+    for num in q16 f32 f64; do                              # two lines, and the corner between them
+        run 0 "$loft" fit --num $num "$tmp/corner.csv"; says out '^40 0$'
+        [ "$(grep -c '^bezier 3' "$tmp/out")" = 2 ] || job_fails "corner $num: $(cat "$tmp/out")"
+        cp "$tmp/out" "$tmp/fitted.loft"
+        run 0 "$loft" eval --num $num --t 0.5 "$tmp/fitted.loft"
+    done
+    sed '2,82d' "$tmp/measured.csv" >"$tmp/arc.csv"
+    run 0 "$loft" fit --tol 0.03 "$tmp/arc.csv"; says out ' for 90 points, within 0.0[12]'
+    run 0 "$loft" fit --closed --tol 0.03 "$tmp/arc.csv"
+    "$loft" fit --tol 0.03 "$tmp/arc.csv" | "$loft" measure - >"$tmp/out" || job_fails "no pipe"
+    one_line 65 'measured.csv:2: not a point: give lines'  sh -c "printf 'x,y\n1,2,3,4\n' \
+                >'$tmp/measured.csv'; exec '$loft' fit '$tmp/measured.csv'"
+    printf '1 2\n' >"$tmp/one.txt"
+    one_line 65 'one.txt:1: one point: give two or more'   "$loft" fit "$tmp/one.txt"
+    printf '0 0\n40000 0\n40001 1\n' >"$tmp/far.txt"
+    one_line 65 'far.txt'   "$loft" fit --num q16 "$tmp/far.txt"
+}
+
 case_decide() {
     for num in q16 f32 f64; do
         run 0 "$loft" decide positive --num $num --of=1,-1,1      # (1 - 2 t)^2

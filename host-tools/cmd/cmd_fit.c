@@ -1,0 +1,183 @@
+/* host-tools/cmd/cmd_fit.c -- loft fit: curves near measured points
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/scan.h"          /* scan_numbers */
+#include "base/source.h"        /* source_read */
+#include "base/space.h"         /* space_distance */
+#include "base/tool.h"
+#include "engine/engine.h"
+#include "engine/print.h"       /* print_point */
+#include "plan/point_fit.h"
+
+#define EACH_LINE 8     /* knots */
+
+typedef struct {
+    point_fit_options o;
+    print_options p;
+    spline_fit f;
+    const char *file;
+    bool close;                 /* rows that do not return, too */
+    point_row row;
+    unsigned line;              /* where it begins */
+    bool failed;
+} fitting;
+
+
+// Curves
+// ------
+
+/* A spline without inner knots is a Bezier curve. */
+static int print_fit(void *context, const spline_fit *f)
+{
+    fitting *x = context;
+    const size_t points = f->intervals + f->degree;
+
+    if (f->count == 2)
+        puts("line");
+    else if (f->intervals == 1)
+        printf("bezier %u\n", f->degree);
+    else
+        printf("bspline %u\n", f->degree);
+    for (size_t k = 0; k < points; k++)
+        print_point(&x->p, f->c[k]);
+    for (size_t k = 0; k <= points + f->degree && f->intervals > 1; k++) {
+        fputs(k % EACH_LINE == 0 ? "knots " : " ", stdout);
+        print_number(f->e, spline_fit_knot(f, (long)k - (long)f->degree));
+        if (k % EACH_LINE == EACH_LINE - 1 || k == points + f->degree)
+            putchar('\n');
+    }
+    const double off = spline_fit_error(f);
+    printf("# %zu control points for %zu points, within %.3g\n", points, f->count, off);
+    x->failed = x->failed || !(off <= x->o.tol);
+    return 0;
+}
+
+static int end_row(fitting *x)
+{
+    point_row *r = &x->row;
+    int code = 0;
+
+    if (r->count == 1)
+        code = tool_error(EX_DATAERR, "%s:%u: one point: give two or more", x->file, x->line);
+    if (r->count > 1) {
+        r->closed = r->count > 3 && !(space_distance(r->p[0], r->p[r->count - 1]) > 0);
+        r->count -= r->closed ? 1 : 0;
+        r->closed = r->closed || (x->close && r->count > 2);
+        code = point_fit(r, &x->o, &x->f, print_fit, x);
+        if (x->failed || code != 0)
+            code = tool_error(EX_DATAERR,
+                              "%s:%u: numbers of %s do not hold points within --tol %g: give a "
+                              "larger --tol, or --num f64",
+                              x->file, x->line, x->p.e->name, x->o.tol);
+    }
+    r->count = 0;
+    return code;
+}
+
+
+// Points
+// ------
+
+static void add_point(fitting *x, const double p[ENGINE_AXES], unsigned line)
+{
+    point_row *r = &x->row;
+
+    if (r->count == 0)
+        x->line = line;
+    else if (!(space_distance(p, r->p[r->count - 1]) > 0))
+        return;
+    if ((r->count & (r->count - 1)) == 0)
+        r->p = tool_grow(r->p, (r->count ? 2 * r->count : 1) * sizeof *r->p);
+    memcpy(r->p[r->count++], p, ENGINE_AXES * sizeof *p);
+}
+
+static int read_point(fitting *x, const char *text, unsigned line, bool *begun)
+{
+    double p[ENGINE_AXES + 1] = { 0 };
+    const int count = scan_numbers(&text, p, ENGINE_AXES + 1);
+    const bool over = *text == '\0' || *text == '\n' || *text == '#';
+
+    if (count == 0 && over)
+        return *text == '#' ? 0 : end_row(x);
+    if (count == 0 && !*begun) {        /* the names of the columns */
+        *begun = true;
+        return 0;
+    }
+    for (int i = 0; i < ENGINE_AXES; i++)
+        if (!over || count < 2 || count > ENGINE_AXES || !(fabs(p[i]) <= 1e9))
+            return tool_error(EX_DATAERR, "%s:%u: not a point: give lines `x,y` or `x,y,z`",
+                              x->file, line);
+    *begun = true;
+    x->p.solid = x->p.solid || count == ENGINE_AXES;
+    add_point(x, p, line);
+    return 0;
+}
+
+static int fit_text(fitting *x, const char *text)
+{
+    bool begun = false;
+    int code = 0;
+
+    for (unsigned line = 1; *text != '\0' && code == 0; line++) {
+        code = read_point(x, text, line, &begun);
+        text += strcspn(text, "\n");
+        text += *text == '\n';
+    }
+    if (code == 0)
+        code = end_row(x);
+    if (code == 0 && x->line == 0)
+        code = tool_error(EX_DATAERR, "%s: no point in it: give lines `x,y` or `x,y,z`", x->file);
+    return code;
+}
+
+static int run_fit(const tool_command *self, int argc, char **argv)
+{
+    const engine *e = &engine_f64;
+    double tol = 0.01, corner = 50;
+    unsigned degree = 3;
+    bool close = false;
+    const char *file;
+    size_t size;
+    int code;
+
+    const tool_option options[] = {
+        TOOL_NUMBER("tol", "MM", &tol, 1e-6, 1000, "no point is farther from its curve (0.01)"),
+        TOOL_COUNT("degree", "N", &degree, 1, 9, "of the curves (3)"),
+        TOOL_NUMBER("corner", "DEGREES", &corner, 0, 181,
+                    "points that turn by more stay corners; 181: none does (50)"),
+        TOOL_SWITCH("closed", &close, "each row goes on to its first point"),
+        ENGINE_OPTION(&e, "number type (f64)"),
+        TOOL_OPTIONS_END
+    };
+    code = tool_file_options(self, options, argc, argv, NULL, &file);
+    if (code != 0)
+        return code == TOOL_HELP ? EX_OK : code;
+    char *text = source_read(file, &size, &code);
+    if (text == NULL)
+        return code;
+    fitting x = { .o = { tol, corner / 180 * acos(-1), degree },
+                  .p = { e, false },
+                  .f = { .e = e },
+                  .file = source_name(file),
+                  .close = close };
+    code = fit_text(&x, text);
+    spline_fit_free(&x.f);
+    free(x.row.p);
+    free(text);
+    return code;
+}
+
+const tool_command command_fit = {
+    "fit", "[--tol MM] [FILE|-]", "curves near measured points, with their corners",
+    "FILE has one point per line: x,y or x,y,z, also with blanks or semicolons; a first line of\n"
+    "names and what follows # do not count. An empty line ends a row of points; a row whose last\n"
+    "point is its first one is closed. Prints B-splines in the format of host-tools/LOFT.md, in\n"
+    "the order of the points: by least squares, with as many knots as the tolerance takes. They\n"
+    "begin and end in points and corners; closed rows without a corner have a smooth seam.\n",
+    run_fit
+};

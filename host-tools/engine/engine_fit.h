@@ -1,0 +1,11 @@
+/* host-tools/engine/engine_fit.h -- least squares through the library; part of engine.c
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_HOST_ENGINE_FIT_H
+#define LOFT_HOST_ENGINE_FIT_H
+
+#include "engine/engine_num.h"      /* ENGINE_OF */
+
+int ENGINE_OF(engine_fit_spline)(const engine_fit *f, double out[][ENGINE_AXES]);
+
+#endif
