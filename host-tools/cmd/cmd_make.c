@@ -11,10 +11,14 @@ static int run_make(const tool_command *self, int argc, char **argv)
 
 const tool_command command_make = {
     "make", "VERB [--of NUMBER,..] [FILE|-]",
-    "raise, lower, split or reverse curves; surfaces from curves and around holes",
+    "raise, lower, cut, join or reverse curves; surfaces from curves and around holes",
     "Of the curves in FILE (host-tools/LOFT.md), piece by piece, in the same format:\n"
     "  raise    with a degree higher by --of\n"
     "  lower    the nearest curve with a degree lower by --of and the same ends, and how near\n"
+    "  lowest   the lowest degree that stays within --of mm, and how near\n"
+    "  join     neighbours that are parts of one polynomial curve within --of mm, as one\n"
+    "  cut      the part of each curve between two of its parameters, --of FROM,TO\n"
+    "  pieces   curves of any kind as Bezier curves\n"
     "  split    the parts of each piece, cut at --of t,t,..\n"
     "  reverse  the path from its end to its start\n"
     "Surfaces, as tensor patches:\n"

@@ -4,7 +4,8 @@
  *
  *     engine_decide.c     the answers; engine_make.c, engine_weave.c, engine_fill.c: curves and
  *                         surfaces made of others; compiled once per number type
- *     engine_pieces.h     what both use
+ *     engine_parts.c      pieces of curves, frames, polynomials
+ *     engine_pieces.h     what all use
  *     decide.c            what the commands decide and make share
  */
 #ifndef LOFT_HOST_DECIDE_H
@@ -38,12 +39,12 @@ typedef struct {
 
 #define DECIDE_ANY       1024
 #define DECIDE_WHY       160
-#define DECIDE_QUESTIONS 15
+#define DECIDE_QUESTIONS 19
 
 extern const decide_question decide_q16[DECIDE_QUESTIONS], decide_f32[DECIDE_QUESTIONS],
     decide_f64[DECIDE_QUESTIONS];
 
-#define MAKE_VERBS 19
+#define MAKE_VERBS 23
 
 extern const decide_question make_q16[MAKE_VERBS], make_f32[MAKE_VERBS], make_f64[MAKE_VERBS];
 

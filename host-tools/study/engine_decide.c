@@ -24,6 +24,7 @@
 #include "engine/engine_sheet.h"                /* engine_nets */
 #include "engine/surface.h"
 #include "study/decide.h"
+#include "study/engine_parts.h"
 #include "study/engine_patch.h"
 #include "study/engine_pieces.h"                /* numbers_of, visit_pieces, piece_list */
 
@@ -509,6 +510,12 @@ const decide_question ENGINE_OF(decide)[DECIDE_QUESTIONS] = {
       answer_copositive },
     { "triangle", DECIDE_NUMBERS, 1, DECIDE_ANY, "a triangular net, row by row", answer_triangle },
     { "operator", DECIDE_NUMBERS, 3, DECIDE_ANY, "two or more samples, then x", answer_operator },
+    { "smooth", DECIDE_NUMBERS, 4, DECIDE_ANY, "two or more samples, how many times, and x",
+      ENGINE_OF(answer_smooth) },
+    { "power", DECIDE_NUMBERS, 1, DECIDE_ANY, "Bernstein coefficients", ENGINE_OF(answer_power) },
+    { "integral", DECIDE_NUMBERS, 3, DECIDE_ANY, "Bernstein coefficients, then the ends in 0..1",
+      ENGINE_OF(answer_integral) },
+    { "frame", DECIDE_CURVES, 1, DECIDE_ANY, "parameters t in 0..1", ENGINE_OF(answer_frame) },
     { "degree", DECIDE_CURVES, 0, 0, "nothing", answer_degree },
     { "bend", DECIDE_CURVES, 1, DECIDE_ANY, "parameters t in 0..1", answer_bend },
     { "conic", DECIDE_CURVES, 0, 0, "nothing", answer_conic },

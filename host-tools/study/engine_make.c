@@ -11,6 +11,7 @@
 
 #include "base/tool.h"                          /* tool_grow */
 #include "study/decide.h"
+#include "study/engine_parts.h"
 #include "study/engine_patch.h"
 #include "study/engine_pieces.h"                /* visit_pieces, piece_list */
 #include "study/engine_weave.h"
@@ -42,6 +43,14 @@ static void write_rational(const decide_input *in, const loft_weighted p[], unsi
 {
     printf("rational %u\n", degree);
     write_weighted(in, p, degree + 1);
+}
+
+void ENGINE_OF(write_piece)(const decide_input *in, const arc_piece *a)
+{
+    if (a->rational)
+        write_rational(in, a->w, a->b.degree);
+    else
+        write_bezier(in, a->p, a->b.degree);
 }
 
 /* The one number of --of, a whole one from 1 to `most`. */
@@ -103,8 +112,7 @@ static int lower_piece(void *context, const arc_piece *a, size_t number)
 
 static int make_lower(const decide_input *in) { return visit_pieces(in, lower_piece, (void *)in); }
 
-/* The part from..to. */
-static int part_piece(const decide_input *in, const arc_piece *a, loft_unit from, loft_unit to)
+int ENGINE_OF(write_part)(const decide_input *in, const arc_piece *a, loft_unit from, loft_unit to)
 {
     loft_vec p[MOST];
     loft_weighted w[MOST];
@@ -138,7 +146,7 @@ static int split_piece(void *context, const arc_piece *a, size_t number)
         const loft_unit to = (loft_unit)(t * (double)LOFT_UNIT(1));
         if (!(t > before && (t < 1 || k == in->of->count)))
             return LOFT_ERR_ARG;
-        status = part_piece(in, a, from, to);
+        status = ENGINE_OF(write_part)(in, a, from, to);
         from   = to;
         before = t;
     }
@@ -281,6 +289,11 @@ const decide_question ENGINE_OF(make)[MAKE_VERBS] = {
     { "raise", DECIDE_EITHER, 1, 1, "a number of degrees", make_raise },
     { "lower", DECIDE_CURVES, 1, 1, "a number of degrees", make_lower },
     { "split", DECIDE_EITHER, 1, DECIDE_ANY, "t,.. between 0 and 1; of a surface u,v", make_split },
+    { "lowest", DECIDE_CURVES, 1, 1, "a tolerance above 0", ENGINE_OF(make_lowest) },
+    { "join", DECIDE_CURVES, 1, 1, "a tolerance above 0", ENGINE_OF(make_join) },
+    { "cut", DECIDE_CURVES, 2, 2, "two parameters of the curve, the lower one first",
+      ENGINE_OF(make_cut) },
+    { "pieces", DECIDE_CURVES, 0, 0, "nothing", ENGINE_OF(make_pieces) },
     { "reverse", DECIDE_CURVES, 0, 0, "nothing", make_reverse },
     { "ruled", DECIDE_CURVES, 0, 0, "nothing", make_ruled },
     { "skin", DECIDE_CURVES, 0, 0, "nothing", make_skin },

@@ -1258,6 +1258,35 @@ case_fit() {
     one_line 65 'far.txt'   "$loft" fit --num q16 "$tmp/far.txt"
 }
 
+case_parts() {
+    printf 'bezier 3\n0 0\n0 20\n20 20\n20 0\n' >"$tmp/curve.loft"
+    printf 'bezier 3\n10 0 0\n10 5 2\n5 10 4\n0 10 6\n' >"$tmp/space.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" make split --num $num --of 0.3,0.7 "$tmp/curve.loft"
+        cp "$tmp/out" "$tmp/parts.loft"
+        run 0 "$loft" make join --num $num --of 0.001 "$tmp/parts.loft"
+        cp "$tmp/out" "$tmp/one.loft"
+        [ "$(grep -c bezier "$tmp/one.loft")" = 1 ] || job_fails "join $num: $(cat "$tmp/out")"
+        run 0 "$loft" eval --num $num --t 0.5 "$tmp/one.loft"
+        awk '{ exit !(($1 - 10)^2 + ($2 - 15)^2 < 1e-8) }' "$tmp/out" || job_fails "join $num"
+        run 0 "$loft" make raise --num $num --of 4 "$tmp/curve.loft"
+        cp "$tmp/out" "$tmp/high.loft"
+        run 0 "$loft" make lowest --num $num --of 0.001 "$tmp/high.loft"; says out '^bezier 3$'
+        run 0 "$loft" make lowest --num $num --of 100 "$tmp/high.loft";   says out '^bezier 1$'
+        run 0 "$loft" make cut --num $num --of 0.25,0.75 "$tmp/curve.loft"; says out '^3.125 11.25$'
+        run 0 "$loft" decide frame --num $num --of 0,1 "$tmp/space.loft"
+        says out '^0 t 0 along 0 0.92847669.* normal -1 0 0$'; says out '^0 t 1 .* normal 0 -1 0$'
+        run 0 "$loft" decide power --num $num --of=1,0,0,1;         says out '^power 1 -3 3 0$'
+        run 0 "$loft" decide integral --num $num --of=0,0,1,0,0.5;  says out '^part 0.04166666'
+        run 0 "$loft" decide smooth --num $num --of=0,0,1,1,0.5;    says out '^value 0.25$'
+    done
+    printf '0 0\n2 2\n4 0\n\n4 0\n6 2\n8 0\n' >"$tmp/corner.txt"
+    run 0 "$loft" make join --of 0.001 "$tmp/corner.txt"
+    [ "$(grep -c bezier "$tmp/out")" = 2 ] || job_fails "a corner is no curve"
+    one_line 65 'cut: no curve has that part: give two'  "$loft" make cut --of 2,3 "$tmp/curve.loft"
+    one_line 65 'join: a tolerance of 0: give one above' "$loft" make join --of 0 "$tmp/curve.loft"
+}
+
 case_decide() {
     for num in q16 f32 f64; do
         run 0 "$loft" decide positive --num $num --of=1,-1,1      # (1 - 2 t)^2
