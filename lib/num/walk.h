@@ -224,27 +224,25 @@ borrow:
     return true;
 }
 
-#define LOFT_WALK_TEXT_(x) #x
-#define LOFT_WALK_TEXT(x)  LOFT_WALK_TEXT_(x)
 #if defined(__thumb2__)
-#  define LOFT_WALK_MORE "r12", "lr",
-#  define LOFT_WALK_STEP_AXES                                                                      \
-    ".rept " LOFT_WALK_TEXT(LOFT_AXES) "\n"                                                        \
-    "ldmia r0, {r2-r7}\n ldrd r12, lr, [r0, #24]\n"                                               \
-    "adds r2, r4\n adcs r3, r5\n adds r4, r6\n adcs r5, r7\n adds r6, r12\n adc r7, lr\n"         \
-    "str r3, [r1], #4\n stmia r0, {r2-r7}\n adds r0, #48\n .endr\n"
+#  define LOFT_WALK_MORE "r8", "r12", "lr",
+#  define LOFT_WALK_STEP_AXIS                                                                      \
+    "ldmia r0, {r2-r6, r8}\n ldrd r12, lr, [r0, #24]\n"                                            \
+    "adds r2, r4\n adcs r3, r5\n adds r4, r6\n adcs r5, r8\n adds r6, r12\n adc r8, lr\n"          \
+    "str r3, [r1], #4\n stmia r0, {r2-r6, r8}\n adds r0, #48\n"
 #else
-#  define LOFT_WALK_MORE
-#  define LOFT_WALK_STEP_AXES                                                                      \
-    ".syntax unified\n .rept " LOFT_WALK_TEXT(LOFT_AXES) "\n"                                      \
+#  define LOFT_WALK_MORE "r12",
+#  define LOFT_WALK_STEP_AXIS                                                                      \
+    ".syntax unified\n mov r12, r7\n"                                                              \
     "ldmia r0!, {r2-r7}\n adds r2, r2, r4\n adcs r3, r5\n adds r4, r4, r6\n adcs r5, r7\n"         \
     "subs r0, #24\n stmia r0!, {r2-r5}\n stmia r1!, {r3}\n ldr r2, [r0, #8]\n"                     \
-    "ldr r3, [r0, #12]\n"                                                                          \
-    "adds r6, r6, r2\n adcs r7, r3\n stmia r0!, {r6, r7}\n adds r0, #24\n .endr\n"
+    "ldr r3, [r0, #12]\n adds r6, r6, r2\n adcs r7, r3\n stmia r0!, {r6, r7}\n adds r0, #24\n"     \
+    "mov r7, r12\n"
 #endif
 
 /* One step of the cubics w[0..LOFT_AXES-1]; the last step gives the last control values. Returns
- * true. What a function may change, and four registers more, is enough: gcc saves all. */
+ * true. What a function may change, and a few registers more, is enough: gcc saves all. r7 may be
+ * the frame pointer. */
 static inline bool loft_walk_step_axes(loft_walk w[], loft_real out[], bool last)
 {
 #if defined(__AVR__) && LOFT_NUM == LOFT_Q16
@@ -255,10 +253,11 @@ static inline bool loft_walk_step_axes(loft_walk w[], loft_real out[], bool last
     register loft_real *at __asm__("r1") = out;
 
     (void)last;
-    __asm__ volatile(LOFT_WALK_STEP_AXES
-                     : "+r"(d), "+r"(at)
-                     :
-                     : "r2", "r3", "r4", "r5", "r6", "r7", LOFT_WALK_MORE "cc", "memory");
+    for (int i = 0; i < LOFT_AXES; i++)
+        __asm__ volatile(LOFT_WALK_STEP_AXIS
+                         : "+r"(d), "+r"(at)
+                         :
+                         : "r2", "r3", "r4", "r5", "r6", LOFT_WALK_MORE "cc", "memory");
     return true;
 #else
     for (int i = 0; i < LOFT_AXES; i++) {
