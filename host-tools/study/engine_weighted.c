@@ -1,5 +1,5 @@
-/* host-tools/study/engine_weighted.c -- patches with weights raised and split; any surface with nets
- * as tensor patches and triangles; compiled once per number type
+/* host-tools/study/engine_weighted.c -- patches with weights raised and split; any surface with
+ * nets as tensor patches and triangles; compiled once per number type
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
