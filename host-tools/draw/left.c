@@ -73,10 +73,22 @@ static double underside(const left_over *l, const double tip[3], const double p[
     return tip[2] + (x > 0 ? l->corner - sqrt(fmax(0, l->corner * l->corner - x * x)) : 0);
 }
 
+/* How deep a point is in the tool, whose shank is a cylinder: 0 beyond it. */
+static double depth(const left_over *l, const double tip[3], const double p[3])
+{
+    const double h = p[2] - tip[2],
+                 x = hypot(p[0] - tip[0], p[1] - tip[1]) - (l->radius - l->corner);
+    const double inside = h >= l->corner ? fmin(h, l->corner - x)
+                          : x <= 0       ? h
+                                         : l->corner - hypot(x, l->corner - h);
+
+    return fmax(0, inside);
+}
+
 double left_at(void *context, const mesh_vertex *v)
 {
     left_over *l = context;
-    double height = INFINITY;
+    double height = INFINITY, cut = 0;
 
     if (l->count == 0)
         return 0;
@@ -85,12 +97,14 @@ double left_at(void *context, const mesh_vertex *v)
         for (size_t i = bin_along(l, 0, v->p[0] - l->radius);
              i <= bin_along(l, 0, v->p[0] + l->radius); i++) {
             const size_t bin = j * l->bins[0] + i;
-            for (size_t k = l->start[bin]; k < l->start[bin + 1]; k++)
+            for (size_t k = l->start[bin]; k < l->start[bin + 1]; k++) {
                 height = fmin(height, underside(l, l->tip[k], v->p));
+                cut    = fmax(cut, depth(l, l->tip[k], v->p));
+            }
         }
     if (height == INFINITY)
         return 0;
-    const double over = (height - v->p[2]) * fabs(v->normal[2]);
+    const double over = cut > 0 ? -cut : (height - v->p[2]) * fabs(v->normal[2]);
     l->most[0] = fmax(l->most[0], -over);
     l->most[1] = fmax(l->most[1], over);
     return over;
