@@ -455,13 +455,13 @@ static void a_job_begins_free_of_the_holds_before_it(arb *a)
 }
 
 /* A machine without a job is told where it stands, or where its table ends. */
-static void machine_is_told(enum loft_verb verb, uint8_t axes, const int32_t position[LOFT_AXES])
+static void machine_is_told(enum loft_verb verb, uint8_t bits, const int32_t position[LOFT_AXES])
 {
     while (w.sender.phase != LOFT_PHASE_READY && line_runs()) {
     }
     CHECK((verb == LOFT_PLACE
-               ? loft_sender_place(&w.sender, axes, position)
-               : loft_sender_table(&w.sender, verb == LOFT_TABLE_HIGH, axes, position)) == LOFT_OK);
+               ? loft_sender_place(&w.sender, bits, position)
+               : loft_sender_table(&w.sender, verb == LOFT_TABLE_HIGH, bits, position)) == LOFT_OK);
     while (w.sender.verb && line_runs()) {
     }
     CHECK(w.sender.ack.refusal == LOFT_REFUSAL_NONE);
@@ -703,7 +703,7 @@ static void two_motors_stop_at_their_own_switches(arb *a)
     while (r.ticks < 1000);
     for (int i = 0; i < 2; i++)
         when[i] = (50 + arb_below(a, 200)) * r.slots + arb_below(a, r.slots);
-    w.config.squares = can ? LOFT_INPUT_ENDS(axis) : 0;
+    w.config.squares = (uint16_t)(can ? LOFT_INPUT_ENDS(axis) : 0);
     w.job.guard = (loft_guard){ LOFT_INPUT_ENDS(axis), LOFT_GUARD_SQUARE | LOFT_GUARD_HARD, 8 };
     do {
         sender_runs();
