@@ -91,7 +91,7 @@ uint32_t loft_root_nearest(uint64_t x);
 /* The square root of x.
  *
  *   range   q16: x <= 2^30 - 1/2, above that LOFT_REAL_MAX; a negative x gives 0
- *   error   q16: 1/2 LSB   f32: 0.5001 ulp   f64: 1 ulp
+ *   error   q16: 1/2 LSB   f32: 0.5001 ulp   f64: 1/2 ulp
  *   cost    q16: loft_root_nearest, no division
  */
 loft_real loft_acc_sqrt(loft_acc x);

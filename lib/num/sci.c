@@ -180,18 +180,40 @@ loft_sci loft_sci_cross(const loft_real a[2], const loft_real b[2], const loft_r
 
 #else
 
+#if defined(__SSE2__) && defined(__SSE2_MATH__)
+
+/* It rounds to nearest. Without -fno-math-errno gcc would call libm. */
+static double root_of(double x)
+{
+    double r;
+    __asm__("sqrtsd %1, %0" : "=x"(r) : "x"(x));
+    return r;
+}
+
+#elif defined(__AARCH64EL__)
+
+static double root_of(double x)
+{
+    double r;
+    __asm__("fsqrt %d0, %d1" : "=w"(r) : "w"(x));
+    return r;
+}
+
+#else
+
 /* Newton's iteration for the reciprocal square root would need a table; halving the exponent by
  * comparisons keeps this freestanding. x is scaled by powers of 4 into [1, 4). There Heron's steps
  * from r = (1 + x) / 2 (relative error at most 1/4, at x = 4) have errors of 1/40, 2^-11, 2^-24,
- * 2^-49, 2^-100. */
-loft_sci loft_sci_sqrt(loft_sci x)
+ * 2^-49, 2^-100.
+ *
+ * r is then off by less than 1 ulp, u = 2^-52. The rest x - r^2 is exact, a multiple of 2^-104, as
+ * r u is. The root lies above the middle of r and its upper neighbour if rest > r u + u^2 / 4, that
+ * is if rest > r u; below that of the lower one if rest <= -r u. */
+static double root_of(double x)
 {
+    const double ulp = 1.0 / 4503599627370496.0;
     double scale = 1;
 
-    if (!(x > 0))
-        return 0;
-    if (x > DBL_MAX)
-        return x;
     while (x >= 4) {
         x *= 0.25;
         scale *= 2;
@@ -204,7 +226,21 @@ loft_sci loft_sci_sqrt(loft_sci x)
     double r = 0.5 * (1 + x);
     for (int i = 0; i < 5; i++)
         r = 0.5 * (r + x / r);
+    const double square = r * r, rest = (x - square) - loft_product_tail(r, r, square);
+    if (rest > r * ulp)
+        r += ulp;
+    else if (rest <= -r * ulp)
+        r -= ulp;
     return r * scale;
+}
+
+#endif
+
+loft_sci loft_sci_sqrt(loft_sci x)
+{
+    if (!(x > 0))
+        return 0;
+    return x > DBL_MAX ? x : root_of(x);
 }
 
 bool loft_sci_is_unit(loft_sci x, loft_unit *t)

@@ -97,7 +97,7 @@ static inline bool loft_sci_to_acc(loft_sci x, loft_acc *out)
     return true;
 }
 
-/*   error   1 ulp; 0 of a negative a */
+/*   error   1/2 ulp; 0 of a negative a */
 loft_sci loft_sci_sqrt(loft_sci a);
 
 #endif
