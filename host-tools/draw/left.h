@@ -22,8 +22,8 @@ void left_make(left_over *l, const record *r, double radius, double corner);
 void left_free(left_over *l);
 
 /* The height of the material at a corner of a mesh, along its normal as if the surface were flat.
- * Below 0 it is cut: how deep it was in the tool at most. 0 where the tool never was. `context` is a
- * left_over.
+ * Below 0 it is cut: how deep it was in the tool at most. 0 where the tool never was. `context` is
+ * a left_over.
  *
  *   error   the surface's bend over the size of a cusp: below 1 % of what is left
  *   cost    one root for each place of the tool within its radius */
