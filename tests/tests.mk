@@ -81,7 +81,15 @@ $(foreach t,$(CURVE_TESTS),$(eval $(call axes_test,$(t),1,num geom basis curve))
 -include $(patsubst %.c,build/axes/1/%.d,$(call axes_src,num geom basis curve))
 -include $(foreach a,1 2 4 6,$(patsubst %.c,build/axes/$(a)/%.d,$(call axes_src,wire)))
 
-## Run the wire's tests with 1, 2, 4 and 6 axes, those of curves with 1
+# walks in registers of 256 bits, where this computer has them
+build/axes/avx2/forward: test_forward.c $(call axes_src,num geom basis curve) | lib/names.h
+	@mkdir -p $(@D)
+	$(SAY) "  CC  $@"
+	$(Q)$(CC) $(LDFLAGS) $(INCLUDE) -Itests $(TESTED) -mavx2 $(STD) $(SANITIZE) \
+	    -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=2 $(filter %.c,$^) -lm -o $@
+AXES_EACH += $(if $(shell grep -sw avx2 /proc/cpuinfo),build/axes/avx2/forward)
+
+## Run the wire's tests with 1, 2, 4 and 6 axes, those of curves with 1, walks with AVX2
 .PHONY: test-axes
 test-axes: $(AXES_EACH)
 	@for t in $(AXES_EACH); do echo "echo '-- $$t'; $$t"; done | bash tests/house/beside.sh

@@ -204,32 +204,66 @@ static inline two_states states_of(const loft_walk w[2], unsigned k)
 }
 
 /* The values of two steps. */
-static inline void put_high(loft_real out[], size_t stride, two_states first, two_states second)
+static inline void put_words(loft_real out[], size_t stride, four_words high)
 {
-    const four_words high = __builtin_shufflevector((four_words)first, (four_words)second, 1, 3, 5,
-                                                    7);
-
     __builtin_memcpy(out, &high, 2 * sizeof *out);
     __builtin_memcpy(out + stride, (const loft_real *)&high + 2, 2 * sizeof *out);
 }
 
-/* One axis in each half of a register of 128 bits: wrapping sums of 64 bits, as one by one. In two
- * axes it takes 0.6 of the time. */
-bool loft_walk_run2(loft_walk w[2], unsigned degree, loft_real out[], size_t stride, uint32_t count)
+static inline void put_high(loft_real out[], size_t stride, two_states first, two_states second)
 {
-    two_states d0 = states_of(w, 0), d1 = states_of(w, 1), d2 = states_of(w, 2);
-    const two_states d3 = states_of(w, 3);
+    put_words(out, stride,
+              __builtin_shufflevector((four_words)first, (four_words)second, 1, 3, 5, 7));
+}
 
-    if (degree > 3)
-        return false;
-    if (count & 1) {
+#  if defined(__AVX2__)
+
+/* Two steps are one step of a walk of double steps, in which
+ *
+ *     D1 = 2 d1 + d2      D2 = 4 d2 + 4 d3        D3 = 8 d3
+ *
+ * The lower half of each register is at the first of two places, the upper one at the second. What
+ * comes after the last places gives the differences of single steps back. All of these are sums
+ * modulo 2^64, so nothing differs from single steps. In two axes it takes 0.6 of their time. */
+typedef uint64_t four_states __attribute__((vector_size(32)));
+typedef int32_t eight_words __attribute__((vector_size(32)));
+
+static inline four_states both(two_states first, two_states second)
+{
+    return __builtin_shufflevector(first, second, 0, 1, 2, 3);
+}
+
+static void run_pairs(two_states d[4], loft_real out[], size_t stride, uint32_t pairs)
+{
+    const two_states first = d[0] + d[1], e1 = d[1] + d[2], e2 = d[2] + d[3], f1 = e1 + e2;
+    four_states d0 = both(first, first + e1), last = d0;
+    four_states d1 = both(2 * e1 + e2, 2 * f1 + e2 + d[3]);
+    four_states d2 = both(4 * e2 + 4 * d[3], 4 * e2 + 8 * d[3]);
+    const four_states d3 = both(8 * d[3], 8 * d[3]);
+
+    for (; pairs; pairs--, out += 2 * stride) {
+        const eight_words words = (eight_words)d0;
+        put_words(out, stride, __builtin_shufflevector(words, words, 1, 3, 5, 7));
+        last = d0;
         d0 += d1;
         d1 += d2;
         d2 += d3;
-        put_high(out, 0, d0, d0);
-        out += stride;
     }
-    for (count /= 2; count; count--, out += 2 * stride) {
+    const two_states at = __builtin_shufflevector(last, last, 2, 3);
+    const two_states next = __builtin_shufflevector(d0, d0, 0, 1);
+    d[0] = at;
+    d[1] = next - at;
+    d[2] = __builtin_shufflevector(d0, d0, 2, 3) - 2 * next + at;
+}
+
+#  else
+
+static void run_pairs(two_states d[4], loft_real out[], size_t stride, uint32_t pairs)
+{
+    two_states d0 = d[0], d1 = d[1], d2 = d[2];
+    const two_states d3 = d[3];
+
+    for (; pairs; pairs--, out += 2 * stride) {
         const two_states first = d0 + d1;
         d1 += d2;
         d2 += d3;
@@ -238,10 +272,34 @@ bool loft_walk_run2(loft_walk w[2], unsigned degree, loft_real out[], size_t str
         d2 += d3;
         put_high(out, stride, first, d0);
     }
+    d[0] = d0;
+    d[1] = d1;
+    d[2] = d2;
+}
+
+#  endif
+
+/* One axis in each half of a register of 128 bits: wrapping sums of 64 bits, as one by one. In two
+ * axes it takes 0.6 of the time. */
+bool loft_walk_run2(loft_walk w[2], unsigned degree, loft_real out[], size_t stride, uint32_t count)
+{
+    two_states d[4] = { states_of(w, 0), states_of(w, 1), states_of(w, 2), states_of(w, 3) };
+
+    if (degree > 3)
+        return false;
+    if (count & 1) {
+        d[0] += d[1];
+        d[1] += d[2];
+        d[2] += d[3];
+        put_high(out, 0, d[0], d[0]);
+        out += stride;
+    }
+    if (count / 2 > 0)
+        run_pairs(d, out, stride, count / 2);
     for (unsigned i = 0; i < 2; i++) {
-        w[i].d[0] = d0[i];
-        w[i].d[1] = d1[i];
-        w[i].d[2] = d2[i];
+        w[i].d[0] = d[0][i];
+        w[i].d[1] = d[1][i];
+        w[i].d[2] = d[2][i];
     }
     return true;
 }

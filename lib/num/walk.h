@@ -177,6 +177,10 @@ static inline void loft_state_step3(loft_state d[4])
 #else
     const loft_state d1 = d[1], d2 = d[2];
     d[0] += d1;
+#  if defined(__GNUC__)
+    /* gcc would add two in one register: the next step would wait for stores of another size */
+    __asm__ volatile("" : : : "memory");
+#  endif
     d[1] = d1 + d2;
     d[2] = d2 + d[3];
 #endif
