@@ -35,7 +35,8 @@ int main(void)
         if ((state = loft_plan_next(&plan, &span)) == LOFT_PLAN_SPAN)
             ticks += span.ticks;                /* here: put it into the queue of the interrupt */
     } while (state != LOFT_PLAN_REST);
-    return printf("%u curves in %u ms, at rest again\n", pushed, ticks) < 0;
+    return printf("%u curves in %u.%02u s, at rest again\n", pushed, ticks / 1000,
+                  ticks % 1000 / 10) < 0;
 }
 
 /* prints

@@ -5,11 +5,20 @@
  * not: where the jerk changes from one limit to the other within a period they exceed it by some
  * percent. The points are moved by as little as brings them back: what d exceeds of the difference
  * with weights w is taken off as d w / |w|^2, again and again (projections onto convex sets).
+ *
+ * The last period before the end E has a length of its own, r others. All of it is one cubic, E - J
+ * s^3 / 6 at the time s before the end, as are the points around: with a the distance of the point
+ * for the times r + 2, r + 1, r from E, those for a period and two periods later are
+ *
+ *     E + a (1 - r) / (2 + r),   E - a (1 - r) (2 - r) / ((2 + r) (1 + r))
+ *
+ * and J is 6 a / (r (r + 1) (r + 2)).
  */
 #include "motion/emit.h"
 
 #define AHEAD       5       /* points looked at before one is used */
 #define ROUNDS      8
+#define LAST_ROUNDS 32
 
 /* The first difference of axis i up to point k. */
 static loft_coord d1(const loft_emit *e, unsigned k, int i)
@@ -54,8 +63,20 @@ typedef struct {
 
 static bool is_loose(range r, unsigned k) { return k >= r.from && k < r.to; }
 
+/* By how much a limit is exceeded: 0, or 1 and 1024ths of it once the end has come. Before it a
+ * small chip need not divide. */
+static int32_t badness(const loft_emit *e, int64_t off, int64_t most)
+{
+    if (off == 0 || !e->ended)
+        return off != 0;
+    const int64_t part = 1 + loft_long_abs(off) * 1024 / (most + 1);
+    return part < 65536 ? (int32_t)part : 65536;
+}
+
+static int32_t larger(int32_t a, int32_t b) { return a > b ? a : b; }
+
 /* Take the excess off, with the least change of the points that are loose. */
-static bool mend_one(loft_emit *e, unsigned k, int i, int n, range loose)
+static int32_t mend_one(loft_emit *e, unsigned k, int i, int n, range loose)
 {
     static const int8_t weight[3][4] = { { 1, -1, 0, 0 }, { 1, -2, 1, 0 }, { 1, -3, 3, -1 } };
     const int64_t off = excess(e, k, i, n);
@@ -65,18 +86,18 @@ static bool mend_one(loft_emit *e, unsigned k, int i, int n, range loose)
         if (is_loose(loose, k - j))
             square += weight[n - 1][j] * weight[n - 1][j];
     if (square == 0)
-        return false;
+        return 0;
     for (unsigned j = 0; j <= (unsigned)n; j++)
         if (is_loose(loose, k - j)) {
             loft_coord *x = &e->point[k - j].axis[i];
             *x = loft_coord_add(*x, -(loft_coord)(off * weight[n - 1][j] / square));
         }
-    return true;
+    return badness(e, off, most_of(e, i, n));
 }
 
 /* Shorten the leg to point k to what the feed allows. Before the end comes, all is taken off the
  * later point: so in one round legs hand on what is too much, and those after it are mended too. */
-static bool mend_feed(loft_emit *e, unsigned k, range loose)
+static int32_t mend_feed(loft_emit *e, unsigned k, range loose)
 {
     const bool both = e->ended && is_loose(loose, k - 1);
     const int n = both + is_loose(loose, k);
@@ -89,10 +110,10 @@ static bool mend_feed(loft_emit *e, unsigned k, range loose)
         sum += loft_coord_abs(leg[i]);
     }
     if (n == 0 || sum <= feed)
-        return false;
+        return 0;
     const loft_coord size = loft_coord_length(leg);
     if (size <= feed)
-        return false;
+        return 0;
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_coord off = (loft_coord)((int64_t)leg[i] * (size - feed) / size / n);
         loft_coord *x = &e->point[k].axis[i], *y = &e->point[k - 1].axis[i];
@@ -101,23 +122,21 @@ static bool mend_feed(loft_emit *e, unsigned k, range loose)
         if (both)
             *y = loft_coord_add(*y, off);
     }
-    return true;
+    return badness(e, size - feed, feed);
 }
 
-/* Take off by what limits are exceeded up to point `last`. */
-static void mend(loft_emit *e, unsigned last, range loose)
+/* Take off by what limits are exceeded up to point `last`, once; gives the largest badness. */
+static int32_t mend(loft_emit *e, unsigned last, range loose)
 {
-    bool bad = true;
+    int32_t bad = 0;
 
-    for (int round = 0; round < ROUNDS && bad; round++) {
-        bad = false;
-        for (unsigned k = loose.from; k <= last; k++) {
-            bad = mend_feed(e, k, loose) || bad;
-            for (int i = 0; i < LOFT_AXES; i++)
-                for (int n = 1; n <= 3; n++)
-                    bad = mend_one(e, k, i, n, loose) || bad;
-        }
+    for (unsigned k = loose.from; k <= last; k++) {
+        bad = larger(bad, mend_feed(e, k, loose));
+        for (int i = 0; i < LOFT_AXES; i++)
+            for (int n = 1; n <= 3; n++)
+                bad = larger(bad, mend_one(e, k, i, n, loose));
     }
+    return bad;
 }
 
 /* Points that have not been used, and are not at the start. */
@@ -155,20 +174,79 @@ void loft_emit_add(loft_emit *emit, const loft_position *sample, loft_coord feed
         emit->point[2] = emit->sample[1];
     else
         set_point(emit, last - 1);
-    if (last > 3)
-        mend(emit, last - 1, (range){ first_loose(emit), last });
+    for (int n = 0; n < ROUNDS && last > 3; n++)
+        if (mend(emit, last - 1, (range){ first_loose(emit), last }) == 0)
+            break;
 }
 
-/* There is a sample behind the last one, and the point before that is on it. */
-void loft_emit_end(loft_emit *emit, loft_vec to)
+/* The points around the last knot but one, which the point before them and the end give. */
+static void set_last(loft_emit *e, int64_t ticks)
 {
-    const unsigned k = emit->count - 1u;
+    const unsigned k = e->count - 2u;
+    const int64_t t = e->period->ticks, around = (t + ticks) * (2 * t + ticks);
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_coord end = e->sample[k].axis[i];
+        const int64_t jerk = e->period->jerk[i] * ticks, accel = e->period->accel[i] * t,
+                      most = (jerk < accel ? jerk : accel) * around / (6 * t * t * t);
+        int64_t a = loft_coord_sub(end, e->point[k - 2].axis[i]);
+        a = a > most ? most : a < -most ? -most : a;
+        const int64_t first = a * (t - ticks) / (2 * t + ticks),
+                      last = first * (ticks - 2 * t) / (t + ticks);
+        e->point[k - 2].axis[i] = loft_coord_add(end, -(loft_coord)a);
+        e->point[k - 1].axis[i] = loft_coord_add(end, (loft_coord)first);
+        e->point[k].axis[i] = loft_coord_add(end, (loft_coord)last);
+    }
+}
+
+/* Move points so that limits are held where the last period has so many ticks; gives what remains
+ * too much, up to 1 for a 1024th. */
+static int32_t end_with(loft_emit *e, int64_t ticks)
+{
+    const unsigned k = e->count - 2u;
+    int32_t bad = 2;
+
+    for (int round = 0; round < LAST_ROUNDS && bad > 1; round++) {
+        set_last(e, ticks);
+        bad = mend(e, k, (range){ first_loose(e), k - 1 });
+    }
+    set_last(e, ticks);
+    return bad;
+}
+
+static void copy_points(loft_position *to, const loft_position *from, unsigned n)
+{
+    for (unsigned k = 0; k < n; k++)
+        to[k] = from[k];
+}
+
+/* Longer ones need less acceleration after the last knot, more before it, as samples stay where
+ * they are: what is too much falls to some length, and rises again. */
+void loft_emit_end(loft_emit *emit, const loft_position *sample, loft_coord feed, uint16_t number,
+                   loft_vec to, uint16_t ticks)
+{
+    const uint16_t more = (uint16_t)(emit->period->ticks / 8 + 1);
+    loft_position before[LOFT_EMIT_SAMPLES];
 
     emit->ended = true;
     emit->to = to;
-    emit->point[k - 1] = emit->sample[k];
-    append(emit, &emit->sample[k], emit->feed[k], emit->number[k]);
-    mend(emit, k + 1, (range){ first_loose(emit), k - 1 });
+    append(emit, sample, feed, number);
+    append(emit, sample, feed, number);
+    copy_points(before, emit->point, emit->count);
+    int32_t bad = end_with(emit, ticks);
+    emit->last = ticks;
+    while (bad > 1 && ticks < 2 * emit->period->ticks && ticks + more <= LOFT_SPAN_TICKS_MAX) {
+        ticks = (uint16_t)(ticks + more);
+        copy_points(emit->point, before, emit->count);
+        const int32_t now = end_with(emit, ticks);
+        if (now >= bad) {
+            copy_points(emit->point, before, emit->count);
+            (void)end_with(emit, emit->last);
+            break;
+        }
+        bad = now;
+        emit->last = ticks;
+    }
 }
 
 static void drop_first(loft_emit *e)
@@ -200,7 +278,7 @@ static bool use_point(loft_emit *e)
     if (e->next > 3)
         drop_first(e);
     if (e->ended && e->next == e->count)
-        loft_thin_end(&e->thin, e->to);
+        loft_thin_end(&e->thin, e->to, e->last);
     return true;
 }
 

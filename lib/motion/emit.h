@@ -23,6 +23,7 @@ typedef struct {
     bool       begun, ended;
     loft_thin  thin;
     loft_vec   to;                          /* the end of the chain */
+    uint16_t   last;                        /* ticks of its last span */
 } loft_emit;
 
 /* Begin a chain of at least two samples. */
@@ -33,8 +34,11 @@ void loft_emit_begin(loft_emit *emit, const loft_period *period, loft_vec from);
 void loft_emit_add(loft_emit *emit, const loft_position *sample, loft_coord feed, uint16_t number);
 static inline bool loft_emit_room(const loft_emit *emit) { return emit->count < LOFT_EMIT_SAMPLES; }
 
-/* The last sample was the end of the chain, `to`. */
-void loft_emit_end(loft_emit *emit, loft_vec to);
+/* Append the end of the chain, which is the place `sample`, exactly `to`, so many ticks after the
+ * last one: loft_period.last, and less than a period more. Where limits ask for it there are some
+ * more. */
+void loft_emit_end(loft_emit *emit, const loft_position *sample, loft_coord feed, uint16_t number,
+                   loft_vec to, uint16_t ticks);
 
 /* The next span, when it is sure; false: more samples are needed, or all is done. */
 bool loft_emit_next(loft_emit *emit, loft_span *out);

@@ -70,6 +70,20 @@ static uint32_t longest(const loft_limits *limits, uint32_t *fewest)
 }
 /* (16 hz)^3 * tol / 65536 / j = hz^3 tol / (16 j); 6 grains * hz^3 / j */
 
+/* A last period that is shorter than others has grains as well: at least half of one. One that is
+ * longer fits a span. */
+static uint16_t shortest(const loft_period *p)
+{
+    const int64_t t = p->ticks, half = (t + 1) / 2;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (2 * t > TICKS_MAX ||
+            p->jerk[i] * half * half * half < 6 * LOFT_COORD_GRAIN * t * t * t ||
+            p->accel[i] * half * half < 6 * LOFT_COORD_GRAIN * t * t)
+            return p->ticks;
+    return (uint16_t)half;
+}
+
 static loft_coord whole(loft_coord x, loft_coord part) { return x > part ? x - x % part : part; }
 
 void loft_period_init(loft_period *period, const loft_limits *limits)
@@ -99,6 +113,7 @@ void loft_period_init(loft_period *period, const loft_limits *limits)
         period->jerk[i] = whole(least(jerk > 0 ? jerk : period->accel[i], soft),
                                 6 * LOFT_COORD_GRAIN);
     }
+    period->last = shortest(period);
     const loft_coord spans = period->tol / 24 + loft_coord_length(period->jerk) / 18;
     period->tube = period->tol - spans;
     period->off = spans / 4 * 3;

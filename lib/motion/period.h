@@ -27,7 +27,8 @@ typedef struct {
     uint16_t  joined;               /* how many periods a span may last */
     int32_t   exact;                /* the square of loft_limits.exact, 2^-28; 0: no stops */
     uint16_t  tick_hz;
-    uint16_t  ticks;                /* of a period */
+    uint16_t  ticks;                /* of a period, */
+    uint16_t  last;                 /* and the fewest of the last one of a chain */
 } loft_period;
 
 /* Choose the period for `limits`, which loft_limits_check has accepted. */

@@ -362,7 +362,7 @@ static bool is_straight(const loft_plan *plan)
 static bool has_spare(const loft_plan *plan)
 {
     loft_period p = plan->period;
-    bool has = !plan->emit.begun && is_straight(plan);
+    bool has = !plan->emit.begun;
 
     for (int i = 0; i < LOFT_AXES; i++)
         p.jerk[i] = 0;
@@ -373,21 +373,30 @@ static bool has_spare(const loft_plan *plan)
     return has;
 }
 
-/* The time that is left comes to a whole number of samples, each somewhat shorter, the more the
- * nearer to the end; in a chain of which none has been used all the same. On a line they may be
- * longer instead, where only the jerk is at its limit: spans are made to hold it. */
+/* The time that is left comes to whole ticks: periods, and the last one, which has some more or
+ * less; in bends a quarter of one more, since timing does not look at limits between its knots, and
+ * emit has no later points for what exceeds them. Each is somewhat shorter, the more the nearer to
+ * the end; in a chain of which none has been used all the same. On a line they may be longer
+ * instead, where only the jerk is at its limit: spans are made to hold it. */
 static void set_steps(loft_plan *plan)
 {
+    const uint32_t period = plan->period.ticks;
     loft_time left = -plan->at.time;
+
     for (unsigned k = plan->at.knot; k < plan->sure; k++)
         left += loft_sample_time(plan->knot, k);
-    const loft_time more = has_spare(plan) ? left / 100 : 0;
-    const uint32_t n = (uint32_t)((left - more + LOFT_TIME_ONE - 1) / LOFT_TIME_ONE);
+    const bool straight = is_straight(plan);
+    const loft_time more = !straight ? -LOFT_TIME_ONE / 4 : has_spare(plan) ? left / 100 : 0;
+    const uint32_t least = (uint32_t)(((left - more) * period + LOFT_TIME_ONE - 1) / LOFT_TIME_ONE),
+                   unit = 2 * period > LOFT_SPAN_TICKS_MAX ? period : 1,
+                   n = least > 4 * period ? least + (unit - 1) - (least + unit - 1) % unit
+                                          : 4 * period;
 
-    plan->steps = n > 4 ? n : 4;
+    plan->steps = (n - plan->period.last) / period + 1;
+    plan->last = (uint16_t)(n - (plan->steps - 1) * period);
     plan->step = 0;
     plan->even = !plan->emit.begun || plan->steps < 8;
-    plan->lag = (loft_time)plan->steps * LOFT_TIME_ONE - left;
+    plan->lag = n * (LOFT_TIME_ONE / period) - left;
 }
 
 static loft_time step_of(const loft_plan *plan)
@@ -418,8 +427,8 @@ static void add_sample(loft_plan *plan)
 static void add_end(loft_plan *plan)
 {
     const loft_knot *last = &plan->knot[plan->count - 1];
-    loft_emit_add(&plan->emit, &last->point, last->is.on.feed, plan->guess.path.chain.dropped);
-    loft_emit_end(&plan->emit, plan->to);
+    loft_emit_end(&plan->emit, &last->point, last->is.on.feed, plan->guess.path.chain.dropped,
+                  plan->to, plan->last);
 }
 
 /* One more sample; false: more knots are needed. */

@@ -52,6 +52,7 @@ typedef struct {
     bool ended;                         /* is the last knot the end of the chain? */
     loft_sample at;                     /* the last sample */
     uint32_t steps, step;               /* samples to the end, and which is next, once it is sure */
+    uint16_t last;                      /* ticks of the last of these steps */
     bool even;                          /* are they all alike? */
     loft_time lag;                      /* by how much the steps are too long, all of them */
     loft_emit emit;

@@ -355,11 +355,22 @@ static steps_of_axis rounded(const wanted *w)
     return best;
 }
 
+static int64_t least(int64_t a, int64_t b) { return a < b ? a : b; }
+
+/* How far from the end the last span may begin. */
+static int64_t most_of_last(const loft_thin *t, int i)
+{
+    const int64_t whole = t->period->ticks, last = t->last_ticks;
+    return least(t->period->jerk[i] * last / whole, t->period->accel[i]) * last * last /
+           (6 * whole * whole);
+}
+
 /* What is wanted of the next span. */
 static wanted want(const loft_thin *t, int i)
 {
     const loft_period *p = t->period;
     const int64_t n = from_to(t, FIRST, FIRST + 1), most = p->jerk[i] * n * n * n;
+    const bool ends = t->ended && FIRST + 5u == t->count;
     rates r;
 
     load(t, i, FIRST, FIRST + 2, &r);
@@ -377,8 +388,8 @@ static wanted want(const loft_thin *t, int i)
         .speed = p->speed[i] / (3 * LOFT_COORD_GRAIN) * n,
         .accel = p->accel[i] / (6 * LOFT_COORD_GRAIN) * n * n,
         .jerk  = p->jerk[i] / (6 * LOFT_COORD_GRAIN) * n * n * n,
-        .remains = p->jerk[i] / 6,
-                       .ends = t->ended && FIRST + 5u == t->count };
+        .remains = ends ? most_of_last(t, i) : 0,
+                       .ends = ends };
     return w;
 }
 
@@ -405,8 +416,10 @@ static void set_span(loft_thin *t, loft_span *out)
     if (!t->moves)
         out->p[1] = t->from;
     t->moves = true;
-    if (t->ended && FIRST + 4u == t->count)
+    if (t->ended && FIRST + 4u == t->count) {
         out->p[1] = out->p[2] = out->p[3] = t->to;
+        out->ticks = t->last_ticks;
+    }
     t->end = out->p[3];
     t->passed = t->point[FIRST + 1].number;
 }
@@ -453,10 +466,11 @@ void loft_thin_add(loft_thin *thin, const loft_thin_input *in)
 }
 
 /* And one behind the last. */
-void loft_thin_end(loft_thin *thin, loft_vec to)
+void loft_thin_end(loft_thin *thin, loft_vec to, uint16_t ticks)
 {
     repeat(thin);
     thin->ended = true;
+    thin->last_ticks = ticks;
     thin->to = to;
 }
 
@@ -468,8 +482,13 @@ static void drop_first(loft_thin *t)
         t->point[k] = t->point[k + 1];
 }
 
-/* Point j + 1 of those that may change is not one of the last four. */
-static bool may_try(const loft_thin *t) { return t->next + (t->ended ? 4u : 5u) < t->count; }
+/* Point j + 1 of those that may change is not one of the last four; where the last period is longer
+ * or shorter, not one of those that belong to it. */
+static bool may_try(const loft_thin *t)
+{
+    const unsigned kept = !t->ended ? 5 : t->last_ticks == t->period->ticks ? 4 : 6;
+    return t->next + kept < t->count;
+}
 
 bool loft_thin_next(loft_thin *thin, loft_span *out)
 {

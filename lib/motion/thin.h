@@ -33,6 +33,7 @@ typedef struct {
     loft_position   origin, last;   /* the first point, the last one */
     uint8_t    count, next;         /* which knot may be taken out next? */
     bool       ended, moves;
+    uint16_t   last_ticks;          /* of the last span */
     uint16_t   passed;              /* curves behind the end of the last span */
     int64_t    grains[LOFT_AXES];   /* 2^-16 mm from the start to the end of the last span */
     loft_vec   from, to, end;       /* ends of the chain, of the last span */
@@ -52,8 +53,9 @@ typedef struct {
  * the chain begins. */
 void loft_thin_add(loft_thin *thin, const loft_thin_input *in);
 
-/* The last three points were the end of the chain, `to`. */
-void loft_thin_end(loft_thin *thin, loft_vec to);
+/* The last point was the end of the chain, `to`; two before it those of emit.c. The last span lasts
+ * so many ticks. */
+void loft_thin_end(loft_thin *thin, loft_vec to, uint16_t ticks);
 
 /* The next span, when it is sure.
  *

@@ -88,9 +88,10 @@ static void all_limits_are_held_exactly(arb *a)
     for (unsigned k = 0; k < samples; k++) {
         const loft_position at = k + 1 == samples ? last : place_of(k);
         CHECK(loft_emit_room(&emit));
-        loft_emit_add(&emit, &at, LOFT_COORD_MM * 16, 0);
         if (k + 1 == samples)
-            loft_emit_end(&emit, chain[0].curve.p[3]);
+            loft_emit_end(&emit, &at, LOFT_COORD_MM * 16, 0, chain[0].curve.p[3], p.ticks);
+        else
+            loft_emit_add(&emit, &at, LOFT_COORD_MM * 16, 0);
         while (loft_emit_next(&emit, &s))
             spans[count++] = s;
     }

@@ -51,7 +51,7 @@ static bool thin_all(void)
         };
         loft_thin_add(&thin, &in);
         if (k + 1 == total)
-            loft_thin_end(&thin, chain[0].curve.p[3]);
+            loft_thin_end(&thin, chain[0].curve.p[3], period.ticks);
         while (loft_thin_next(&thin, &s))
             spans[count++] = s;
     }
@@ -228,7 +228,7 @@ static void no_span_is_faster_than_the_feed(arb *a)
                                                          : (loft_coord)floor(place_at(k, i) + 0.5);
         loft_thin_add(&thin, &in);
         if (k + 1 == total)
-            loft_thin_end(&thin, vec_of(&points[k]));
+            loft_thin_end(&thin, vec_of(&points[k]), period.ticks);
         while (loft_thin_next(&thin, &s)) {
             double q[5];
             span_squares(&s, 0, 1, q);
