@@ -285,11 +285,13 @@ static uint8_t put_item(uint8_t *byte, enum loft_kind kind, const loft_predictor
                                    : put_point(byte, kind, p, item);
 }
 
+#define MOST_BYTES (LOFT_ITEM_BYTES > LOFT_CURVE_BYTES ? LOFT_ITEM_BYTES : LOFT_CURVE_BYTES)
+
 enum loft_status loft_packer_push(loft_packer *p, const loft_item *item)
 {
     const enum loft_kind kind = (enum loft_kind)p->kind;
     const bool still = is_point(kind) && point_is_still(kind, &p->predictor, item);
-    uint8_t byte[LOFT_CURVE_BYTES], n;
+    uint8_t byte[MOST_BYTES], n;
 
     if ((item->ticks < 1 && !is_action(kind, item)) || item->ticks > max_ticks(kind))
         return LOFT_ERR_RANGE;

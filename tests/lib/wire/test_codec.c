@@ -152,10 +152,12 @@ static bool same_predictor(const loft_predictor *a, const loft_predictor *b)
 
 enum { MANY = 300 };
 
+#define MOST_BYTES (LOFT_ITEM_BYTES > LOFT_CURVE_BYTES ? LOFT_ITEM_BYTES : LOFT_CURVE_BYTES)
+
 static void any_items_come_out_as_they_went_in(arb *a)
 {
     const enum loft_kind kind = arb_kind(a);
-    const uint8_t room = (uint8_t)(LOFT_CURVE_BYTES + arb_below(a, 256 - LOFT_CURVE_BYTES));
+    const uint8_t room = (uint8_t)(MOST_BYTES + arb_below(a, 256 - MOST_BYTES));
     loft_predictor sending = arb_predictor(a), receiving = sending;
     loft_item item[MANY], got;
     uint8_t byte[255];
