@@ -41,5 +41,5 @@ int main(void)
 
 /* prints
  *
- *     4 curves in 1732 ms, at rest again
+ *     4 curves in 1.73 s, at rest again
  */

@@ -112,7 +112,9 @@ loft_real loft_acc_quot(loft_acc x, loft_acc y);
  *           result when both are positive; none at lo and hi
  *   cost    q16: two 64-bit divisions with remainder; floats: two divisions
  */
+#if LOFT_NUM == LOFT_Q16
 loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo, loft_real hi);
+#endif
 
 /* The length of the vector x[0..n-1].
  *

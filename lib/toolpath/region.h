@@ -27,7 +27,7 @@ typedef struct {
 /* A spot that decisions accept: coordinates below 2^-50 count as 0. */
 static inline loft_spot loft_region_spot(loft_real x, loft_real y)
 {
-    const loft_real least = LOFT_REAL(0x1p-50);
+    const loft_real least = LOFT_REAL(1.0 / 1125899906842624.0);
     const loft_spot s = { { loft_real_abs(x) < least ? 0 : x, loft_real_abs(y) < least ? 0 : y } };
 
     return s;
