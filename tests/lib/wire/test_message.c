@@ -368,7 +368,9 @@ static void items_come_back(arb *a)
                                               [LOFT_POINTS] = LOFT_DATA_POINTS,
                                               [LOFT_POINTS_FINE] = LOFT_DATA_FINE,
                                               [LOFT_CURVES] = LOFT_DATA_CURVES };
-    const enum loft_kind kind = (enum loft_kind)(LOFT_SPANS + arb_below(a, 4));
+    /* curves are data only of a machine that plans */
+    const enum loft_kind kind = (enum loft_kind)(LOFT_SPANS +
+                                                 arb_below(a, LOFT_MACHINE_PLANS ? 4 : 3));
     const uint32_t first = arb_u32(a);
     const int32_t start[LOFT_AXES] = { 0 };
     uint8_t wire[LOFT_FRAME_MAX];
