@@ -104,6 +104,7 @@ loft_real loft_acc_sqrt(loft_acc x);
  */
 loft_real loft_acc_quot(loft_acc x, loft_acc y);
 
+#if LOFT_NUM == LOFT_Q16
 /* The value that is x at a = lo, y at a = hi, and linear in a between them: no parameter is
  * rounded.
  *
@@ -112,7 +113,6 @@ loft_real loft_acc_quot(loft_acc x, loft_acc y);
  *           result when both are positive; none at lo and hi
  *   cost    q16: two 64-bit divisions with remainder; floats: two divisions
  */
-#if LOFT_NUM == LOFT_Q16
 loft_acc loft_acc_lerp_in(loft_acc x, loft_acc y, loft_real a, loft_real lo, loft_real hi);
 #endif
 
