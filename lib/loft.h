@@ -13,7 +13,7 @@
  *                  forward, rational_walk                exact walking
  *                  cubics                                any curve as cubics
  *                  measure                               flattening, length
- *                  bounds, nearest, intersect, overlap   where a curve is
+ *                  bounds, nearest, clip, intersect, overlap   where a curve is
  *                  conic, reduce, enclosed               kinds, lower degrees, areas
  *                  tangent                               second derivatives, curvature with weights
  *                  offset, shape, join                   tool paths, cusps, curvature, C0 to G2
@@ -65,6 +65,7 @@
 #include "num/sci.h"
 #include "num/residue.h"
 #include "geom/chord.h"
+#include "geom/chord_pair.h"
 #include "geom/normal.h"
 #include "geom/vec.h"
 #include "geom/vec_exact.h"
@@ -96,6 +97,7 @@
 #include "curve/tween.h"
 #include "curve/forward.h"
 #include "curve/hermite.h"
+#include "curve/clip.h"
 #include "curve/intersect.h"
 #include "curve/overlap.h"
 #include "curve/join.h"

@@ -1,61 +1,60 @@
 /* lib/curve/intersect.c
  * SPDX-License-Identifier: MIT
  *
- * The search examines pairs of pieces, one of each curve, starting with both whole curves. A pair
- * is dropped if its hulls are more than tol / 2 apart: along an axis, or along the direction
- * between the nearest points of the two chords (for any direction u, min <b_i, u> - max <a_i, u> is
- * a lower bound). Otherwise one piece is halved, until both are straight. A piece is straight if
- * all control points are within tol / 8 of the even steps along the chord; then the curve is within
- * tol / 8 of the chord at the same parameter. The chords decide: they meet if their distance is at
- * most tol / 2. So
+ * The search examines pairs of pieces, one of each curve, starting with both whole curves. What is
+ * not within 7/8 tol of the other piece is cut off (curve/clip.h). If neither piece loses a quarter,
+ * the pair is dropped if its hulls are more than tol / 2 apart; otherwise one piece is halved. Both
+ * go on until they are straight: all control points are within tol / 8 of the even steps along the
+ * chord; then the curve is within tol / 8 of the chord at the same parameter. The chords decide:
+ * they meet if their distance is at most tol / 2. So
  *
  *     curves that meet    have chords within  tol / 4 < tol / 2       none is missed
  *     chords that meet    have curves within  tol / 2 + tol / 4       none is invented
  *
- * and a quarter of tol is left on both sides for rounding.
+ * and a quarter of tol is left on both sides for rounding. No part whose chords meet is cut off,
+ * because 7/8 tol is more than 3/4 tol.
  *
- * Chords. The distance of the point at sigma of one segment from the other segment is convex in
- * sigma, so bisection by the sign of its slope finds the minimum. The sign may be wrong if the
- * slope is within d of 0, where d is the error of a nearest point. At an angle theta the distance
- * is then off by less than d / sin theta. On a chord of length L it is also off by less than L sin
- * theta, so by less than sqrt(d L). With d = 4 ulp (2^-30 in q16; 2^-43 L in f32) that is below tol
- * / 8 for L <= tol^2 / (256 ulp) and L <= 2^14 tol. A longer chord is halved first, unless the
- * whole of it or of the other is within tol / 2: then they meet all along, and no search is needed.
- * L is always kept below 2^18 tol, because a parameter on the chord is a loft_unit: 2^-24 L.
+ * Chords. The smallest distance (geom/chord_pair.h) may be wrong by sqrt(d L), with d = 4 ulp (2^-30
+ * in q16; 2^-43 L in f32) and L the length. That is below tol / 8 for L <= tol^2 / (256 ulp) and L
+ * <= 2^14 tol. A longer chord is halved first, unless the whole of it or of the other is within tol
+ * / 2: then they meet all along, and no search is needed. L is always kept below 2^18 tol, because a
+ * parameter on the chord is a loft_unit: 2^-24 L.
  *
- * The traversal. One flag per level stores which of the two was halved on the way down: a piece has
- * at most LOFT_DYAD_LEVELS = 24 levels, hence there are at most 48 flags. At level 24 a piece
- * counts as straight. (It is: second differences are 2^-48 of 4 times the largest coordinate, 2^-31
- * in q16.)
+ * The traversal. A piece of 2^-24 is straight: second differences are 2^-48 of 4 times the largest
+ * coordinate, 2^-31 in q16. So each curve is halved at most 24 times, and at most 48 pairs wait.
  *
  * Stretches. The (sigma, tau) where two chords are within tol / 2 of each other form a convex set.
  * Two such sets of neighbouring pairs meet on the common edge. Joining those whose ranges touch
- * gives the whole stretch.
+ * gives the whole stretch. It ends where the chords are 1/2 to 5/8 tol apart.
  *
- * A stretch that both curves share from end to end is known beforehand (curve/overlap.h). Pairs of
- * pieces that meet only there are skipped, so the rest is found as quickly as without the
- * stretch. */
+ * A stretch that both curves share from end to end is sought once the search has halved often
+ * (curve/overlap.h). Pairs of pieces that meet only there are skipped from then on, so the rest is
+ * found as quickly as without the stretch. */
 #include "curve/intersect.h"
-#include "basis/dyadic.h"   /* loft_dyad, loft_bernstein_sub */
-#include "curve/overlap.h"  /* loft_bezier_overlap */
-#include "geom/chord.h"     /* loft_chord_foot */
+#include "curve/clip.h"         /* loft_piece_clip */
+#include "curve/overlap.h"      /* loft_bezier_overlap */
+#include "geom/chord_pair.h"    /* loft_chord_closest */
 
-#define STEPS ((uint32_t)1 << LOFT_DYAD_LEVELS)
+#define HALVINGS 24
+#define CHEAP    3      /* halvings that cost less than a look whether hulls are apart  */
+#define PATIENT  16     /* halvings before a shared stretch is sought: it costs as much */
 
-/* A curve and its current piece. */
+/* The current piece of a curve, and whether it is straight without and with the limit of L: of
+ * from..to. */
 typedef struct {
-    const loft_bezier *b;
-    loft_dyad n;
-    loft_acc   p[LOFT_AXES][LOFT_DEGREE_MAX + 1];
-    loft_acc   size;                /* its largest extent along an axis */
-    loft_chord chord;
-    bool       flat, straight;      /* as above: without, and with the limit of L */
+    loft_piece x;
+    uint32_t   from, to;
+    bool       flat, straight;
 } side;
 
 typedef struct {
+    uint32_t a_from, a_to, b_from, b_to;
+} waiting;
+
+typedef struct {
     side a, b;
-    bool halved_a[2 * LOFT_DYAD_LEVELS];
-    unsigned depth;
+    waiting waits[2 * HALVINGS];
+    unsigned depth, halvings;
     loft_acc eighth, half;                  /* of tol                      */
     loft_acc short_enough, long_enough;     /* the limits of L, as above   */
     loft_overlap shared;
@@ -63,180 +62,53 @@ typedef struct {
 } search;
 
 
-
 /* One piece */
 
 /* Are the control points within `limit` of the even steps along the chord? */
-static bool is_side_flat(const side *s, loft_acc limit)
+static bool is_piece_flat(const loft_piece *x, loft_acc limit)
 {
-    const unsigned n = s->b->degree;
+    const unsigned n = x->b->degree;
     loft_acc off[LOFT_AXES];
 
     for (unsigned k = 1; k < n; k++) {
-        for (int i = 0; i < LOFT_AXES; i++)
-            off[i] = s->p[i][k] - loft_acc_lerp_at(s->p[i][0], s->p[i][n], k, n);
+        for (int i = 0; i < LOFT_AXES; i++) {
+            off[i] = x->p[i][k] - loft_acc_lerp_at(x->p[i][0], x->p[i][n], k, n);
+            if (loft_acc_abs(off[i]) > limit)
+                return false;
+        }
         if (loft_acc_hypot(off, LOFT_AXES) > limit)
             return false;
     }
     return true;
 }
 
-static void axis_range(const side *s, int axis, loft_acc *low, loft_acc *high)
+/* Is the piece straight, if it is another one than before? */
+static void judge_side(const search *z, side *s)
 {
-    *low = *high = s->p[axis][0];
-    for (unsigned k = 1; k <= s->b->degree; k++) {
-        if (s->p[axis][k] < *low)
-            *low = s->p[axis][k];
-        if (s->p[axis][k] > *high)
-            *high = s->p[axis][k];
+    const bool last = s->x.to - s->x.from == 1;
+
+    if (s->from == s->x.from && s->to == s->x.to)
+        return;
+    s->from = s->x.from;
+    s->to = s->x.to;
+    s->flat = last || (s->x.reach <= z->long_enough && is_piece_flat(&s->x, z->eighth));
+    if (s->flat) {
+        loft_piece_aim(&s->x);
+        s->flat = last || s->x.chord.length <= z->long_enough;
     }
+    s->straight = last || (s->flat && s->x.chord.length <= z->short_enough);
 }
 
-static void cut_side(search *z, side *s)
+/* The largest extent along an axis. */
+static loft_acc piece_size(const loft_piece *x)
 {
-    loft_acc c[LOFT_DEGREE_MAX + 1], low, high;
-
-    s->size = 0;
-    for (int i = 0; i < LOFT_AXES; i++) {
-        for (unsigned k = 0; k <= s->b->degree; k++)
-            c[k] = loft_to_acc(s->b->p[k].axis[i]);
-        loft_bernstein_sub(c, s->b->degree, loft_dyad_from(s->n), loft_dyad_to(s->n), s->p[i]);
-        s->chord.u[i] = s->p[i][s->b->degree] - s->p[i][0];
-        axis_range(s, i, &low, &high);
-        if (high - low > s->size)
-            s->size = high - low;
-    }
-    loft_chord_aim(&s->chord);
-    const bool last = s->n.level == LOFT_DYAD_LEVELS;
-    s->flat     = last || (s->chord.length <= z->long_enough && is_side_flat(s, z->eighth));
-    s->straight = last || (s->chord.length <= z->short_enough && s->flat);
-}
-
-/* Move x to the nearest point of the chord; r is the old x minus the new one. */
-static void move_to_chord(const side *s, loft_acc x[], loft_acc r[])
-{
-    loft_acc w[LOFT_AXES];
-
-    for (int i = 0; i < LOFT_AXES; i++)
-        w[i] = x[i] - s->p[i][0];
-    loft_chord_foot(&s->chord, w, r);
-    for (int i = 0; i < LOFT_AXES; i++)
-        x[i] -= r[i];
-}
-
-/* The maximum of <p_k - x, u> (sign 1) or of its negative (sign -1), but at least 0. */
-static loft_acc hull_extreme(const side *s, const loft_acc x[], const loft_unit u[], int32_t sign)
-{
-    loft_acc most = 0;
-
-    for (unsigned k = 0; k <= s->b->degree; k++) {
-        loft_acc along = 0;
-        for (int i = 0; i < LOFT_AXES; i++)
-            along += loft_acc_scale(s->p[i][k] - x[i], u[i]);
-        if (sign * along > most)
-            most = sign * along;
-    }
-    return most + loft_acc_scale(most, LOFT_UNIT(1.0 / 4194304));       /* |u| may be 1 +- 2^-23 */
-}
-
-
-/* A pair of pieces */
-
-static bool are_sides_apart(const side *a, const side *b, loft_acc gap)
-{
-    loft_acc x[LOFT_AXES], y[LOFT_AXES], r[LOFT_AXES], low_a, high_a, low_b, high_b;
-    loft_unit u[LOFT_AXES];
+    loft_acc size = 0, low, high;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        axis_range(a, i, &low_a, &high_a);
-        axis_range(b, i, &low_b, &high_b);
-        if (low_b - high_a > gap || low_a - high_b > gap)
-            return true;
-        x[i] = b->p[i][0] + loft_acc_ratio(b->chord.u[i], 2);
+        loft_piece_range(x, i, &low, &high);
+        size = loft_acc_max(size, high - low);
     }
-    move_to_chord(a, x, r);
-    move_to_chord(b, x, r);
-    for (int i = 0; i < LOFT_AXES; i++)
-        y[i] = x[i];
-    move_to_chord(a, x, r);                     /* r = y - x, from a to b */
-
-    const loft_acc m = loft_acc_hypot(r, LOFT_AXES);
-    if (m <= gap)
-        return false;
-    for (int i = 0; i < LOFT_AXES; i++)
-        u[i] = loft_unit_ratio(r[i], m);
-    return m - hull_extreme(a, x, u, 1) - hull_extreme(b, y, u, -1) - 4 * loft_hypot_ulp(m) > gap;
-}
-
-/* The distance of the point at sigma of a's chord from b's chord, the parameter tau there, and the
- * slope along a. */
-static loft_acc chord_gap_at(const side *a, const side *b, loft_unit sigma, loft_unit *tau,
-                             loft_acc *slope)
-{
-    loft_acc w[LOFT_AXES], r[LOFT_AXES];
-
-    for (int i = 0; i < LOFT_AXES; i++)
-        w[i] = a->p[i][0] + loft_acc_scale(a->chord.u[i], sigma) - b->p[i][0];
-    const loft_acc at = loft_chord_foot(&b->chord, w, r);
-    *tau = at <= 0 ? 0 : at < b->chord.length ? loft_unit_ratio(at, b->chord.length) : LOFT_UNIT(1);
-    *slope = 0;
-    for (int i = 0; i < LOFT_AXES; i++)
-        *slope += loft_acc_scale(r[i], a->chord.toward[i]);
-    return loft_acc_hypot(r, LOFT_AXES);
-}
-
-static bool is_chord_near(const side *a, const side *b, loft_unit sigma, loft_acc gap)
-{
-    loft_unit tau;
-    loft_acc slope;
-    return chord_gap_at(a, b, sigma, &tau, &slope) <= gap;
-}
-
-/* Is all of a's chord near b's? It is if both its ends are. */
-static bool is_chord_along(const side *a, const side *b, loft_acc gap)
-{
-    return is_chord_near(a, b, 0, gap) && is_chord_near(a, b, LOFT_UNIT(1), gap);
-}
-
-/* The smallest distance of the two chords, and its parameters. */
-static loft_acc closest_points(const side *a, const side *b, loft_unit *sigma, loft_unit *tau)
-{
-    uint32_t low = 0, high = STEPS;
-    loft_acc slope;
-
-    while (high - low > 1) {
-        const uint32_t middle = low + (high - low) / 2;
-        chord_gap_at(a, b, loft_unit_of(middle, STEPS), tau, &slope);
-        if (slope > 0)
-            high = middle;
-        else
-            low = middle;
-    }
-    *sigma = loft_unit_of(low, STEPS);
-    const loft_acc left = chord_gap_at(a, b, *sigma, tau, &slope),
-                   right = chord_gap_at(a, b, loft_unit_of(high, STEPS), tau, &slope);
-    if (right < left) {
-        *sigma = loft_unit_of(high, STEPS);
-        return right;
-    }
-    return chord_gap_at(a, b, *sigma, tau, &slope);
-}
-
-/* The last parameter from sigma, which is near, toward `end` that is near, plus 2^-10 of the
- * distance. */
-static loft_unit near_range_end(const side *a, const side *b, loft_unit sigma, loft_unit end,
-                                loft_acc gap)
-{
-    if (is_chord_near(a, b, end, gap))
-        return end;
-    for (int round = 0; round < 10; round++) {
-        const loft_unit middle = sigma + (end - sigma) / 2;
-        if (is_chord_near(a, b, middle, gap))
-            sigma = middle;
-        else
-            end = middle;
-    }
-    return end;
+    return size;
 }
 
 
@@ -293,32 +165,67 @@ static bool add_crossing(loft_crossing c, loft_crossing out[], size_t room, size
     return true;
 }
 
+static loft_chord_pair pair_of(const loft_piece *a, const loft_piece *b)
+{
+    loft_chord_pair c = { &a->chord, &b->chord, { 0 } };
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        c.apart[i] = a->p[i][0] - b->p[i][0];
+    return c;
+}
+
+/* The stretch from..to of the piece x, around its point at `at`, which is near. */
+static void near_range(const search *z, const loft_piece *x, const loft_chord_pair *c,
+                       const loft_foot end[2], loft_unit at, loft_acc gap, loft_unit *from,
+                       loft_unit *to)
+{
+    const loft_acc most = z->half + z->eighth;
+    const loft_foot in = { at, 0, gap, 0 };
+
+    *from = loft_piece_at(x, loft_chord_near_end(c, in, end[0], z->half, most));
+    *to = loft_piece_at(x, loft_chord_near_end(c, in, end[1], z->half, most));
+}
+
+/* Where the chords of the current pair meet; false if they do not. */
+static bool chords_meet(const search *z, loft_crossing *c)
+{
+    const loft_piece *a = &z->a.x, *b = &z->b.x;
+    const bool by_a = a->chord.length <= b->chord.length;
+    const loft_chord_pair on_a = pair_of(a, b), on_b = pair_of(b, a);
+    loft_foot end_a[2], end_b[2];
+
+    loft_chord_ends(by_a ? &on_a : &on_b, by_a ? end_a : end_b);
+    const loft_foot f = loft_chord_closest(by_a ? &on_a : &on_b, by_a ? end_a : end_b,
+                                           loft_acc_ratio(z->eighth, 256));
+    if (f.gap > z->half)
+        return false;
+    loft_chord_ends(by_a ? &on_b : &on_a, by_a ? end_b : end_a);
+    c->distance = f.gap;
+    c->s = by_a ? f.at : f.other;
+    c->t = by_a ? f.other : f.at;
+    near_range(z, a, &on_a, end_a, c->s, f.gap, &c->s_from, &c->s_to);
+    near_range(z, b, &on_b, end_b, c->t, f.gap, &c->t_from, &c->t_to);
+    return true;
+}
+
 /* Add the crossing of the chords of the current pair if they meet. False if `out` is full. */
 static bool add_chord_crossing(const search *z, loft_crossing out[], size_t room, size_t *count)
 {
-    const side *a = &z->a, *b = &z->b;
-    const loft_acc gap = z->half;
+    const loft_piece *a = &z->a.x, *b = &z->b.x;
     loft_crossing c;
-    loft_unit sigma, tau;
     loft_acc dot = 0;
 
-    c.distance = a->chord.length <= b->chord.length ? closest_points(a, b, &sigma, &tau)
-                                                    : closest_points(b, a, &tau, &sigma);
-    if (c.distance > gap)
+    if (!chords_meet(z, &c))
         return true;
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_acc x = a->p[i][0] + loft_acc_scale(a->chord.u[i], sigma),
-                       y = b->p[i][0] + loft_acc_scale(b->chord.u[i], tau);
+        const loft_acc x = a->p[i][0] + loft_acc_scale(a->chord.u[i], c.s),
+                       y = b->p[i][0] + loft_acc_scale(b->chord.u[i], c.t);
         c.point.axis[i] = loft_acc_round(loft_acc_ratio(x + y, 2));
         dot += loft_acc_scale(loft_acc_scale(loft_to_acc(LOFT_REAL(1)), a->chord.toward[i]),
                               b->chord.toward[i]);
     }
-    c.s       = loft_dyad_at(a->n, sigma);
-    c.t       = loft_dyad_at(b->n, tau);
-    c.s_from  = loft_dyad_at(a->n, near_range_end(a, b, sigma, 0, gap));
-    c.s_to    = loft_dyad_at(a->n, near_range_end(a, b, sigma, LOFT_UNIT(1), gap));
-    c.t_from  = loft_dyad_at(b->n, near_range_end(b, a, tau, 0, gap));
-    c.t_to    = loft_dyad_at(b->n, near_range_end(b, a, tau, LOFT_UNIT(1), gap));
+    c.s       = loft_piece_at(a, c.s);
+    c.t       = loft_piece_at(b, c.t);
     c.along   = dot >= 0;
     c.overlap = false;
     return add_crossing(c, out, room, count);
@@ -329,18 +236,22 @@ static bool add_chord_crossing(const search *z, loft_crossing out[], size_t room
  * at one place means little. */
 static void judge_crossing(const search *z, loft_crossing *c, loft_acc least)
 {
-    const loft_vec from = loft_bezier_eval(z->a.b, c->s_from),
-                   to = loft_bezier_eval(z->a.b, c->s_to);
-    const loft_vec middle = loft_bezier_eval(z->a.b, c->s_from + (c->s_to - c->s_from) / 2);
-    const loft_vec t_from = loft_bezier_eval(z->b.b, c->t_from),
-                   t_to = loft_bezier_eval(z->b.b, c->t_to);
+    const bool s_ends[2] = { !(c->s_from > 0), !(c->s_to < LOFT_UNIT(1)) },
+               t_ends[2] = { !(c->t_from > 0), !(c->t_to < LOFT_UNIT(1)) };
+
+    if (!((s_ends[0] || t_ends[0] || t_ends[1]) && (s_ends[1] || t_ends[0] || t_ends[1])))
+        return;
+    const loft_vec from = loft_bezier_eval(z->a.x.b, c->s_from),
+                   to = loft_bezier_eval(z->a.x.b, c->s_to);
+    const loft_vec middle = loft_bezier_eval(z->a.x.b, c->s_from + (c->s_to - c->s_from) / 2);
+    const loft_vec t_from = loft_bezier_eval(z->b.x.b, c->t_from),
+                   t_to = loft_bezier_eval(z->b.x.b, c->t_to);
     const loft_acc straight = loft_vec_distance(from, t_from) + loft_vec_distance(to, t_to);
     const loft_acc crossed = loft_vec_distance(from, t_to) + loft_vec_distance(to, t_from);
     const bool along = straight < crossed || (straight <= crossed && c->along);
 
-    const bool starts = !(c->s_from > 0) || (along ? !(c->t_from > 0) : !(c->t_to < LOFT_UNIT(1)));
-    const bool ends = !(c->s_to < LOFT_UNIT(1)) ||
-                      (along ? !(c->t_to < LOFT_UNIT(1)) : !(c->t_from > 0));
+    const bool starts = s_ends[0] || t_ends[along ? 0 : 1],
+               ends = s_ends[1] || t_ends[along ? 1 : 0];
 
     c->overlap = starts && ends &&
                  (loft_vec_distance(from, to) > least || loft_vec_distance(from, middle) > least);
@@ -351,41 +262,40 @@ static void judge_crossing(const search *z, loft_crossing *c, loft_acc least)
 
 /* The traversal */
 
-/* Halve the piece that needs it, or the larger one if both do. False if neither does. */
-static bool halve_pair(search *z)
+/* Is all of a's chord near b's? It is if both its ends are. */
+static bool is_chord_along(const loft_piece *a, const loft_piece *b, loft_acc gap)
+{
+    const loft_chord_pair c = pair_of(a, b);
+    return loft_chord_foot_at(&c, 0).gap <= gap && loft_chord_foot_at(&c, LOFT_UNIT(1)).gap <= gap;
+}
+
+static bool is_pair_straight(search *z)
 {
     side *a = &z->a, *b = &z->b;
 
-    if ((a->straight && b->straight) ||
-        (a->flat && b->flat && (is_chord_along(a, b, z->half) || is_chord_along(b, a, z->half))))
-        return false;
-    const bool halve_a = !a->straight && (b->straight || a->size >= b->size);
-    side *s = halve_a ? a : b;
-
-    z->halved_a[z->depth++] = halve_a;
-    s->n = loft_dyad_half(s->n, 0);
-    cut_side(z, s);
-    return true;
+    judge_side(z, a);
+    judge_side(z, b);
+    return (a->straight && b->straight) ||
+           (a->flat && b->flat &&
+            (is_chord_along(&a->x, &b->x, z->half) || is_chord_along(&b->x, &a->x, z->half)));
 }
 
-/* Go to the pair after the current one and its descendants; false if there is none. */
-static bool next_pair(search *z)
+/* Halve the piece that needs it, or the larger one if both do; the second half waits. */
+static void halve_pair(search *z)
 {
-    for (; z->depth; z->depth--) {
-        side *s = z->halved_a[z->depth - 1] ? &z->a : &z->b;
-        if (s->n.k % 2 == 0) {
-            s->n.k++;
-            cut_side(z, &z->a);
-            cut_side(z, &z->b);
-            return true;
-        }
-        s->n.k /= 2;
-        s->n.level--;
-    }
-    return false;
+    side *a = &z->a, *b = &z->b;
+    const bool halve_a = !a->straight && (b->straight || piece_size(&a->x) >= piece_size(&b->x));
+    loft_piece *x = halve_a ? &a->x : &b->x;
+    const uint32_t from = x->from, middle = from + (x->to - from) / 2;
+    waiting second = { a->x.from, a->x.to, b->x.from, b->x.to };
+
+    *(halve_a ? &second.a_from : &second.b_from) = middle;
+    z->waits[z->depth++] = second;
+    loft_piece_cut(x, from, middle);
+    z->halvings++;
 }
 
-/* The shared stretch is the first crossing. False if `out` is full. */
+/* The shared stretch is a crossing. False if `out` is full. */
 static bool add_shared(const search *z, loft_crossing out[], size_t room, size_t *count)
 {
     const loft_overlap *o = &z->shared;
@@ -397,7 +307,7 @@ static bool add_shared(const search *z, loft_crossing out[], size_t room, size_t
     c.t        = o->t_from;
     c.t_from   = along ? o->t_from : o->t_to;
     c.t_to     = along ? o->t_to : o->t_from;
-    c.point = loft_vec_lerp(loft_bezier_eval(z->a.b, c.s), loft_bezier_eval(z->b.b, c.t),
+    c.point = loft_vec_lerp(loft_bezier_eval(z->a.x.b, c.s), loft_bezier_eval(z->b.x.b, c.t),
                             LOFT_UNIT(0.5));
     c.distance = o->distance;
     c.along    = along;
@@ -405,31 +315,52 @@ static bool add_shared(const search *z, loft_crossing out[], size_t room, size_t
     return add_crossing(c, out, room, count);
 }
 
-/* Is nothing left to find in this pair? */
-static bool is_pair_done(const search *z)
+/* Is nothing left to find in this pair but the shared stretch? */
+static bool is_pair_covered(const search *z)
 {
-    const loft_dyad a = z->a.n, b = z->b.n;
-
-    return are_sides_apart(&z->a, &z->b, z->half) ||
-           (z->shares && loft_overlap_covers(&z->shared, z->a.b, loft_dyad_from(a), loft_dyad_to(a),
-                                             loft_dyad_from(b), loft_dyad_to(b)));
+    const loft_piece *a = &z->a.x, *b = &z->b.x;
+    return z->shares && loft_overlap_covers(&z->shared, a->b, loft_piece_from(a), loft_piece_to(a),
+                                            loft_piece_from(b), loft_piece_to(b));
 }
 
-static bool walk_pairs(search *z, loft_crossing out[], size_t room, size_t *count)
+/* Search the current pair, until it is done or halved parts of it wait. False if `out` is full. */
+static bool search_pair(search *z, loft_real tol, loft_crossing out[], size_t room, size_t *count)
 {
-    if (z->shares && !add_shared(z, out, room, count))
-        return false;
-    cut_side(z, &z->a);
-    cut_side(z, &z->b);
-    do {
-        while (!is_pair_done(z))
-            if (!halve_pair(z)) {
-                if (!add_chord_crossing(z, out, room, count))
-                    return false;
-                break;
-            }
-    } while (next_pair(z));
+    loft_piece *a = &z->a.x, *b = &z->b.x;
+
+    while (!is_pair_covered(z)) {
+        bool less;
+
+        if (is_pair_straight(z))
+            return add_chord_crossing(z, out, room, count);
+        if (!loft_piece_clip(a, b, 7 * z->eighth, &less))
+            return true;
+        if (less)
+            continue;
+        if (z->halvings > CHEAP && loft_piece_hulls_apart(a, b, z->half))
+            return true;
+        halve_pair(z);
+        if (z->halvings == PATIENT) {
+            z->shares = loft_bezier_overlap(a->b, b->b, tol, &z->shared);
+            if (z->shares && !add_shared(z, out, room, count))
+                return false;
+        }
+    }
     return true;
+}
+
+static bool search_pairs(search *z, loft_real tol, loft_crossing out[], size_t room, size_t *count)
+{
+    if (loft_piece_boxes_apart(&z->a.x, &z->b.x, z->half))
+        return true;
+    while (search_pair(z, tol, out, room, count)) {
+        if (z->depth == 0)
+            return true;
+        const waiting *w = &z->waits[--z->depth];
+        loft_piece_cut(&z->a.x, w->a_from, w->a_to);
+        loft_piece_cut(&z->b.x, w->b_from, w->b_to);
+    }
+    return false;
 }
 
 static loft_acc largest_coordinate(const loft_bezier *b, loft_acc most)
@@ -454,19 +385,18 @@ enum loft_status loft_bezier_intersect(const loft_bezier *a, const loft_bezier *
     if (!loft_real_valid(tol) || wide < 2 * loft_real_ulp(size) || wide < 16384 * ulp)
         return LOFT_ERR_RANGE;
 
-    z.a.b = a;
-    z.b.b = b;
-    z.a.n.k = z.b.n.k = 0;
-    z.a.n.level = z.b.n.level = 0;
-    z.depth = 0;
+    z.depth = z.halvings = 0;
+    z.shares = false;
     z.eighth = loft_acc_ratio(wide, 8);
     z.half   = loft_acc_ratio(wide, 2);
     z.long_enough = tol < LOFT_REAL(2048) ? 262144 * wide : loft_to_acc(LOFT_REAL_MAX);
     z.short_enough = loft_acc_mul(wide, wide > 4194304 * ulp ? LOFT_REAL(16384)
                                                              : loft_acc_quot(wide, 256 * ulp));
 
-    z.shares = loft_bezier_overlap(a, b, tol, &z.shared);
-    const bool complete = walk_pairs(&z, out, room, count);
+    loft_piece_start(&z.a.x, a);
+    loft_piece_start(&z.b.x, b);
+    z.a.from = z.a.to = z.b.from = z.b.to = 0;
+    const bool complete = search_pairs(&z, tol, out, room, count);
     bool overlaps = false;
     for (size_t k = 0; k < *count; k++) {
         judge_crossing(&z, &out[k], 4 * wide);

@@ -44,14 +44,13 @@ typedef struct {
  *           before that rounding, are within tol of each other, and all points of a stretch are
  *           within tol of the other curve. Two crossings between which the curves stay that close
  *           are merged. At an angle of theta a stretch is about tol / sin theta long
- *   cost    about 70 pieces for two cubics that cross once, each degree * (degree + 1) * (degree +
- *           5) / 6 wide lerps per axis and 5 roots; about 150 more if both are pieces of one curve,
- *           for any length of overlap. If they touch, or overlap otherwise, about 100 * length /
- *           sqrt(radius * tol), at worst length / tol for straight curves of different degree. 2.2
- *           KB of stack for three axes in q16; not for an ISR
- *   see     Sederberg, White & Zundel, Fat arcs, CAGD 6 (1989), and Lane & Riesenfeld (1980) for
- *           hulls and subdivision; the separating plane: Ericson, Real-Time Collision Detection,
- *           ch. 5
+ *   cost    about 5 loft_piece_clip and 7 feet of chords for two cubics that cross once; about 4
+ *           times loft_bezier_nearest and 150 clips more if both are pieces of one curve, for any
+ *           length of overlap. If they touch, or overlap otherwise, about 100 * length /
+ *           sqrt(radius * tol) clips, at worst length / tol for straight curves of different degree.
+ *           4 KB of stack for three axes in q16; not for an ISR
+ *   see     curve/clip.h; Sederberg & Nishita, Curve intersection using Bezier clipping, CAD 22
+ *           (1990); the separating plane: Ericson, Real-Time Collision Detection, ch. 5
  */
 enum loft_status loft_bezier_intersect(const loft_bezier *a, const loft_bezier *b, loft_real tol,
                                        loft_crossing out[], size_t room,

@@ -221,7 +221,7 @@ loft_real loft_acc_sqrt(loft_acc x) { return (loft_real)loft_sci_sqrt(x); }
 
 loft_real loft_acc_quot(loft_acc x, loft_acc y) { return (loft_real)(x / y); }
 
-/* The vector is scaled by the largest component, so that no square overflows or underflows. */
+/* Where a square might overflow or underflow, the vector is scaled by its largest component. */
 loft_acc loft_acc_hypot(const loft_acc x[], int n)
 {
     loft_acc largest = 0, sum = 0;
@@ -230,9 +230,13 @@ loft_acc loft_acc_hypot(const loft_acc x[], int n)
         const loft_acc size = x[i] < 0 ? -x[i] : x[i];
         if (size > largest)
             largest = size;
+        sum += x[i] * x[i];
     }
     if (!(largest > 0))
         return 0;
+    if (largest < 1e150 && largest > 1e-140)
+        return loft_sci_sqrt(sum);
+    sum = 0;
     for (int i = 0; i < n; i++) {
         const loft_acc part = x[i] / largest;
         sum += part * part;

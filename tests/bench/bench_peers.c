@@ -482,7 +482,7 @@ int main(void)
     static const way cross[] = {
         { "loft_bezier_intersect", loft_cross },
 #ifdef BENCH_RUST
-        { "lyon_geom", lyon_cross },
+        { "lyon_geom, 1e-9 of t", lyon_cross },
 #endif
 #ifdef BENCH_SISL
         { "SISL s1857", sisl_cross },

@@ -124,6 +124,39 @@ static long double in_time(const curve *a, const curve *b)
     return (a->speed + b->speed) * BY_NUM(0x1.1p-25L, 0x1.1p-25L, 0x1p-50L);
 }
 
+/* The distance of a point from a curve: the least near each sample. */
+static long double from_curve(const curve *a, long double s, const curve *b)
+{
+    long double least = INFINITY;
+
+    for (unsigned k = 0; k <= PARTS; k++) {
+        long double best = (long double)k / PARTS, here = apart(a, s, b, best);
+        if (here > least + b->speed / PARTS)
+            continue;
+        for (long double step = 1.0L / PARTS; step > 0x1p-45L; step /= 2)
+            for (int way = -1; way <= 1; way += 2) {
+                const long double next = fminl(fmaxl(best + (long double)way * step, 0), 1);
+                const long double there = apart(a, s, b, next);
+                if (there < here) {
+                    here = there;
+                    best = next;
+                }
+            }
+        least = fminl(least, here);
+    }
+    return least;
+}
+
+/* All points of a stretch are within tol of the other curve. */
+static void check_stretch(const curve *a, loft_unit from, loft_unit to, const curve *b,
+                          long double tol)
+{
+    for (int k = 0; k <= 2; k++) {
+        const long double s = exact_unit(from) + k * (exact_unit(to) - exact_unit(from)) / 2;
+        CHECK(from_curve(a, s, b) <= tol + in_time(a, b));
+    }
+}
+
 /* The properties of every crossing. */
 static void check_crossings(const curve *a, const curve *b, const loft_crossing c[], size_t count,
                             long double tol)
@@ -141,6 +174,8 @@ static void check_crossings(const curve *a, const curve *b, const loft_crossing 
         CHECK(c[k].s_from >= 0 && exact_unit(c[k].s_to) <= 1 && c[k].t_from >= 0 &&
               exact_unit(c[k].t_to) <= 1);
         CHECK(k == 0 || c[k-1].s <= c[k].s);
+        check_stretch(a, c[k].s_from, c[k].s_to, b, tol);
+        check_stretch(b, c[k].t_from, c[k].t_to, a, tol);
         for (int i = 0; i < LOFT_AXES; i++)
             off += powl(exact_of(c[k].point.axis[i]) - (at(a, i, s) + at(b, i, t)) / 2, 2);
         CHECK(sqrtl(off) <= tol / 4 + slack + ulp(32768));
@@ -342,6 +377,27 @@ static void a_joint_is_one_crossing(arb *a)
     CHECK(joints == 1);
 }
 
+/* A curve of degree 0 is a point. */
+static void a_point_on_a_curve_is_met(arb *a)
+{
+    const loft_real tol = loft_real_from_raw(655);
+    const loft_unit at = loft_unit_of(arb_below(a, 1001), 1000);
+    loft_crossing c[ROOM];
+    curve p, q;
+    size_t count;
+
+    arb_curve(a, &p, 1 + arb_below(a, 4), 200);
+    arb_curve(a, &q, 0, 200);
+    q.p[0] = loft_bezier_eval(&p.b, at);
+    prepare(&q);
+    enum loft_status status = loft_bezier_intersect(&p.b, &q.b, tol, c, ROOM, &count);
+    CHECK((status == LOFT_OK || status == LOFT_SINGULAR) && count > 0);
+    check_crossings(&p, &q, c, count, exact_of(tol));
+    q.p[0].axis[0] = loft_real_from_int(300);
+    prepare(&q);
+    CHECK(loft_bezier_intersect(&q.b, &p.b, tol, c, ROOM, &count) == LOFT_OK && count == 0);
+}
+
 static void room_and_arguments_are_checked(arb *a)
 {
     loft_crossing c[ROOM];
@@ -403,6 +459,7 @@ int main(void)
     PROPERTY(lines_overlap_whatever_their_speed,      50);
     PROPERTY(touching_is_one_crossing,               100);
     PROPERTY(a_joint_is_one_crossing,                100);
+    PROPERTY(a_point_on_a_curve_is_met,              100);
     PROPERTY(room_and_arguments_are_checked,           1);
     PROPERTY(met_enough_crossings,                     1);
     return check_failures();
