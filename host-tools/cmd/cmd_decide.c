@@ -10,7 +10,7 @@ static int run_decide(const tool_command *self, int argc, char **argv)
 }
 
 const tool_command command_decide = {
-    "decide", "QUESTION [--of NUMBER,..] [FILE|-]",
+    "decide", "QUESTION [--of NUMBER,..] [FILE|-] [FILE]",
     "positive, convex, copositive, which conic, where curves meet, ..",
     "Of the numbers --of:\n"
     "  positive    is a polynomial with these Bernstein coefficients above 0? How many roots?\n"
@@ -35,6 +35,10 @@ const tool_command command_decide = {
     "  ray         where the ray --of x,y,z,dx,dy,dz meets them: t, u, v; `touch` is not decided\n"
     "  area        of each, without weights\n"
     "  volume      that they enclose, without weights\n"
+    "Of the curves in one FILE and the surfaces with nets in a second one:\n"
+    "  pierce      all places where they meet, --of mm apart at least: t, u, v, the point; "
+    "`touch`\n"
+    "              is not decided\n"
     "Of the tensor patches and triangles in FILE:\n"
     "  join        how each continues the one before across u = 1: C0 C1 G1; of triangles the\n"
     "              order of derivatives that agree across the edge T2 T3: --of the shares of T2, "

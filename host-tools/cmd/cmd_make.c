@@ -42,6 +42,7 @@ const tool_command command_make = {
     "  split    at --of u,v: four parts, or the three triangles around that point\n"
     "  quarter  four parts, cut in the middles\n"
     "  patches  tensor patches and triangles of coons, bicubic, pn, octant and nurbs-surface\n"
+    "  meet     the lines in which each two of them meet, within --of mm: every branch\n"
     "  continue each triangle beyond its edge T2 T3, to a corner with --of shares of T2, T3\n"
     "Others:\n"
     "  gregory  `coons slopes 3 3` as a Gregory patch, which keeps all slopes with any twists\n"

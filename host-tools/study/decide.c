@@ -32,6 +32,25 @@ static int ask(const decide_question *q, const decide_input *in, const char *wha
                                     *why ? why : engine_status(status));
 }
 
+/* The curves of one file and the surfaces of another. */
+static int ask_of_both(const decide_question *q, const decide_input *numbers, char *const file[2])
+{
+    decide_input in = *numbers;
+    curves all = { 0 };
+    surfaces patches = { 0 };
+    int code = curves_read(&all, file[0], NULL);
+
+    if (code == 0)
+        code = surfaces_read_only(&patches, file[1]);
+    in.curves = &all;
+    in.surfaces = &patches;
+    if (code == 0)
+        code = ask(q, &in, source_name(file[0]));
+    curves_free(&all);
+    surfaces_free(&patches);
+    return code;
+}
+
 static int ask_of_file(const decide_question *q, const decide_input *numbers, const char *file)
 {
     decide_input in = *numbers;
@@ -78,7 +97,8 @@ int decide_run(const tool_command *self, const decide_question *const table[3], 
         return tool_error(EX_USAGE, "%s: not known to %s: see `loft help %s`", argv[first],
                           self->name, self->name);
     const decide_input in = { e, &of, NULL, NULL, NULL };
-    if (argc - first > (q->takes == DECIDE_NUMBERS ? 1 : 2))
+    const int words = q->takes == DECIDE_NUMBERS ? 1 : q->takes == DECIDE_BOTH ? 3 : 2;
+    if (argc - first > words)
         return tool_error(EX_USAGE, "%s: one %s too many: see `loft help %s`", argv[argc - 1],
                           q->takes == DECIDE_NUMBERS ? "word" : "file", self->name);
     if (of.count < q->least || of.count > q->most)
@@ -86,5 +106,9 @@ int decide_run(const tool_command *self, const decide_question *const table[3], 
                           q->name, (size_t)of.count, tool_s(of.count), q->numbers, self->name);
     if (q->takes == DECIDE_NUMBERS)
         return ask(q, &in, "--of");
+    if (q->takes == DECIDE_BOTH && argc - first < words)
+        return tool_error(EX_USAGE, "%s: give a file of curves, then one of surfaces", q->name);
+    if (q->takes == DECIDE_BOTH)
+        return ask_of_both(q, &in, argv + first + 1);
     return ask_of_file(q, &in, first + 1 < argc ? argv[first + 1] : "-");
 }

@@ -5,6 +5,7 @@
  *     engine_decide.c     the answers; engine_make.c, engine_weave.c, engine_fill.c: curves and
  *                         surfaces made of others; compiled once per number type
  *     engine_parts.c      pieces of curves, frames, polynomials
+ *     engine_meet.c       where surfaces meet each other and curves
  *     engine_pieces.h     what all use
  *     decide.c            what the commands decide and make share
  */
@@ -17,9 +18,9 @@
 struct curves;
 struct surfaces;
 
-enum decide_takes { DECIDE_NUMBERS, DECIDE_CURVES, DECIDE_SURFACES, DECIDE_EITHER };
+enum decide_takes { DECIDE_NUMBERS, DECIDE_CURVES, DECIDE_SURFACES, DECIDE_EITHER, DECIDE_BOTH };
 
-/* What a question is asked of: numbers, or the curves or surfaces of a file. */
+/* What a question is asked of: numbers, the curves or surfaces of a file, or those of two files. */
 typedef struct {
     const engine *e;
     const tool_list *of;
@@ -39,12 +40,12 @@ typedef struct {
 
 #define DECIDE_ANY       1024
 #define DECIDE_WHY       160
-#define DECIDE_QUESTIONS 19
+#define DECIDE_QUESTIONS 20
 
 extern const decide_question decide_q16[DECIDE_QUESTIONS], decide_f32[DECIDE_QUESTIONS],
     decide_f64[DECIDE_QUESTIONS];
 
-#define MAKE_VERBS 23
+#define MAKE_VERBS 24
 
 extern const decide_question make_q16[MAKE_VERBS], make_f32[MAKE_VERBS], make_f64[MAKE_VERBS];
 

@@ -523,6 +523,7 @@ const decide_question ENGINE_OF(decide)[DECIDE_QUESTIONS] = {
     { "enclosed", DECIDE_CURVES, 0, 0, "nothing", answer_enclosed },
     { "nearest", DECIDE_SURFACES, 3, 3, "a point x,y,z", answer_nearest },
     { "ray", DECIDE_SURFACES, 6, 6, "a point and a direction x,y,z,dx,dy,dz", answer_ray },
+    { "pierce", DECIDE_BOTH, 1, 1, "a tolerance above 0", ENGINE_OF(answer_pierce) },
     { "area", DECIDE_SURFACES, 0, 0, "nothing", answer_area },
     { "volume", DECIDE_SURFACES, 0, 0, "nothing", answer_volume },
     { "join", DECIDE_SURFACES, 0, 2, "nothing, or shares of T2 and T3", ENGINE_OF(answer_join) },

@@ -308,6 +308,7 @@ const decide_question ENGINE_OF(make)[MAKE_VERBS] = {
     { "bessel", DECIDE_CURVES, 0, 0, "nothing", ENGINE_OF(make_bessel) },
     { "quarter", DECIDE_SURFACES, 0, 0, "nothing", ENGINE_OF(make_quarter) },
     { "patches", DECIDE_SURFACES, 0, 0, "nothing", ENGINE_OF(make_patches) },
+    { "meet", DECIDE_SURFACES, 1, 1, "a tolerance above 0", ENGINE_OF(make_meet) },
     { "continue", DECIDE_SURFACES, 2, 2, "shares of T2 and T3", ENGINE_OF(make_continue) },
     { "gregory", DECIDE_SURFACES, 0, 0, "nothing", ENGINE_OF(make_gregory) },
     { "fill", DECIDE_SURFACES, 0, 1, "a degree, or nothing", ENGINE_OF(make_fill) },

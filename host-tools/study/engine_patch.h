@@ -15,6 +15,10 @@ int ENGINE_OF(make_quarter)(const decide_input *in);
 int ENGINE_OF(make_continue)(const decide_input *in);
 int ENGINE_OF(answer_join)(const decide_input *in);
 
+/* engine_meet.c: surfaces with nets, and curves */
+int ENGINE_OF(make_meet)(const decide_input *in);
+int ENGINE_OF(answer_pierce)(const decide_input *in);
+
 /* engine_weighted.c: any surface with nets as tensor patches and triangles; those with weights: the
  * surface of that number, raised or split */
 int ENGINE_OF(make_patches)(const decide_input *in);

@@ -1338,6 +1338,38 @@ case_decide() {
     one_line 64 'ray: --of has 3 numbers: give a point and'      "$loft" decide ray --of=1,2,3 -
     one_line 65 'holds no surface' "$loft" decide ray --of=1,2,3,4,5,6 "$tmp/touch.txt"
 }
+# an octant of radius 8 and the plane z = 3 meet in a quarter of a circle, a line in one place; two
+# equal parabolas across each other in the diagonals of their square
+case_meet() {
+    printf 'octant 8\ntensor 1 1\n-3 -5 3\n-3 20 3\n20 -5 3\n20 20 3\n' >"$tmp/cut.loft"
+    printf 'line\n1 2 -1\n1 2 20\n' >"$tmp/line.loft"
+    printf 'octant 8\n' >"$tmp/octant.loft"
+    printf 'tensor 2 1\n-4 -4 6\n-4 4 6\n0 -4 10\n0 4 10\n4 -4 6\n4 4 6\n' >"$tmp/cross.loft"
+    printf 'tensor 2 1\n-4 -4 6\n4 -4 6\n-4 0 10\n4 0 10\n-4 4 6\n4 4 6\n' >>"$tmp/cross.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" make meet --num $num --of 0.01 "$tmp/cut.loft"
+        awk '/^line/ { n++; next }
+             { r = $1 * $1 + $2 * $2 - 55; if (r * r > 1e-6 || ($3 - 3) * ($3 - 3) > 1e-9) bad = 1 }
+             $1 < 1e-4 { ends++ } $2 < 1e-4 { ends++ }
+             END { exit bad || n != 1 || ends != 2 }' "$tmp/out" ||
+            job_fails "arc $num: $(cat "$tmp/out")"
+        cp "$tmp/out" "$tmp/arc.loft"
+        run 0 "$loft" stream --dry-run "$tmp/arc.loft"
+        run 0 "$loft" decide pierce --num $num --of 0.01 "$tmp/line.loft" "$tmp/octant.loft"
+        awk '{ z = $NF - sqrt(59) } END { exit NR != 1 || z > 1e-3 || z < -1e-3 }' "$tmp/out" ||
+            job_fails "pierce $num: $(cat "$tmp/out")"
+        run 0 "$loft" make meet --num $num --of 0.01 "$tmp/cross.loft"
+        awk '/^[^-0-9]/ { next }
+             { d = $1 * $1 - $2 * $2; if (d > 0.05 || d < -0.05) bad = 1
+               if ($1 * $1 > 15.999) corner[($1 > 0) ($2 > 0)] = 1 }
+             END { exit bad || length(corner) != 4 }' "$tmp/out" ||
+            job_fails "cross $num: $(cat "$tmp/out")"
+    done
+    one_line 65 'no two surfaces meet'     "$loft" make meet --of 0.01 "$tmp/octant.loft"
+    one_line 65 'a tolerance of 0'         "$loft" make meet --of 0 "$tmp/cut.loft"
+    one_line 64 'give a file of curves, then one of surfaces' \
+        "$loft" decide pierce --of 0.01 "$tmp/line.loft"
+}
 # z = (x^2 + y^2) / 8 over -8..8: the plane x + y = 4 cuts it within that plane; the silhouette from
 # (1, 1, 0) is the line x + y = 0; the normal has 60 degrees to z on the circle of radius 4 sqrt 3
 case_sections_and_silhouettes() {

@@ -1,0 +1,152 @@
+/* host-tools/study/engine_meet.c -- where surfaces and curves meet; compiled once per number type
+ * SPDX-License-Identifier: MIT
+ */
+#include "surface/net_meet.h"       /* loft_net_meet */
+
+#include "engine/engine_sheet.h"    /* engine_nets */
+#include "engine/surface.h"
+#include "study/engine_patch.h"
+#include "study/engine_pieces.h"    /* visit_pieces */
+
+#define ROOM 32768
+
+typedef struct {
+    const decide_input *in;
+    size_t first, second, piece;    /* surfaces; the piece of a curve */
+    loft_real tol;
+    loft_net net;                   /* of the first, or the curve */
+    bool found, touch;
+    loft_net_meeting out[ROOM];
+    unsigned count;
+} meeting;
+
+static int refuse(const meeting *m, size_t number, int status)
+{
+    const surface *s = &m->in->surfaces->surface[number];
+
+    if (status == LOFT_ERR_ARG)
+        snprintf(m->in->why, DECIDE_WHY,
+                 "surface %zu is of kind %s: give tensor, triangle, coons, bicubic, pn, "
+                 "nurbs-surface or octant",
+                 number, surface_name(s->kind));
+    else if (status == LOFT_ERR_RANGE)
+        snprintf(m->in->why, DECIDE_WHY, "%g mm is too fine: give a larger --of",
+                 m->in->of->value[0]);
+    return status;
+}
+
+/* All nets of a surface. */
+static int visit_surface(meeting *m, size_t number, engine_net_visit *visit)
+{
+    engine_surface *held;
+    int status = ENGINE_OF(engine_surfaces).open(&m->in->surfaces->surface[number], &held);
+
+    if (status == LOFT_OK)
+        status = ENGINE_OF(engine_nets)(held, visit, m);
+    ENGINE_OF(engine_surfaces).close(held);
+    return status < 0 && *m->in->why == '\0' ? refuse(m, number, status) : status;
+}
+
+static int meet_of(meeting *m, loft_net net)
+{
+    const int status = loft_net_meet(m->net, net, m->tol, m->out, ROOM, &m->count);
+
+    if (status == LOFT_MORE)
+        snprintf(m->in->why, DECIDE_WHY,
+                 "they overlap, or meet in more than %d points: give a larger --of", ROOM);
+    m->found = m->found || m->count > 0;
+    return status == LOFT_MORE ? LOFT_ERR_SPACE : status < 0 ? status : LOFT_OK;
+}
+
+static int meet_second(void *context, loft_net net, const double from[2], const double share[2])
+{
+    meeting *m = context;
+    const int status = meet_of(m, net);
+
+    (void)from;
+    (void)share;
+    for (unsigned k = 0; k < m->count && status == LOFT_OK; k++) {
+        if (m->out[k].touch)
+            printf("# surfaces %zu and %zu touch, or do not meet, near ", m->first, m->second);
+        else if (m->out[k].start && (k + 1 == m->count || m->out[k + 1].start))
+            printf("# surfaces %zu and %zu meet in one point ", m->first, m->second);
+        else if (m->out[k].start)
+            printf("line                # surfaces %zu and %zu\n", m->first, m->second);
+        print_vec(m->in, m->out[k].point);
+    }
+    return status;
+}
+
+static int meet_first(void *context, loft_net net, const double from[2], const double share[2])
+{
+    meeting *m = context;
+
+    (void)from;
+    (void)share;
+    m->net = net;
+    return visit_surface(m, m->second, meet_second);
+}
+
+static int take_tolerance(meeting *m, const decide_input *in)
+{
+    m->in = in;
+    m->found = false;
+    if (in->of->value[0] > 0 && real_of(in->of->value[0], &m->tol) && m->tol > 0)
+        return LOFT_OK;
+    snprintf(in->why, DECIDE_WHY, "a tolerance of 0: give one above 0");
+    return LOFT_ERR_ARG;
+}
+
+/* The lines in which each two surfaces meet. */
+int ENGINE_OF(make_meet)(const decide_input *in)
+{
+    static meeting m;
+    int status = take_tolerance(&m, in);
+
+    for (m.first = 0; m.first < in->surfaces->count && status == LOFT_OK; m.first++)
+        for (m.second = m.first + 1; m.second < in->surfaces->count && status == LOFT_OK;
+             m.second++)
+            status = visit_surface(&m, m.first, meet_first);
+    if (status == LOFT_OK && !m.found) {
+        snprintf(in->why, DECIDE_WHY, "no two surfaces meet: give surfaces that do");
+        status = LOFT_ERR_ARG;
+    }
+    return status;
+}
+
+static int pierce_net(void *context, loft_net net, const double from[2], const double share[2])
+{
+    meeting *m = context;
+    const int status = meet_of(m, net);
+
+    for (unsigned k = 0; k < m->count && status == LOFT_OK; k++) {
+        const loft_net_meeting *o = &m->out[k];
+        printf("%zu %zu t %.9g u %.9g v %.9g%s at ", m->piece, m->first, double_of_unit(o->at[0]),
+               from[0] + share[0] * double_of_unit(o->at[2]),
+               from[1] + share[1] * double_of_unit(o->at[3]), o->touch ? " touch" : "");
+        write_solid(m->in, &o->point, 1);
+    }
+    return status;
+}
+
+static int pierce_piece(void *context, const arc_piece *a, size_t number)
+{
+    meeting *m = context;
+    loft_rational r = { .p = a->w, .degree = a->b.degree };
+    int status = LOFT_OK;
+
+    m->piece = number;
+    m->net = a->rational ? loft_net_from_rational(&r) : loft_net_from_bezier(&a->b);
+    for (m->first = 0; m->first < m->in->surfaces->count && status == LOFT_OK; m->first++)
+        status = visit_surface(m, m->first, pierce_net);
+    return status;
+}
+
+/* The places where the pieces of curves meet surfaces. */
+int ENGINE_OF(answer_pierce)(const decide_input *in)
+{
+    static meeting m;
+    const int status = take_tolerance(&m, in);
+
+    return status ? status : visit_pieces(in, pierce_piece, &m);
+}
