@@ -17,7 +17,7 @@ typedef struct {
     const tool_list *t;
     const char *file;
     size_t number;          /* the number of the curve */
-    bool normal;            /* of surfaces, with curvatures */
+    bool deriv, normal, curvature, frame;   /* what stands behind each point */
 } evaluation;
 
 
@@ -32,6 +32,59 @@ static int refuse_parameter(const evaluation *v, const curve *c, double t, int s
     return tool_error(EX_DATAERR, "%s:%u: t = %g: %s", v->file, c->line, t, engine_status(status));
 }
 
+static bool wants_more(const evaluation *v)
+{
+    return v->deriv || v->normal || v->curvature || v->frame;
+}
+
+static void print_more(const evaluation *v, const double p[ENGINE_AXES])
+{
+    putchar(' ');
+    print_words(&v->p, p);
+}
+
+static void print_bend(const evaluation *v, const engine_bend *b)
+{
+    for (int k = 0; k < 3 && v->deriv && b->derived; k++)
+        print_more(v, b->d[k]);
+    if (v->deriv && !b->derived)
+        printf(" none");
+    if (v->normal && !b->straight)
+        print_more(v, b->frame[1]);
+    else if (v->normal)
+        printf(" none");
+    if (v->curvature && !b->stops)
+        printf(" %.9g", b->curvature);
+    else if (v->curvature)
+        printf(" none");
+    if (v->curvature && v->p.solid && !b->straight)
+        printf(" %.9g", b->torsion);
+    else if (v->curvature && v->p.solid)
+        printf(" none");
+    for (int k = 0; k < 3 && v->frame && !b->straight; k++)
+        print_more(v, b->frame[k]);
+    if (v->frame && b->straight)
+        printf(" none");
+    putchar('\n');
+}
+
+/* What stands behind the point at t. */
+static int print_local(const evaluation *v, const curve *c, engine_curve *held, double t)
+{
+    long double local;
+    const unsigned i = curve_locate(c, t, &local);
+    engine_bend b;
+    piece p;
+    int status = v->p.e->curve->piece(held, i, &p);
+
+    if (status == 0)
+        status = v->p.e->piece->bend(&p, (double)local, curve_break(c, i + 1) - curve_break(c, i),
+                                     !v->p.solid, &b);
+    if (status == 0)
+        print_bend(v, &b);
+    return status;
+}
+
 static int print_points(evaluation *v, const curve *c, engine_curve *held)
 {
     if (v->number > 0)
@@ -39,10 +92,15 @@ static int print_points(evaluation *v, const curve *c, engine_curve *held)
     for (size_t j = 0; j < v->t->count || j == 0; j++) {
         const double t = v->t->count ? v->t->value[j] : (curve_from(c) + curve_to(c)) / 2;
         double point[ENGINE_AXES];
-        const int status = v->p.e->curve->eval(held, t, point);
+        int status = v->p.e->curve->eval(held, t, point);
+        if (status == 0 && !wants_more(v))
+            print_point(&v->p, point);
+        else if (status == 0) {
+            print_words(&v->p, point);
+            status = print_local(v, c, held, t);
+        }
         if (status != 0)
             return refuse_parameter(v, c, t, status);
-        print_point(&v->p, point);
     }
     return EX_OK;
 }
@@ -115,7 +173,7 @@ static int every_curve(evaluation *v, const curves *all, bool shape)
 // --------
 
 /* Print a point for each pair of parameters, and an empty line between surfaces. */
-/* The unit normal, Gaussian and mean curvature, behind a point. */
+/* Derivatives, the unit normal, curvatures and their directions, behind a point. */
 static int print_look(const evaluation *v, const engine_surface *held, double a, double b)
 {
     engine_look look;
@@ -123,9 +181,22 @@ static int print_look(const evaluation *v, const engine_surface *held, double a,
 
     if (status == LOFT_SINGULAR)
         puts(" none");
-    else if (status == LOFT_OK)
-        printf(" %.9g %.9g %.9g %.9g %.9g\n", look.normal[0], look.normal[1], look.normal[2],
+    if (status != LOFT_OK)
+        return status == LOFT_SINGULAR ? LOFT_OK : status;
+    for (int k = 0; k < 5 && v->deriv && look.derived; k++)
+        print_more(v, look.d[k]);
+    if (v->deriv && !look.derived)
+        printf(" none");
+    if (v->normal)
+        printf(" %.9g %.9g %.9g %.9g %.9g", look.normal[0], look.normal[1], look.normal[2],
                look.gauss, look.mean);
+    if (v->curvature)
+        printf(" %.9g %.9g", look.least, look.most);
+    for (int k = 0; k < 2 && v->frame && look.directed; k++)
+        print_more(v, look.direction[k]);
+    if (v->frame && !look.directed)
+        printf(" none");
+    putchar('\n');
     return status == LOFT_SINGULAR ? LOFT_OK : status;
 }
 
@@ -147,7 +218,7 @@ static int surface_points_of(const evaluation *v, const surface *s)
         status = make->eval(held, a, b, point);
         if (status == 0) {
             print_words(&v->p, point);
-            if (!v->normal)
+            if (!wants_more(v))
                 putchar('\n');
             else
                 status = print_look(v, held, a, b);
@@ -184,10 +255,10 @@ static int every_surface(const evaluation *v, const surfaces *all)
     return code;
 }
 
-static int eval_surfaces(const surfaces *all, const char *file, const engine *e,
-                         const tool_list *uv, bool of_curves, bool normal)
+static int eval_surfaces(const surfaces *all, const evaluation *asked, const tool_list *uv,
+                         bool of_curves)
 {
-    const evaluation v = { { e, true }, uv, source_name(file), 0, normal };
+    evaluation v = *asked;
 
     if (of_curves)
         return tool_error(EX_USAGE,
@@ -195,6 +266,8 @@ static int eval_surfaces(const surfaces *all, const char *file, const engine *e,
                           v.file);
     if (uv->count % 2 != 0)
         return tool_error(EX_USAGE, "--uv: %zu numbers: give pairs, U,V,U,V,..", uv->count);
+    v.t = uv;
+    v.p.solid = true;
     return every_surface(&v, all);
 }
 
@@ -205,15 +278,24 @@ static int run_eval(const tool_command *self, int argc, char **argv)
     tool_list t = { .count = 0 }, uv = { .count = 0 };
     curves all       = { 0 };
     surfaces patches = { 0 };
-    bool shape = false, normal = false;
+    evaluation v     = { .t = &t };
+    bool shape = false;
     const char *file;
 
     const tool_option options[] = {
         TOOL_LIST("t", "T,..", &t, -1e6, 1e6, "parameters, 0..1 on a Bezier curve (the middle)"),
         TOOL_LIST("uv", "U,V,..", &uv, -32768, 32767,
                   "pairs of parameters on a surface (the middle)"),
-        TOOL_SWITCH("normal", &normal,
-                    "behind each point of a surface its normal, Gaussian and mean curvature"),
+        TOOL_SWITCH("deriv", &v.deriv,
+                    "behind each point its derivatives: first to third, of an arc those of cubics; "
+                    "of a surface by u, v, uu, uv, vv"),
+        TOOL_SWITCH("normal", &v.normal,
+                    "the principal normal; of a surface its normal, Gaussian and mean curvature"),
+        TOOL_SWITCH("curvature", &v.curvature,
+                    "curvature and, in space, torsion; of a surface the principal curvatures"),
+        TOOL_SWITCH("frame", &v.frame,
+                    "Frenet's frame: tangent, normal, binormal; of a surface the directions of its "
+                    "principal curvatures"),
         TOOL_SWITCH("shape", &shape,
                     "not points, but the shape of each piece: its type, inflections, box"),
         TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
@@ -226,22 +308,22 @@ static int run_eval(const tool_command *self, int argc, char **argv)
     if (shape && t.count > 0)
         return tool_error(EX_USAGE,
                           "--shape and --t: give one of them: a shape is that of the whole curve");
+    v.p.e  = e;
+    v.file = text ? "--points" : source_name(file);
     if (text == NULL)
         code = surfaces_read(&patches, file);
     if (code == 0 && patches.count > 0) {
-        code = eval_surfaces(&patches, file, e, &uv, shape || t.count > 0, normal);
+        code = eval_surfaces(&patches, &v, &uv, shape || t.count > 0);
         surfaces_free(&patches);
         return code;
     }
     surfaces_free(&patches);
     if (code == 0 && uv.count > 0)
         code = tool_error(EX_USAGE, "--uv: is for surfaces: curves have one parameter, --t");
-    if (code == 0 && normal)
-        code = tool_error(EX_USAGE, "--normal: is for surfaces: see `loft decide bend` for curves");
     if (code == 0)
         code = curves_read(&all, file, text);
     if (code == 0) {
-        evaluation v = { { e, all.solid }, &t, text ? "--points" : source_name(file), 0, false };
+        v.p.solid = all.solid;
         code = every_curve(&v, &all, shape);
     }
     curves_free(&all);

@@ -70,12 +70,21 @@ typedef struct {
     double box[2][ENGINE_AXES];
 } engine_shape;
 
+/* A curve near a place: derivatives; curvature, with a sign in the plane, if it does not stop
+ * there; Frenet's frame and the torsion, if it turns there. */
+typedef struct {
+    double d[3][ENGINE_AXES], curvature, frame[3][ENGINE_AXES], torsion;
+    bool derived, stops, straight;          /* derived: the derivatives fit the number type */
+} engine_bend;
+
 /* Pieces as engine_curves gives them: their numbers are exact in the number type. */
 typedef struct {
     /* n points at equal steps, by forward differences where the library walks (up to degree 5). The
      * start is not repeated. */
     int (*walk)(const struct piece *p, uint32_t n, engine_point_sink *sink, void *context);
     int (*shape)(const struct piece *p, engine_shape *out);
+    /* At t in 0..1 of the piece, in a parameter that is `span` times as long. */
+    int (*bend)(const struct piece *p, double t, double span, bool plane, engine_bend *out);
     /* A chain of cubics within tol of the piece; neighbours share ends and directions. */
     int (*cubics)(const struct piece *p, double tol, engine_cubic_sink *sink, void *context);
 } engine_pieces;
@@ -132,6 +141,10 @@ typedef struct {
 typedef struct {
     double normal[ENGINE_AXES];
     double gauss, mean;         /* 1/mm^2, 1/mm: mean > 0: bends to the normal */
+    double least, most;         /* the principal curvatures */
+    double direction[2][ENGINE_AXES];       /* theirs, if `directed` */
+    double d[5][ENGINE_AXES];   /* by u, v, uu, uv, vv; not of a sphere */
+    bool directed, derived;
 } engine_look;
 
 typedef struct {

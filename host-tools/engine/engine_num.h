@@ -72,7 +72,7 @@ static inline void point_of(loft_vec v, double out[ENGINE_AXES])
 static inline int look_of(const loft_differential *here, engine_look *out)
 {
     loft_curvatures k;
-    loft_vec normal;
+    loft_vec normal, direction[2];
     int status = loft_differential_normal(here, &normal);
 
     if (status == LOFT_OK)
@@ -82,6 +82,19 @@ static inline int look_of(const loft_differential *here, engine_look *out)
     point_of(normal, out->normal);
     out->gauss = double_of_acc(k.gauss);
     out->mean  = double_of_acc(k.mean);
+    out->least = double_of_acc(k.min);
+    out->most  = double_of_acc(k.max);
+    out->directed = loft_differential_directions(here, direction) == LOFT_OK;
+    for (int i = 0; i < 2 && out->directed; i++)
+        point_of(direction[i], out->direction[i]);
+    const loft_sci *const d[5] = { here->u, here->v, here->uu, here->uv, here->vv };
+    out->derived = true;
+    for (int i = 0; i < 5; i++)
+        for (int axis = 0; axis < ENGINE_AXES; axis++) {
+            loft_acc x = 0;
+            out->derived = loft_sci_to_acc(d[i][axis], &x) && out->derived;
+            out->d[i][axis] = double_of_acc(x);
+        }
     return LOFT_OK;
 }
 

@@ -2,6 +2,8 @@
  * compiled once per number type
  * SPDX-License-Identifier: MIT
  */
+#include <math.h>
+
 #include "curve/bezier.h"           /* loft_bezier */
 #include "curve/bounds.h"           /* loft_bezier_bounds */
 #include "curve/to_cubics.h"        /* loft_to_cubics */
@@ -9,6 +11,7 @@
 #include "curve/rational.h"         /* loft_rational */
 #include "curve/rational_walk.h"    /* loft_rational_walk */
 #include "curve/shape.h"            /* loft_cubic_shape */
+#include "curve/tangent.h"          /* loft_rational_tangent */
 
 #include "engine/engine_num.h"     /* real_of, vec_of, point_of */
 #include "engine/piece.h"
@@ -217,6 +220,40 @@ static int piece_shape(const piece *p, engine_shape *out)
     return s.degree == 3 ? shape_of_cubic(&s, out) : shape_of_lower(&s, out);
 }
 
-const engine_pieces ENGINE_OF(engine_pieces) = { .walk = piece_walk,
-    .shape  = piece_shape,
-                                                 .cubics = piece_cubics };
+/* The tangent is that of 0..1: derivatives are divided by powers of the span. */
+static int piece_bend_at(const piece *p, double t, double span, bool plane, engine_bend *out)
+{
+    loft_vec d, frame[3];
+    loft_tangent here;
+    loft_rational r;
+    loft_acc x = 0;
+    part s;
+
+    if (!piece_in_type(p, &s))
+        return LOFT_ERR_RANGE;
+    int status = loft_rational_init(&r, s.weighted, s.degree);
+    if (status == LOFT_OK)
+        status = loft_rational_tangent(&r, LOFT_UNIT(t), &here);
+    if (status != LOFT_OK)
+        return status;
+    out->derived = true;
+    for (unsigned k = 0; k < 3 && out->derived; k++) {
+        out->derived = loft_tangent_deriv(&here, k + 1, &d) == LOFT_OK;
+        if (out->derived)
+            point_of(d, out->d[k]);
+        for (int axis = 0; axis < ENGINE_AXES; axis++)
+            out->d[k][axis] /= pow(span, k + 1);
+    }
+    out->stops = loft_tangent_curvature(&here, plane, &x) != LOFT_OK;
+    out->curvature = double_of_acc(x);
+    out->straight = loft_tangent_frenet(&here, frame) != LOFT_OK ||
+                    loft_tangent_torsion(&here, &x) != LOFT_OK;
+    out->torsion = double_of_acc(x);
+    for (int k = 0; k < 3 && !out->straight; k++)
+        point_of(frame[k], out->frame[k]);
+    return LOFT_OK;
+}
+
+const engine_pieces ENGINE_OF(engine_pieces) = {
+    .walk = piece_walk, .bend = piece_bend_at, .shape = piece_shape, .cubics = piece_cubics
+};

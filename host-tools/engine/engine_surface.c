@@ -282,7 +282,8 @@ static int look_sphere(const engine_surface *e, double u, double v, engine_look 
     for (int i = 0; i < ENGINE_AXES && status == LOFT_OK; i++)
         out->normal[i] = at[i] / sqrt(length);
     out->gauss = 1 / (e->s->radius * e->s->radius);
-    out->mean  = -1 / e->s->radius;
+    out->mean  = out->least = out->most = -1 / e->s->radius;
+    out->directed = out->derived = false;
     return status;
 }
 

@@ -4,6 +4,7 @@
  * With X = sum N_i w_i (p_i - o) and w = sum N_i w_i for any o, P = o + X / w and
  *
  *     P'  = (X' - w' Y) / w        P'' = (X'' - 2 w' P' - w'' Y) / w        Y = X / w
+ *     P''' = (X''' - 3 w' P'' - 3 w'' P' - w''' Y) / w
  *
  * o is the rounded point of the curve: Y is below one LSB, and what the weights do hardly shows.
  *
@@ -108,22 +109,26 @@ static bool piece_valid(const piece *s)
 
 static enum loft_status piece_tangent(const piece *s, loft_vec origin, loft_tangent *out)
 {
-    loft_sci basis[3][MOST], w[3];
+    const loft_sci two = loft_sci_from_int(2), three = loft_sci_from_int(3);
+    loft_sci basis[4][MOST], w[4], d[4];
 
     if (!piece_valid(s))
         return LOFT_ERR_RANGE;
-    for (unsigned k = 0; k < 3; k++) {
+    for (unsigned k = 0; k < 4; k++) {
         loft_knots_basis(&s->knots, s->span, s->u, k, basis[k]);
         w[k] = weighted_sum(s, basis[k], -1, origin);
     }
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         const loft_sci y = loft_sci_div(weighted_sum(s, basis[0], axis, origin), w[0]);
-        const loft_sci d = sub_product(weighted_sum(s, basis[1], axis, origin), w[1], y);
-        const loft_sci dd = sub_product(weighted_sum(s, basis[2], axis, origin), w[2], y);
-        const loft_sci first = loft_sci_div(d, w[0]);
-        const loft_sci twice = loft_sci_mul(loft_sci_from_int(2), w[1]);
-        out->first[axis] = first;
-        out->second[axis] = loft_sci_div(sub_product(dd, twice, first), w[0]);
+        for (unsigned k = 1; k < 4; k++)
+            d[k] = sub_product(weighted_sum(s, basis[k], axis, origin), w[k], y);
+        d[1] = loft_sci_div(d[1], w[0]);
+        d[2] = loft_sci_div(sub_product(d[2], loft_sci_mul(two, w[1]), d[1]), w[0]);
+        d[3] = sub_product(d[3], loft_sci_mul(three, w[1]), d[2]);
+        d[3] = loft_sci_div(sub_product(d[3], loft_sci_mul(three, w[2]), d[1]), w[0]);
+        out->first[axis] = d[1];
+        out->second[axis] = d[2];
+        out->third[axis] = d[3];
     }
     out->stops = curve_stops(s);
     for (int axis = 0; axis < LOFT_AXES && out->stops; axis++)
@@ -146,7 +151,7 @@ static loft_real scaled_parameter(loft_unit t) { return loft_acc_round(loft_unit
 enum loft_status loft_rational_tangent(const loft_rational *r, loft_unit t, loft_tangent *out)
 {
     loft_real k[2 * MOST];
-    const loft_sci scale = loft_sci_from_int(256);
+    const loft_sci scale = loft_sci_from_int(256), square = loft_sci_mul(scale, scale);
     const piece s = { r->p,
                       { k, (uint16_t)(r->degree + 1), r->degree },
                       r->degree,
@@ -163,19 +168,21 @@ enum loft_status loft_rational_tangent(const loft_rational *r, loft_unit t, loft
         return status;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         out->first[axis] = loft_sci_mul(out->first[axis], scale);
-        out->second[axis] = loft_sci_mul(out->second[axis], loft_sci_mul(scale, scale));
+        out->second[axis] = loft_sci_mul(out->second[axis], square);
+        out->third[axis] = loft_sci_mul(out->third[axis], loft_sci_mul(square, scale));
     }
     return LOFT_OK;
 }
 
 enum loft_status loft_tangent_deriv(const loft_tangent *at, unsigned k, loft_vec *out)
 {
+    const loft_sci *d = k == 1 ? at->first : k == 2 ? at->second : at->third;
     loft_acc x[LOFT_AXES];
 
-    if (k < 1 || k > 2)
+    if (k < 1 || k > 3)
         return LOFT_ERR_ARG;
     for (int i = 0; i < LOFT_AXES; i++)
-        if (!loft_sci_to_acc(k == 1 ? at->first[i] : at->second[i], &x[i]))
+        if (!loft_sci_to_acc(d[i], &x[i]))
             return LOFT_ERR_RANGE;
     return loft_vec_round(x, out) ? LOFT_OK : LOFT_ERR_RANGE;
 }
@@ -206,3 +213,80 @@ enum loft_status loft_tangent_curvature(const loft_tangent *at, bool plane, loft
                ? LOFT_OK
                : LOFT_ERR_RANGE;
 }
+
+#if LOFT_AXES >= 3
+
+static loft_sci dot_of(const loft_sci a[3], const loft_sci b[3])
+{
+    return loft_sci_add(loft_sci_mul(a[0], b[0]),
+                        loft_sci_add(loft_sci_mul(a[1], b[1]), loft_sci_mul(a[2], b[2])));
+}
+
+/* P' x P''; false where it vanishes. */
+static bool binormal_of(const loft_tangent *at, loft_sci out[3], loft_sci *square)
+{
+    const loft_sci size = loft_sci_mul(dot_of(at->first, at->first),
+                                       dot_of(at->second, at->second));
+
+    for (int i = 0; i < 3; i++)
+        out[i] = turn_of(at, (i + 1) % 3, (i + 2) % 3);
+    *square = dot_of(out, out);
+    return !at->stops && loft_sci_sign(*square) > 0 &&
+           !loft_sci_less(*square, loft_sci_mul(size, loft_sci_power2(-80)));
+}
+
+enum loft_status loft_tangent_torsion(const loft_tangent *at, loft_acc *out)
+{
+    loft_sci across[3], square;
+
+    if (!binormal_of(at, across, &square))
+        return LOFT_SINGULAR;
+    return loft_sci_to_acc(loft_sci_div(dot_of(across, at->third), square), out) ? LOFT_OK
+                                                                                 : LOFT_ERR_RANGE;
+}
+
+enum loft_status loft_tangent_frenet(const loft_tangent *at, loft_vec frame[3])
+{
+    loft_sci across[3], along[3], square;
+    loft_acc x[3][LOFT_AXES] = { { 0 } };
+    loft_vec unit[3];
+    bool fits = true;
+
+    if (!binormal_of(at, across, &square))
+        return LOFT_SINGULAR;
+    const loft_sci length = loft_sci_sqrt(square),
+                   speed = loft_sci_sqrt(dot_of(at->first, at->first));
+    for (int i = 0; i < 3; i++) {
+        across[i] = loft_sci_div(across[i], length);
+        along[i] = loft_sci_div(at->first[i], speed);
+    }
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const loft_sci inward = sub_product(loft_sci_mul(across[j], along[k]), across[k], along[j]);
+        fits = loft_sci_to_acc(along[i], &x[0][i]) && loft_sci_to_acc(inward, &x[1][i]) &&
+               loft_sci_to_acc(across[i], &x[2][i]) && fits;
+    }
+    for (int k = 0; k < 3; k++)
+        fits = loft_vec_round(x[k], &unit[k]) && fits;
+    for (int k = 0; k < 3 && fits; k++)
+        frame[k] = unit[k];
+    return fits ? LOFT_OK : LOFT_ERR_RANGE;
+}
+
+#else
+
+enum loft_status loft_tangent_torsion(const loft_tangent *at, loft_acc *out)
+{
+    (void)at;
+    (void)out;
+    return LOFT_ERR_ARG;
+}
+
+enum loft_status loft_tangent_frenet(const loft_tangent *at, loft_vec frame[3])
+{
+    (void)at;
+    (void)frame;
+    return LOFT_ERR_ARG;
+}
+
+#endif

@@ -1338,6 +1338,27 @@ case_decide() {
     one_line 64 'ray: --of has 3 numbers: give a point and'      "$loft" decide ray --of=1,2,3 -
     one_line 65 'holds no surface' "$loft" decide ray --of=1,2,3,4,5,6 "$tmp/touch.txt"
 }
+# (t, t^2, t^3): derivatives, curvature 2 and torsion 3 at 0; a saddle z = x y; a sphere has no
+# principal directions
+case_local() {
+    printf 'bezier 3\n0 0 0\n1 0 0\n2 1 0\n3 3 3\n' >"$tmp/screw.loft"
+    printf 'tensor 1 1\n0 0 0\n0 1 0\n1 0 0\n1 1 1\n' >"$tmp/saddle.loft"
+    printf 'sphere 2\n0 0 0\n' >"$tmp/sphere.loft"
+    printf 'line\n0 0\n4 0\n' >"$tmp/flat.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" eval --num $num --t 0 --deriv "$tmp/screw.loft"
+        says out '^0 0 0 3 0 0 0 6 0 0 0 18$'
+        run 0 "$loft" eval --num $num --t 0 --curvature --frame "$tmp/screw.loft"
+        says out '^0 0 0 0.666666667 1 1 0 0 0 1 0 0 0 1$'
+        run 0 "$loft" eval --num $num --uv 0,0 --deriv --normal --curvature "$tmp/saddle.loft"
+        says out '^0 0 0 1 0 0 0 1 0 0 0 0 0 0 1 0 0 0 0 0 1 -1 0 -1 1$'
+        run 0 "$loft" eval --num $num --uv 0,0 --frame "$tmp/saddle.loft"
+        awk '{ x = $4 * $5 + 0.5; y = $7 * $8 - 0.5; if (x * x + y * y > 1e-8) bad = 1 }
+             END { exit bad }' "$tmp/out" || job_fails "directions $num: $(cat "$tmp/out")"
+        run 0 "$loft" eval --num $num --frame "$tmp/sphere.loft"; says out ' none$'
+        run 0 "$loft" eval --num $num --normal --curvature "$tmp/flat.loft"; says out '^2 0 none 0$'
+    done
+}
 # an octant of radius 8 and the plane z = 3 meet in a quarter of a circle, a line in one place; two
 # equal parabolas across each other in the diagonals of their square
 case_meet() {

@@ -38,11 +38,11 @@ static sample *arb_sample(arb *a, bool bezier)
     return &s;
 }
 
-static void reference(const sample *s, quad u, quad out[3][LOFT_AXES])
+static void reference(const sample *s, quad u, quad out[4][LOFT_AXES])
 {
-    quad w[3] = { 0 }, x[3][LOFT_AXES] = { { 0 } };
+    quad w[4] = { 0 }, x[4][LOFT_AXES] = { { 0 } };
 
-    for (unsigned k = 0; k < 3; k++)
+    for (unsigned k = 0; k < 4; k++)
         for (unsigned j = 0; j <= s->degree; j++) {
             const loft_weighted *p = &s->p[s->span - s->degree + j];
             const quad n = quad_of(p->w) *
@@ -55,19 +55,21 @@ static void reference(const sample *s, quad u, quad out[3][LOFT_AXES])
         out[0][i] = x[0][i] / w[0];
         out[1][i] = (x[1][i] - w[1] * out[0][i]) / w[0];
         out[2][i] = (x[2][i] - 2 * w[1] * out[1][i] - w[2] * out[0][i]) / w[0];
+        out[3][i] = (x[3][i] - 3 * w[1] * out[2][i] - 3 * w[2] * out[1][i] - w[3] * out[0][i]) /
+                    w[0];
     }
 }
 
 static void check_tangent(const sample *s, const loft_tangent *at, quad u)
 {
-    quad want[3][LOFT_AXES];
+    quad want[4][LOFT_AXES];
     const long double slope = 2 * s->degree * s->ratio / s->step,
                       rel = bound_by_num(0x1p-54L, 0x1p-46L, 0x1p-46L) * 2 * s->size;
 
     reference(s, u, want);
-    for (unsigned k = 1; k < 3; k++) {
+    for (unsigned k = 1; k < 4; k++) {
         loft_vec v = { { 0 } };
-        const long double room = rel * powl(slope, k);
+        const long double room = rel * powl(slope, k) * (k == 3 ? 6 : 1);
         const enum loft_status status = loft_tangent_deriv(at, k, &v);
         if (room < 1)
             check_result(status, &v, want[k], 0.5L + 0x1p-16L + room / LSB, room);
@@ -155,6 +157,75 @@ static void the_curvature_of_an_arc_is_one_over_its_radius(arb *a)
     CHECK_EXACT(exact_acc(any), exact_acc(left), 0x1p-32L);
 }
 
+/* (x, y, z) = s (t, t^2, t^3): the torsion is 3 / s over 1 + 9 t^2 + 9 t^4, right-handed; mirrored
+ * it is negative. With weights that fall like (1, 1/2, 1/4, 1/8), the same curve at t / (2 - t). */
+static void the_torsion_of_a_twisted_cubic_is_known(arb *a)
+{
+    const int32_t s = 3 * (1 + (int32_t)arb_below(a, 200)), mirror = arb_below(a, 2) ? 1 : -1;
+    const bool weights = arb_below(a, 2);
+    const loft_unit t = arb_unit(a);
+    const long double u = exact_unit(t), x = weights ? u / (2 - u) : u,
+                      below = 1 + 9 * x * x + 9 * x * x * x * x;
+    loft_weighted p[4];
+    loft_rational r;
+    loft_tangent d;
+    loft_acc torsion = 0;
+
+    for (int k = 0; k < 4; k++) {
+        p[k].p = (loft_vec){ { 0 } };
+        p[k].w = weights ? loft_real_from_int(8 >> k) : LOFT_REAL(1);
+        p[k].p.axis[0] = loft_real_from_int(s * k / 3);
+#if LOFT_AXES > 2
+        p[k].p.axis[1] = loft_real_from_int(k == 2 ? s / 3 : k == 3 ? s : 0);
+        p[k].p.axis[2] = loft_real_from_int(k == 3 ? mirror * s : 0);
+#endif
+    }
+    CHECK(loft_rational_init(&r, p, 3) == LOFT_OK && loft_rational_tangent(&r, t, &d) == LOFT_OK);
+    if (LOFT_AXES < 3)
+        return;
+    CHECK(loft_tangent_torsion(&d, &torsion) == LOFT_OK);
+    CHECK_EXACT(exact_acc(torsion), mirror * 3 / (s * below),
+                bound_by_num(0x1p-32L, 0x1p-40L, 0x1p-40L));
+
+    const long double h = sqrtl(below),             /* |P' x P''| is 2 h s^2 */
+        g = sqrtl(1 + 4 * x * x + 9 * x * x * x * x),
+                      want[3][3] = { { 1 / g, 2 * x / g, 3 * x * x * mirror / g },
+                                     { (-2 * x - 9 * x * x * x) / (g * h),
+                                       (1 - 9 * x * x * x * x) / (g * h),
+                                       (3 * x + 6 * x * x * x) * mirror / (g * h) },
+                                     { 3 * x * x * mirror / h, -3 * x * mirror / h, 1 / h } };
+    loft_vec frame[3];
+    CHECK(loft_tangent_frenet(&d, frame) == LOFT_OK);
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 3 && i < LOFT_AXES; i++)
+            CHECK_EXACT(exact_of(frame[k].axis[i]), want[k][i],
+                        bound_by_num(0x1p-17L + 0x1p-30L, 0x1p-25L + 0x1p-38L, 0x1p-44L));
+}
+
+static void what_does_not_turn_has_no_torsion(arb *a)
+{
+    loft_weighted p[3] = { { { { 0 } }, LOFT_REAL(1) },
+                           { { { 0 } }, LOFT_REAL(1) },
+                           { { { 0 } }, LOFT_REAL(1) } };
+    loft_vec frame[3];
+    loft_rational r;
+    loft_tangent d;
+    loft_acc torsion = 7;
+
+    if (LOFT_AXES < 3)
+        return;
+    for (int i = 0; i < LOFT_AXES; i++) {           /* a line, at an uneven pace */
+        const int32_t from = (int32_t)arb_below(a, 100), by = (int32_t)arb_below(a, 100);
+        p[0].p.axis[i] = loft_real_from_int(from);
+        p[1].p.axis[i] = loft_real_from_int(from + by);
+        p[2].p.axis[i] = loft_real_from_int(from + 3 * by);
+    }
+    CHECK(loft_rational_init(&r, p, 1 + arb_below(a, 2)) == LOFT_OK);
+    CHECK(loft_rational_tangent(&r, LOFT_UNIT(0.25), &d) == LOFT_OK);
+    CHECK(loft_tangent_torsion(&d, &torsion) == LOFT_SINGULAR && torsion == 7);
+    CHECK(loft_tangent_frenet(&d, frame) == LOFT_SINGULAR);
+}
+
 static void mistakes_are_refused(arb *a)
 {
     const sample *s = arb_sample(a, true);
@@ -166,7 +237,7 @@ static void mistakes_are_refused(arb *a)
     CHECK(loft_rational_tangent(&r, LOFT_UNIT(1.5), &d) == LOFT_ERR_ARG);
     CHECK(loft_rational_tangent(&r, 0, &d) == LOFT_OK);
     CHECK(loft_tangent_deriv(&d, 0, &v) == LOFT_ERR_ARG &&
-          loft_tangent_deriv(&d, 3, &v) == LOFT_ERR_ARG);
+          loft_tangent_deriv(&d, 4, &v) == LOFT_ERR_ARG);
     CHECK(loft_rational_init(&r, s->p, 0) == LOFT_OK);
     CHECK(loft_rational_tangent(&r, 0, &d) == LOFT_OK && d.stops);
 }
@@ -177,6 +248,8 @@ int main(void)
     PROPERTY(derivatives_of_bezier_curves_are_within_their_bound, 500);
     PROPERTY(cusps_are_told_exactly,                              500);
     PROPERTY(the_curvature_of_an_arc_is_one_over_its_radius,      500);
+    PROPERTY(the_torsion_of_a_twisted_cubic_is_known,             500);
+    PROPERTY(what_does_not_turn_has_no_torsion,                    50);
     PROPERTY(mistakes_are_refused,                                 50);
     return check_failures();
 }

@@ -161,6 +161,64 @@ static void curvatures_are_within_their_bounds(arb *a)
     check_curvatures(&at, &r, x->m + x->n);
 }
 
+/* The tangents in the orthonormal basis along u, turned by the angle of the matrix a b / b c. */
+static void directions_are_those_of_the_form(arb *a)
+{
+    const tensor *x = arb_surface(a);
+    const loft_unit u = arb_unit(a), v = arb_unit(a);
+    const reference r = tensor_reference(&x->s, u, v);
+    const long double e = dot(r.u, r.u), f = dot(r.u, r.v) / e, square = dot(r.n, r.n);
+    loft_differential at;
+    loft_vec d[2];
+
+    CHECK(loft_tensor_differential(&x->s, u, v, &at) == LOFT_OK);
+    if (r.share < 0x1p-6L)
+        return;
+    const long double uu = dot(r.uu, r.n), uv = dot(r.uv, r.n), vv = dot(r.vv, r.n),
+                      lean = uv - f * uu, aa = uu / (e * sqrtl(square)), bb = lean / square,
+                      cc = (vv - f * uv - f * lean) * e / (square * sqrtl(square)),
+                      spread = hypotl((aa - cc) / 2, bb), turn = atan2l(bb, (aa - cc) / 2) / 2;
+    const long double bend = r.width_2 * powl(fmaxl(r.width_u, r.width_v), 2) / square;
+    if (!(spread > 0x1p-16L * bend))
+        return;
+    CHECK(loft_differential_directions(&at, d) == LOFT_OK);
+    for (int k = 0; k < 2; k++) {
+        const long double angle = turn + (k == 0 ? 1.57079632679489661923L : 0);
+        long double want[3], got[3], both = 0;
+        for (int i = 0; i < 3; i++) {
+            want[i] = cosl(angle) * r.u[i] / sqrtl(e) +
+                      sinl(angle) * (r.v[i] - f * r.u[i]) * sqrtl(e / square);
+            got[i] = exact_of(d[k].axis[i]);
+            both += want[i] * got[i];
+        }
+        for (int i = 0; i < 3; i++)
+            CHECK_NEAR(got[i], both < 0 ? -want[i] : want[i],
+                       BY_NUM(LSB / 2 + 0x1p-28L, 0x1p-24L, 0x1p-40L / r.share));
+    }
+}
+
+/* A sphere has all directions; a cylinder those along and around. */
+static void equal_curvatures_have_no_directions(arb *a)
+{
+    const loft_real one = LOFT_REAL(1), r = loft_real_from_int(1 + (int32_t)arb_below(a, 200));
+    const loft_weighted net[6] = { { { { r, 0, 0 } }, one }, { { { r, 0, r } }, one },
+                                   { { { r, r, 0 } }, one }, { { { r, r, r } }, one },
+                                   { { { 0, r, 0 } }, 2 * one }, { { { 0, r, r } }, 2 * one } };
+    loft_tensor_rational s;
+    loft_differential at;
+    loft_vec d[2];
+
+    CHECK(loft_tensor_rational_init(&s, net, 2, 1) == LOFT_OK);
+    CHECK(loft_tensor_rational_differential(&s, arb_unit(a), arb_unit(a), &at) == LOFT_OK);
+    CHECK(loft_differential_directions(&at, d) == LOFT_OK);
+    CHECK_NEAR(fabsl(exact_of(d[1].axis[2])), 1, BY_NUM(LSB, 0x1p-20L, 0x1p-40L));
+    CHECK_NEAR(exact_of(d[0].axis[2]), 0, BY_NUM(LSB, 0x1p-20L, 0x1p-40L));
+    for (int i = 0; i < LOFT_AXES; i++)                 /* as over z = (x^2 + y^2) / 2 */
+        at.u[i] = at.v[i] = at.uu[i] = at.uv[i] = at.vv[i] = loft_sci_zero();
+    at.u[0] = at.v[1] = at.uu[2] = at.vv[2] = at.width_u = at.width_v = loft_sci_one();
+    CHECK(loft_differential_directions(&at, d) == LOFT_SINGULAR);
+}
+
 /* A triangle of degree n that represents a form of degree 2 or higher: derivatives against
  * differences of its values. */
 static void a_triangle_bends_as_the_patch_it_is_cut_from(arb *a)
@@ -333,6 +391,8 @@ int main(void)
 {
     PROPERTY(a_normal_is_within_its_bound_or_there_is_none, 1000);
     PROPERTY(curvatures_are_within_their_bounds, 1500);
+    PROPERTY(directions_are_those_of_the_form, 1500);
+    PROPERTY(equal_curvatures_have_no_directions, 100);
     PROPERTY(a_triangle_bends_as_the_patch_it_is_cut_from, 300);
     PROPERTY(a_rational_cylinder_has_its_radius, 300);
     PROPERTY(derivatives_of_a_rational_patch_are_those_of_the_quotient, 300);
