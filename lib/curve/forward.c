@@ -4,9 +4,11 @@
 #include "curve/forward.h"
 
 #if defined(__AVR__) || defined(__thumb__)
-#  define APART __attribute__((noinline, cold))
+#  define APART       __attribute__((noinline, cold))
+#  define APART_ALONE __attribute__((noinline))
 #else
 #  define APART
+#  define APART_ALONE
 #endif
 
 static void control_values(loft_real p[], const loft_bezier *b, int axis)
@@ -134,6 +136,9 @@ static APART bool step_any(loft_forward *w, loft_vec *out)
 {
     const unsigned degree = w->degree;
 
+    if (w->left == 0)
+        return false;
+    w->left--;
     for (int i = 0; i < LOFT_AXES; i++) {
         out->axis[i] = loft_walk_step(&w->axis[i], degree);
         if (w->left == 0)
@@ -142,13 +147,11 @@ static APART bool step_any(loft_forward *w, loft_vec *out)
     return true;
 }
 
-bool loft_forward_next(loft_forward *w, loft_vec *out)
+/* Branches of loft_walk_next3 reach 256 bytes on a Cortex-M0. */
+APART_ALONE bool loft_forward_next(loft_forward *w, loft_vec *out)
 {
-    if (!loft_walk_count(&w->left))
-        return false;
-    if (w->degree == 3)
-        return loft_walk_step_axes(w->axis, out->axis, w->left == 0);
-    return step_any(w, out);
+    const int8_t given = loft_walk_next3(w, out->axis);
+    return given < 0 ? step_any(w, out) : given;
 }
 
 uint32_t loft_forward_run(loft_forward *w, loft_vec out[], uint32_t count)

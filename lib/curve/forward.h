@@ -29,13 +29,7 @@ LOFT_BEGIN_C
 #define LOFT_FORWARD_DEGREE_MAX LOFT_WALK_DEGREE_MAX
 
 /* State of one walk. Complete so that it can be static; do not rely on its fields. */
-typedef struct {
-    loft_walk axis[LOFT_AXES];
-    uint32_t left;                      /* points to come */
-    uint8_t degree;
-    int8_t halvings, doublings;         /* halvings for which guard bits remain, and doublings that
-                                         * a halving can undo exactly (negative: none) */
-} loft_forward;
+typedef loft_walks loft_forward;        /* .left: points to come */
 
 /* State of a walk that is exact for any n. */
 typedef struct {

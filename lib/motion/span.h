@@ -37,7 +37,7 @@
  *   loft_step_give         1,600    1,010     700     (20 slots)
  *   loft_step_load         1,600      410     130
  *   loft_pace_next         1,500      270     170     loft_pace 16
- *   loft_forward_next        500       80      50     loft_forward 152
+ *   loft_forward_next        490       62      48     loft_forward 152
  *   loft_steps_of            150       30      10
  *   loft_step_position       670      280     100
  *   loft_span_walk        24,300   11,000   2,900     loft_span 52

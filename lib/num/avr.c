@@ -41,22 +41,22 @@
     op " __tmp_reg__, r23\n st X+, __tmp_reg__\n dec r24\n brne 2b\n dec r25\n brne 1b\n ret\n"
 #define BYTE(k, a)              "mov r" #k ", r" #a "\n clr r" #a "\n"
 
-/* Byte k of a step: of the low half upwards, d[1] in r18..r21, d[2] in r22..r25; of the high half
- * downwards, so that each sum still finds the other number as it was. */
+/* Byte k of a step, from Z+7: of the low half upwards, d[1] in r18..r21, d[2] in r22..r25; of the
+ * high half downwards, so that each sum still finds the other number as it was. */
 #define LOW0(add, k, d1) \
-    "ldd r" #d1 ", Z+8+" #k "\n ldd __tmp_reg__, Z+" #k "\n " add " __tmp_reg__, r" #d1 "\n" \
-    "std Z+" #k ", __tmp_reg__\n"
+    "ldd r" #d1 ", Z+7+8+" #k "\n ldd __tmp_reg__, Z+7+" #k "\n " add " __tmp_reg__, r" #d1 "\n" \
+    "std Z+7+" #k ", __tmp_reg__\n"
 #define LOW1(add, k, d1, d2) \
-    "ldd r" #d2 ", Z+16+" #k "\n " add " r" #d1 ", r" #d2 "\n std Z+8+" #k ", r" #d1 "\n"
+    "ldd r" #d2 ", Z+7+16+" #k "\n " add " r" #d1 ", r" #d2 "\n std Z+7+8+" #k ", r" #d1 "\n"
 #define LOW2(add, k, d2) \
-    "ldd __tmp_reg__, Z+24+" #k "\n " add " r" #d2 ", __tmp_reg__\n std Z+16+" #k ", r" #d2 "\n"
+    "ldd __tmp_reg__, Z+7+24+" #k "\n " add " r" #d2 ", __tmp_reg__\n std Z+7+16+" #k ", r" #d2 "\n"
 #define HIGH2(k, d2) \
-    "ldd r" #d2 ", Z+16+" #k "\n ldd __tmp_reg__, Z+24+" #k "\n adc __tmp_reg__, r" #d2 "\n" \
-    "std Z+16+" #k ", __tmp_reg__\n"
+    "ldd r" #d2 ", Z+7+16+" #k "\n ldd __tmp_reg__, Z+7+24+" #k "\n adc __tmp_reg__, r" #d2 "\n" \
+    "std Z+7+16+" #k ", __tmp_reg__\n"
 #define HIGH1(k, d1, d2) \
-    "ldd r" #d1 ", Z+8+" #k "\n adc r" #d2 ", r" #d1 "\n std Z+8+" #k ", r" #d2 "\n"
+    "ldd r" #d1 ", Z+7+8+" #k "\n adc r" #d2 ", r" #d1 "\n std Z+7+8+" #k ", r" #d2 "\n"
 #define HIGH0(k, d1) \
-    "ldd __tmp_reg__, Z+" #k "\n adc __tmp_reg__, r" #d1 "\n std Z+" #k ", __tmp_reg__\n" \
+    "ldd __tmp_reg__, Z+7+" #k "\n adc __tmp_reg__, r" #d1 "\n std Z+7+" #k ", __tmp_reg__\n" \
     "st X+, __tmp_reg__\n"
 /* Byte k of a run: d[0] in r2..r9, d[1] in r10..r17, d[2] in r18..r25. */
 #define LOAD3(k, d0, d1, d2) \
@@ -87,11 +87,15 @@ __asm__ (
     HIGH1(4, 18, 22) HIGH1(5, 19, 23) HIGH1(6, 20, 24) HIGH1(7, 21, 25) "ror r1\n"
     HIGH0(4, 18) HIGH0(5, 19) HIGH0(6, 20) HIGH0(7, 21)
     ".endm\n"
-    BEGIN_FUNCTION(loft_avr_step3)
-    "movw r30, r24\n movw r26, r22\n"
+    BEGIN_FUNCTION(loft_avr_next3)
+    "movw r30, r24\n ld r24, Z\n subi r24, 1\n brcc 2f\n"
+    "ldd r18, Z+1\n ldd r19, Z+2\n ldd r20, Z+3\n"
+    "sbc r18, r1\n sbc r19, r1\n sbc r20, r1\n brcc 1f\n ldi r24, 0\n ret\n"
+    "1: std Z+1, r18\n std Z+2, r19\n std Z+3, r20\n"
+    "2: st Z, r24\n movw r26, r22\n"
     ".rept " TEXT(LOFT_AXES) " - 1\n loft_avr_axis\n adiw r30, 48\n .endr\n loft_avr_axis\n"
     "clr __zero_reg__\n ldi r24, 1\n ret\n"
-    END_FUNCTION(loft_avr_step3)
+    END_FUNCTION(loft_avr_next3)
 
     /* r1 is `bytes`, X what is left */
     BEGIN_FUNCTION(loft_avr_run3)

@@ -85,11 +85,12 @@ void loft_avr_scale_wide(uint8_t a[12], const uint32_t inverse[3]);
 void loft_avr_start3(uint64_t d[4], const int32_t p[4], const uint32_t inverse[3][3],
                      uint8_t room[40]);
 
-/* One step of LOFT_AXES cubic walks: d[0] += d[1], d[1] += d[2], d[2] += d[3], each as they were,
- * and the upper half of d[0] in out[0]; then those of d + 6 and out + 1, and so on. Returns true.
+/* One step of the cubic walks of a loft_walks: d[0] += d[1], d[1] += d[2], d[2] += d[3], each as they
+ * were, and the upper half of d[0] in out[0]; then those of the next axis and out[1], and so on.
+ * Returns whether any was left.
  *
- *   cost    150 cycles for each axis, and 10; 192 bytes for each axis */
-bool loft_avr_step3(uint64_t d[], int32_t out[]);
+ *   cost    150 cycles for each axis, and 20; 192 bytes for each axis */
+bool loft_avr_next3(void *walks, int32_t out[]);
 
 /* `count` steps of one cubic walk, with its state in registers: the upper half of d[0] after each
  * in `out`, `bytes` further each time.

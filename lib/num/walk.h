@@ -129,6 +129,15 @@ static inline loft_real loft_walk3_middle(loft_real a, loft_real b, loft_real c,
 
 #endif
 
+/* The state of curve/forward.h. What each step reads is in front, where assembly reaches it. */
+typedef struct {
+    uint32_t left;                      /* points to come */
+    uint8_t degree;
+    int8_t halvings, doublings;         /* halvings for which guard bits remain, and doublings that
+                                         * a halving can undo exactly (negative: none) */
+    loft_walk axis[LOFT_AXES];
+} loft_walks;
+
 /* d[0] += d[1]. avr-gcc calls a function for it and loads 16 registers. */
 static inline void loft_state_add(loft_state d[2])
 {
@@ -208,68 +217,89 @@ static inline loft_real loft_walk_step(loft_walk *w, unsigned degree)
     return loft_state_real(w->d);
 }
 
-/* Count one of the steps that are left; returns false if none is. An AVR touches one byte of the
- * four as a rule, in 8 cycles instead of 29. */
-static inline bool loft_walk_count(uint32_t *left)
-{
-#if defined(__AVR__)
-    __asm__ goto("ld __tmp_reg__, Z\n sec\n sbc __tmp_reg__, __zero_reg__\n brcc 1f\n rjmp %l1\n"
-                 "1: st Z, __tmp_reg__\n"
-                 :
-                 : "z"(left)
-                 : "memory"
-                 : borrow);
-    return true;
-borrow:
-#endif
-    if (*left == 0)
-        return false;
-    --*left;
-    return true;
-}
+#if defined(__thumb__) && defined(__ARMEL__) && LOFT_NUM == LOFT_Q16
 
-#if defined(__thumb2__)
-#  define LOFT_WALK_MORE "r8", "r12", "lr",
-#  define LOFT_WALK_STEP_AXIS                                                                      \
-    "ldmia r0, {r2-r6, r8}\n ldrd r12, lr, [r0, #24]\n"                                            \
-    "adds r2, r4\n adcs r3, r5\n adds r4, r6\n adcs r5, r8\n adds r6, r12\n adc r8, lr\n"          \
-    "str r3, [r1], #4\n stmia r0, {r2-r6, r8}\n adds r0, #48\n"
-#else
-#  define LOFT_WALK_MORE "r12",
-#  define LOFT_WALK_STEP_AXIS                                                                      \
-    ".syntax unified\n mov r12, r7\n"                                                              \
-    "ldmia r0!, {r2-r7}\n adds r2, r2, r4\n adcs r3, r5\n adds r4, r4, r6\n adcs r5, r7\n"         \
-    "subs r0, #24\n stmia r0!, {r2-r5}\n stmia r1!, {r3}\n ldr r2, [r0, #8]\n"                     \
-    "ldr r3, [r0, #12]\n adds r6, r6, r2\n adcs r7, r3\n stmia r0!, {r6, r7}\n adds r0, #24\n"     \
-    "mov r7, r12\n"
-#endif
+/* text(0) .. text(LOFT_AXES - 1): gcc counts the lines, for the reach of its branches. */
+#  define LOFT_EACH_1(text) text(0)
+#  define LOFT_EACH_2(text) LOFT_EACH_1(text) text(1)
+#  define LOFT_EACH_3(text) LOFT_EACH_2(text) text(2)
+#  define LOFT_EACH_4(text) LOFT_EACH_3(text) text(3)
+#  define LOFT_EACH_5(text) LOFT_EACH_4(text) text(4)
+#  define LOFT_EACH_6(text) LOFT_EACH_5(text) text(5)
+#  define LOFT_EACH_(axes)  LOFT_EACH_##axes
+#  define LOFT_EACH(axes)   LOFT_EACH_(axes)
 
-/* One step of the cubics w[0..LOFT_AXES-1]; the last step gives the last control values. Returns
- * true. What a function may change, and a few registers more, is enough: gcc saves all. r7 may be
- * the frame pointer. */
-static inline bool loft_walk_step_axes(loft_walk w[], loft_real out[], bool last)
+#  if defined(__thumb2__)
+#    define LOFT_WALK_SAVED "r8", "r12", "lr"
+#    define LOFT_WALK_BEGIN ""
+#    define LOFT_WALK_END   ""
+#    define LOFT_WALK_AXIS(i)                                                                      \
+        "ldmia r0, {r2-r6, r8}\n ldrd r12, lr, [r0, #24]\n"                                        \
+        "adds r2, r4\n adcs r3, r5\n adds r4, r6\n adcs r5, r8\n adds r6, r12\n adc r8, lr\n"      \
+        "str r3, [r1, #4 * " #i "]\n stmia r0, {r2-r6, r8}\n adds r0, #48\n"
+#  else
+#    define LOFT_WALK_SAVED "r12", "lr"
+#    define LOFT_WALK_BEGIN ".syntax unified\n mov r12, r7\n mov lr, r1\n"
+#    define LOFT_WALK_END   "mov r7, r12\n"
+#    define LOFT_WALK_AXIS(i)                                                                      \
+        ".if " #i "\n adds r0, #24\n .endif\n ldmia r0!, {r1-r7}\n"                                \
+        "adds r1, r1, r3\n adcs r2, r4\n adds r3, r3, r5\n adcs r4, r6\n"                          \
+        "adds r5, r5, r7\n ldr r7, [r0]\n adcs r6, r7\n subs r0, #28\n stmia r0!, {r1-r6}\n"       \
+        "mov r7, lr\n str r2, [r7, #4 * " #i "]\n"
+#  endif
+
+/* One step of the cubics w[0..LOFT_AXES-1], with their values to out[]. What a function may change,
+ * and a few registers more, is enough: gcc saves all. r7 may be the frame pointer. */
+static inline void loft_walk_step_axes(loft_walk w[], loft_real out[])
 {
-#if defined(__AVR__) && LOFT_NUM == LOFT_Q16
-    (void)last;
-    return loft_avr_step3(w->d, out);
-#elif defined(__thumb__) && defined(__ARMEL__) && LOFT_NUM == LOFT_Q16
     register loft_state *d __asm__("r0") = w->d;
     register loft_real *at __asm__("r1") = out;
 
-    (void)last;
-    for (int i = 0; i < LOFT_AXES; i++)
-        __asm__ volatile(LOFT_WALK_STEP_AXIS
-                         : "+r"(d), "+r"(at)
-                         :
-                         : "r2", "r3", "r4", "r5", "r6", LOFT_WALK_MORE "cc", "memory");
-    return true;
+    __asm__ volatile(LOFT_WALK_BEGIN LOFT_EACH(LOFT_AXES)(LOFT_WALK_AXIS) LOFT_WALK_END
+                     : "+r"(d), "+r"(at)
+                     :
+                     : "r2", "r3", "r4", "r5", "r6", LOFT_WALK_SAVED, "cc", "memory");
+}
+
 #else
-    for (int i = 0; i < LOFT_AXES; i++) {
+
+static inline void loft_walk_step_axes(loft_walk w[], loft_real out[])
+{
+    for (int i = 0; i < LOFT_AXES; i++)
         out[i] = loft_walk_step(&w[i], 3);
-        if (last)
-            out[i] = loft_walk_end(&w[i], out[i]);
-    }
-    return true;
+}
+
+#endif
+
+/* One step of all axes, if any is left and the walk is a cubic: 1; 0 if none is left, -1 if it is no
+ * cubic. The last step gives the last control values. */
+static inline int8_t loft_walk_next3(loft_walks *w, loft_real out[])
+{
+#if defined(__AVR__)
+    return w->degree == 3 ? loft_avr_next3(w, out) : -1;
+#else
+#  if defined(__thumb__) && !defined(__thumb2__) && defined(__ARMEL__)
+    __asm__ goto(".syntax unified\n ldrb r3, [%0, #4]\n cmp r3, #3\n bne %l2\n"
+                 "ldr r3, [%0]\n subs r3, #1\n bcc %l1\n str r3, [%0]\n"
+                 :
+                 : "l"(w)
+                 : "r3", "cc", "memory"
+                 : none, other);
+#  else
+    if (w->degree != 3)
+        goto other;
+    if (w->left == 0)
+        goto none;
+    w->left--;
+#  endif
+    loft_walk_step_axes(w->axis, out);
+    for (int i = 0; i < LOFT_AXES && w->left == 0; i++)
+        out[i] = loft_walk_end(&w->axis[i], out[i]);
+    return 1;
+none:
+    return 0;
+other:
+    return -1;
 #endif
 }
 
