@@ -6,13 +6,13 @@
 
 #include "machine/machine.h"    /* LOFT_INPUT_ENDS */
 
-/* The LOFT_INPUT_ bits of six inputs, one bit each, 1: closed. Bits 0..2 are the limits of x, y, z,
- * one for both ends, 3 is the emergency stop, 4 hold, 5 resume. */
+/* The LOFT_INPUT_ bits of seven inputs, one bit each, 1: closed. Bits 0..2 are the limits of x, y,
+ * z, one for both ends, 3 is the emergency stop, 4 hold, 5 resume, 6 a probe. */
 static inline uint16_t loft_switches_of(uint32_t closed)
 {
     return (uint16_t)((closed & 1 ? LOFT_INPUT_ENDS(0) : 0) |
                       (closed & 2 ? LOFT_INPUT_ENDS(1) : 0) |
-                      (closed & 4 ? LOFT_INPUT_ENDS(2) : 0) | (closed & 0x38) << 9);
+                      (closed & 4 ? LOFT_INPUT_ENDS(2) : 0) | (closed & 0x78) << 9);
 }
 
 #define LOFT_SWITCHES_SAME  4   /* samples that must agree */

@@ -226,7 +226,7 @@ static int check_obeyed(const settings *s, const talk *t)
     }
     const char *key = reversed && !obeys(s, LOFT_WIRING_REVERSED) ? "reversed"
                       : opens && !obeys(s, LOFT_WIRING_OPENS)     ? "contacts that open"
-                      : m->drive[2] > 0 && !obeys(s, LOFT_WIRING_SERVO) ? "drive"
+                      : m->drive[2] > 0 && !obeys(s, LOFT_WIRING_SERVO) ? "z.drive = step"
                       : m->idle >= 0 && !obeys(s, LOFT_WIRING_IDLE) ? "idle"
                       : m->pulse >= 0 && !obeys(s, LOFT_WIRING_PULSE) ? "pulse"
                                                                         : NULL;

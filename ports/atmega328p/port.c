@@ -112,14 +112,13 @@ static volatile uint8_t sampled;            /* when the inputs were sampled for 
 /* Inputs that are closed now, as they bounce. */
 static uint16_t closed_inputs(void)
 {
-    const uint8_t limits = (uint8_t)~PINB, others = (uint8_t)~PINC, buttons = others & BUTTONS;
+    const uint8_t limits = (uint8_t)~PINB, others = (uint8_t)~PINC;
     const uint16_t closed = loft_switches_of((limits >> 1 & 3u) | (limits >> 2 & 4u) |
-                                             (unsigned)buttons << 3);
-
+                                             (others & BUTTONS) << 3 | (others & PROBE) << 1);
     const uint16_t opens = (uint16_t)(IN_FORCE(LOFT_WIRING_OPENS) | IN_FORCE(LOFT_WIRING_OPENS + 1)
                                                                         << 8);
 
-    return (uint16_t)((others & PROBE ? closed | LOFT_INPUT_PROBE : closed) ^ opens);
+    return closed ^ opens;
 }
 
 /* The position at the pins is the one that is counted, without the pulses from `from` on, which are

@@ -14,10 +14,11 @@
 
 #include "machine/step.h"        /* loft_pins */
 
-#define LOFT_BOARD_WATCHED 8
+#define LOFT_BOARD_WATCHED 16
 
 struct loft_board {
     unsigned lead_ms;           /* slots are made this long before they are due */
+    unsigned settle_ms;         /* after the last one the inputs are known */
 
     /* `slot_hz` slots per second will follow, at most `most` of them ahead. Signals are already
      * blocked; threads must keep it so. Returns 0 or an exit code after one line on standard
@@ -26,6 +27,12 @@ struct loft_board {
 
     /* Outputs that it drives, 0..LOFT_MACHINE_OUTPUTS. */
     int outputs;
+
+    /* The ends of axes with two motors: see loft_machine_config. */
+    uint16_t squares;
+
+    /* Motors that stand from now on, in the slots that are made as well: loft_machine_gated. */
+    void     (*gate)(struct loft_board *b, uint16_t gated);
 
     /* From the next slot on output number `output`, from 1, has this level, at most 65535.
      * `moving`: it is off while the machine stands. Returns false if the board cannot do that: then

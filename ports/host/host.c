@@ -63,6 +63,8 @@ struct host {
     uint8_t state;
     uint16_t raw;                           /* board: inputs since the last look, as they bounce */
     int64_t looked;                         /* and when that was, in ms */
+    uint16_t gated;                         /* board: what it was told last */
+    int64_t moved;                          /* board: when a slot of an ended job was left, in ns */
     bool unreported;                        /* slots went to the board since its last report */
     sigset_t during;                        /* the signal mask while the loop sleeps */
 };
@@ -160,7 +162,9 @@ static int start_machine(struct host *h)
     c->settings.room = HOST_MEMORY_ROOM;
     c->settings.usual = usual_settings;
     c->senses = true;
-    c->squares = (uint16_t)(o->gantry >= 0 ? LOFT_INPUT_ENDS(o->gantry) : 0);
+    c->squares = (uint16_t)(h->board         ? h->board->squares
+                            : o->gantry >= 0 ? LOFT_INPUT_ENDS(o->gantry)
+                                             : 0);
     c->ramp = (uint16_t)(o->ramp <= UINT16_MAX ? o->ramp : 0);
     c->cells = (uint16_t)(o->queue <= LOFT_QUEUE_MAX ? o->queue : 0);
     if (!give_memory(h, c) || loft_machine_init(&h->machine, c) != LOFT_OK) {
@@ -283,9 +287,25 @@ static void note_end(struct host *h)
 // Bytes
 // -----
 
+/* A board gives the last slots of a job after it has been told that the job is over. A new sender
+ * is heard when the switches at the place of rest are known. */
+static bool board_rests(struct host *h)
+{
+    const int64_t now = now_ns();
+
+    if (!h->board || loft_state_busy(h->machine.drive.state))
+        return true;
+    if (!slots_given(h))
+        h->moved = now;
+    return slots_given(h) && now - h->moved >= h->board->settle_ms * 1000000LL;
+}
+
 static void take_bytes(struct host *h)
 {
     uint8_t byte[256];
+
+    if (!board_rests(h))
+        return;
     const size_t count = host_line_read(&h->line, byte, sizeof byte);
 
     if (count)
@@ -326,6 +346,19 @@ static uint16_t closed_of(const struct host *h, uint16_t inputs)
     return (uint16_t)((inputs ^ (unsigned)(opens[0] | opens[1] << 8)) | stop);
 }
 
+/* A motor that stands does so until the last slot of its job is given; no slot of another job is
+ * made before that. Returns false until then. */
+static bool gate_board(struct host *h)
+{
+    const uint16_t gated = loft_machine_gated(&h->machine);
+    const bool may       = gated || !h->gated || slots_given(h);
+
+    if (may && gated != h->gated)
+        h->board->gate(h->board, gated);
+    h->gated = may ? gated : h->gated;
+    return may;
+}
+
 /* A board wakes the loop when an input changes, so between two looks none has. What is made and not
  * given yet does not count. */
 static void sense_board(struct host *h)
@@ -337,7 +370,10 @@ static void sense_board(struct host *h)
         loft_machine_sample(&h->machine, h->raw);
     h->looked = now;
     h->raw    = closed_of(h, h->board->raw(h->board));
-    if (!loft_machine_senses(&h->machine) || !loft_latch_wanted(&h->machine.latch, h->raw))
+    const bool senses     = loft_machine_senses(&h->machine);
+    const uint16_t inputs = senses ? loft_machine_squared(&h->machine, h->raw) : 0;
+    (void)gate_board(h);
+    if (!senses || !loft_latch_wanted(&h->machine.latch, inputs))
         return;
     loft_step_position(&h->machine.drive.step, at);
     h->board->ahead(h->board, ahead);
@@ -452,9 +488,11 @@ static int run_board(struct host *h)
 
     if (!loft_state_busy(h->machine.drive.state)) {
         note_end(h);
-        return slots_given(h) ? -1 : 1;
+        return board_rests(h) ? -1 : 1;
     }
     h->unreported = true;
+    if (!gate_board(h))
+        return 1;
     while (h->board->left(h->board) < lead)
         run_slots(h, h->o->slots);
     h->board->give(h->board);

@@ -49,7 +49,7 @@ size_t host_line_write(struct host_line *l, const uint8_t *byte, size_t count);
 
 /* Wait until bytes can be read (or written, if `write`), `ms` have passed (negative: no limit), a
  * signal that `during` allows has come, or one of the `count` others is ready. */
-#define HOST_LINE_OTHERS 8
+#define HOST_LINE_OTHERS 16
 void host_line_poll(struct host_line *l, bool write, int ms, const sigset_t *during,
                     struct pollfd *other, unsigned count);
 

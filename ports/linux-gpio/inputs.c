@@ -50,13 +50,19 @@ static void take_edges(struct inputs *in, int64_t now)
     }
 }
 
-/* What input number `i` is to the machine. */
-static uint16_t bits_of(unsigned i)
+/* What input number `i` is to the machine. Of two motors the first has the switch of the low end. */
+static uint16_t bits_of(const struct inputs *in, unsigned i)
 {
     static const uint16_t button[LINE_LIMIT] = { LOFT_INPUT_STOP, LOFT_INPUT_HOLD,
                                                  LOFT_INPUT_RESUME, LOFT_INPUT_PROBE };
 
-    return (uint16_t)(i < LINE_LIMIT ? button[i] : LOFT_INPUT_ENDS(i - LINE_LIMIT));
+    if (i < LINE_LIMIT)
+        return button[i];
+    if (i >= LINE_LIMIT2)
+        return LOFT_INPUT_HIGH(i - LINE_LIMIT2);
+    if (in->lines->input[i - LINE_LIMIT + LINE_LIMIT2])
+        return LOFT_INPUT_LOW(i - LINE_LIMIT);
+    return LOFT_INPUT_ENDS(i - LINE_LIMIT);
 }
 
 uint16_t inputs_raw(struct inputs *in)
@@ -65,7 +71,7 @@ uint16_t inputs_raw(struct inputs *in)
 
     for (unsigned i = 0; i < LINE_INPUTS; i++)
         if (in->lines->input[i] && is_closed(in, i))
-            sum = (uint16_t)(sum | bits_of(i));
+            sum = (uint16_t)(sum | bits_of(in, i));
     return sum;
 }
 
@@ -82,7 +88,7 @@ uint16_t inputs_closed(struct inputs *in)
             is->closed = is_closed(in, i);
         }
         if (is->closed)
-            sum = (uint16_t)(sum | bits_of(i));
+            sum = (uint16_t)(sum | bits_of(in, i));
     }
     return sum;
 }

@@ -24,7 +24,8 @@ struct inputs {
 
 void     inputs_init(struct inputs *in, struct lines *lines, unsigned debounce_us);
 
-/* The closed inputs, debounced: a sum of LOFT_INPUT_. A limit serves both ends of its axis. */
+/* The closed inputs, debounced: a sum of LOFT_INPUT_. A limit serves both ends of its axis,
+ * or the first motor of two. */
 uint16_t inputs_closed(struct inputs *in);
 
 /* Those that are closed in this moment, as they bounce. */

@@ -15,6 +15,7 @@
 #include "linux-gpio/lines.h"
 #include "linux-gpio/pulses.h"
 #include "linux-gpio/settings.h"
+#include "wire/message.h"           /* LOFT_INPUT_ENDS */
 
 #define SLOT_HZ_MAX 200000
 #define ENABLES     (((1u << (1 + LOFT_AXES)) - 1) << LINE_ENABLE)
@@ -83,6 +84,11 @@ static bool board_level(struct loft_board *b, int output, uint16_t level, bool m
     return can;
 }
 
+static void board_gate(struct loft_board *b, uint16_t gated)
+{
+    pulses_stand(&gpio_board_of(b)->pulses, gated);
+}
+
 static void board_give(struct loft_board *b) { pulses_give(&gpio_board_of(b)->pulses); }
 
 static uint64_t board_left(struct loft_board *b) { return pulses_left(&gpio_board_of(b)->pulses); }
@@ -122,7 +128,15 @@ static void board_end(struct loft_board *b)
 
 static struct loft_board board_of(const struct settings *s)
 {
+    uint16_t squares = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (s->output[LINE_STEP2 + i].key[0])
+            squares |= LOFT_INPUT_ENDS(i);
     return (struct loft_board){ .lead_ms = s->lead_ms,
+                                .settle_ms = s->debounce_us / 1000 + 2,
+                                .squares = squares,
+                                .gate = board_gate,
                                 .outputs = powers_count(s),
                                 .level = board_level,
                                 .begin = board_begin,
@@ -199,6 +213,23 @@ static int take_arguments(struct settings *s, int argc, char **argv, bool *look)
     return -1;
 }
 
+/* A second motor has a switch of its own, and so has the first. */
+static int check_second(const struct settings *s, int axis)
+{
+    const char *step2 = s->output[LINE_STEP2 + axis].key,
+               *limit2 = s->input[LINE_LIMIT2 + axis].key;
+    const bool limit = s->input[LINE_LIMIT + axis].key[0],
+               step = s->output[LINE_STEP + axis].key[0];
+
+    if (step2[0] ? step && limit && limit2[0] : !limit2[0])
+        return 0;
+    fprintf(stderr,
+            "loft-gpio: %s: two motors of an axis are squared by a switch each: give step2, limit "
+            "and limit2 of it\n",
+            step2[0] ? step2 : limit2);
+    return EX_CONFIG;
+}
+
 /* Each axis has both lines or none, and there is one axis at least. The slot rate is limited. */
 static int check_settings(const struct settings *s)
 {
@@ -226,6 +257,8 @@ static int check_settings(const struct settings *s)
                     s->output[(step ? LINE_STEP : LINE_DIR) + i].key, step ? "dir" : "step");
             return EX_CONFIG;
         }
+        if (check_second(s, i) != 0)
+            return EX_CONFIG;
         any |= step;
     }
     return any ? 0 : usage_error("no axis: give a file, or x.step=LINE x.dir=LINE", "");

@@ -16,6 +16,8 @@
 #include <sysexits.h>
 #include <time.h>
 
+#include "wire/message.h"       /* LOFT_INPUT_LOW */
+
 #define SPIN_NS 50000           /* shorter waits do not sleep          */
 #define STACK   65536           /* of the thread, all of it locked     */
 
@@ -98,6 +100,12 @@ static void give_direction(struct pulses *p, int64_t due, uint8_t dir)
     note_late(p, now - due);
 }
 
+/* The lines of these steps, of both motors where an axis has two; not of those that stand. */
+static uint32_t step_lines(struct pulses *p, uint8_t step)
+{
+    return ((uint32_t)step << LINE_STEP | (uint32_t)step << LINE_STEP2) & ~LOAD(p->stands);
+}
+
 /* Give a pulse. It waits until the direction has been stable for setup_ns, until half a slot after
  * the last pulse, and until the lines have been low for long enough. The thread may lose the
  * processor after it has read the clock (calls take less than two slots). Then the pulse is as late
@@ -107,11 +115,12 @@ static void give_pulse(struct pulses *p, int64_t due, uint8_t step)
     const int64_t now = wait_until(
         max_i64(max_i64(due, p->turned + p->setup_ns),
                 max_i64(p->rose + p->slot_ns / 2, p->fell + p->pulse_ns)));
+    const uint32_t which = step_lines(p, step);
 
-    set_lines(p, (uint32_t)step << LINE_STEP, UINT32_MAX);
+    set_lines(p, which, UINT32_MAX);
     p->rose = now_ns();
     wait_until(p->rose + p->pulse_ns);
-    set_lines(p, (uint32_t)step << LINE_STEP, 0);
+    set_lines(p, which, 0);
     p->fell = now_ns();
     const int64_t late = (p->rose - now > 2 * p->slot_ns ? p->rose : now) - due;
     count_pulse(p, late);
@@ -260,6 +269,16 @@ void pulses_level(struct pulses *p, int output, uint16_t level, bool moving)
     p->outputs_put.moving = (uint8_t)((p->outputs_put.moving & ~(1u << output)) | (unsigned)moving
                                                                                       << output);
     p->fresh = true;
+}
+
+void pulses_stand(struct pulses *p, uint16_t gated)
+{
+    uint32_t lines = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        lines |= (gated & LOFT_INPUT_LOW(i) ? 1u << (LINE_STEP + i) : 0) |
+                 (gated & LOFT_INPUT_HIGH(i) ? 1u << (LINE_STEP2 + i) : 0);
+    STORE(p->stands, lines);
 }
 
 uint64_t pulses_left(const struct pulses *p) { return (uint32_t)p->put - LOAD(p->given); }

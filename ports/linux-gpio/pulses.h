@@ -51,6 +51,7 @@ struct pulses {
     uint32_t head;              /* written by the main loop                                 */
     uint32_t given;             /* slots modulo 2^32, written by the thread                 */
     bool     waiting, stop, broken;
+    uint32_t stands;            /* step lines of motors that stand, written by the main loop */
     sem_t    wake;
     pthread_t thread;
     bool     runs;
@@ -80,6 +81,9 @@ void     pulses_level(struct pulses *p, int output, uint16_t level, bool moving)
 
 /* The pins of slot number `slot`, which follows the last one. */
 void     pulses_put(struct pulses *p, uint64_t slot, loft_pins pins);
+
+/* Motors that stand from now on (loft_machine_gated), in slots that are made already as well. */
+void     pulses_stand(struct pulses *p, uint16_t gated);
 
 /* All slots so far may be given from now on. */
 void     pulses_give(struct pulses *p);

@@ -33,6 +33,8 @@ struct row {
 
 static const struct row rows[] = {
     { "step", OUTPUT, true, LINE_STEP, 0, 0, "pulses, low between them" },
+    { "step2", OUTPUT, true, LINE_STEP2, 0, 0,
+      "those of a second motor of the axis, which has the same dir; needs limit, limit2" },
     { "dir", OUTPUT, true, LINE_DIR, 0, 0, "high towards minus; `low` turns the axis" },
     { "enable", OUTPUT, false, LINE_ENABLE, 0, 0, "on while the program runs" },
     { "enable", OUTPUT, true, LINE_ENABLE + 1, 0, 0, "the same for drivers that have one each" },
@@ -45,6 +47,8 @@ static const struct row rows[] = {
     { "coolant", OUTPUT, false, LINE_COOLANT, 0, 0, "on from M7 or M8 to M9" },
     { "limit", INPUT, true, LINE_LIMIT, 0, 0,
       "at both ends of the axis: ends the job, on its path; closed, it lets none begin" },
+    { "limit2", INPUT, true, LINE_LIMIT2, 0, 0,
+      "that of the second motor, as limit is of the first: `square = yes` of `loft home`" },
     { "estop", INPUT, false, LINE_ESTOP, 0, 0,
       "ends the job, on its path; closed, it lets none begin" },
     { "probe", INPUT, false, LINE_PROBE, 0, 0, "ends a `loft probe`" },

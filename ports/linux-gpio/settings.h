@@ -15,7 +15,8 @@
 #define LINE_SPINDLE    (LINE_ENABLE + 1 + LOFT_AXES)   /* high while output 1 is above 0 */
 #define LINE_RELAY      (LINE_SPINDLE + 1)              /* the same, without a pwm */
 #define LINE_COOLANT    (LINE_RELAY + 1)                /* output 2 */
-#define LINE_OUTPUTS    (LINE_COOLANT + 1)
+#define LINE_STEP2      (LINE_COOLANT + 1)              /* of a second motor, with the same dir */
+#define LINE_OUTPUTS    (LINE_STEP2 + LOFT_AXES)
 
 /* The inputs. */
 #define LINE_ESTOP      0
@@ -23,7 +24,8 @@
 #define LINE_RESUME     2
 #define LINE_PROBE      3
 #define LINE_LIMIT      4
-#define LINE_INPUTS     (LINE_LIMIT + LOFT_AXES)
+#define LINE_LIMIT2     (LINE_LIMIT + LOFT_AXES)        /* of a second motor */
+#define LINE_INPUTS     (LINE_LIMIT2 + LOFT_AXES)
 
 /* A line as specified. */
 struct line_wanted {

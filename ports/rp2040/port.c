@@ -4,7 +4,8 @@
  *
  *     step     GP0 GP1 GP2       limits   GP6 GP7 GP8, closing to ground
  *     dir      GP3 GP4 GP5       buttons  GP9 abort, GP10 hold, GP11 resume, closing to ground
- *     enable   GP14, low         line     GP12 GP13 (UART0), 8N1
+ *     enable   GP14, low         probe    GP15, closing to ground
+ *                                line     GP12 GP13 (UART0), 8N1
  *
  * A state machine of PIO0 gives a word in each slot. Channel 0 of the DMA feeds it from the ring.
  * At the end of each half its interrupt starts the next one, while four words wait in the FIFO. If
@@ -38,6 +39,7 @@
 #define FIRST_INPUT 6
 #define SENDS   12
 #define ENABLE  14
+#define PROBE   15
 #define CELLS   1024
 #include "plans.h"
 
@@ -105,15 +107,20 @@ static uint32_t random_number(void)
 /* Give a pin to a part: 2 UART, 5 SIO, 6 PIO0. */
 static void give_pin(uint32_t pin, uint32_t part)   { REG(PINS + 8 * pin + 4) = part; }
 
+static void begin_input(uint32_t pin)
+{
+    REG(PADS + 4 + 4 * pin) = 1u << 6 | 1u << 4 | 1u << 3 | 1u << 1;        /* in, pulled up */
+    give_pin(pin, 5);
+}
+
 loft_machine_config *loft_port_init(void)
 {
     begin_parts();
     config.info.boot = random_number() ^ cortex_starts();
     set_clock();
-    for (uint32_t pin = FIRST_INPUT; pin < FIRST_INPUT + 6; pin++) {
-        REG(PADS + 4 + 4 * pin) = 1u << 6 | 1u << 4 | 1u << 3 | 1u << 1;    /* in, pulled up */
-        give_pin(pin, 5);
-    }
+    for (uint32_t pin = FIRST_INPUT; pin < FIRST_INPUT + 6; pin++)
+        begin_input(pin);
+    begin_input(PROBE);
     REG(SIO + 0x20) = 1u << ENABLE;                     /* an output, low */
     give_pin(ENABLE, 5);
     give_pin(SENDS, 2);
@@ -152,7 +159,12 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
     return 1;
 }
 
-uint16_t loft_port_inputs(void) { return loft_switches_of(~REG(SIO + 0x04) >> FIRST_INPUT & 0x3F); }
+uint16_t loft_port_inputs(void)
+{
+    const uint32_t closed = ~REG(SIO + 0x04);
+
+    return loft_switches_of((closed >> FIRST_INPUT & 0x3F) | (closed >> PROBE & 1) << 6);
+}
 
 
 // Slots

@@ -4,7 +4,8 @@
  *
  *     step     PA0 PA1 PA2       limits   PB10 PB11 PB12, closing to ground
  *     dir      PA3 PA4 PA5       buttons  PB13 abort, PB14 hold, PB15 resume, closing to ground
- *     enable   PA6, low          line     PA9 PA10 (USART1), 8N1
+ *     enable   PA6, low          probe    PB8, closing to ground
+ *                                line     PA9 PA10 (USART1), 8N1
  *
  * Timer 1 requests two transfers of DMA1 in each slot (RM0008, table 78): its update, channel 5,
  * gives a word of the ring to PA; its compare 1, channel 2, ends the pulses.
@@ -32,6 +33,7 @@
 #define ENDS    (DMA1 + 8 + 20 * 1)         /* channel 2 */
 #include "cortex-m/stm32.h"
 #define INPUTS  10                          /* the first one, of GPIOB */
+#define PROBE   8                           /* of GPIOB */
 #define CELLS   256
 
 /* steps/mm, mm/s, mm/s^2, mm/s^3 */
@@ -69,8 +71,8 @@ loft_machine_config *loft_port_init(void)
     REG(GPIOA + 0x00) = 0x43333333;                             /* CRL: 0..6 out, 50 MHz */
     REG(GPIOA + 0x0C) = 1u << 10;                               /* ODR: PA10 pulled up */
     REG(GPIOA + 0x04) = 0x444448B4;                             /* CRH: 9 sends, 10 receives */
-    REG(GPIOB + 0x0C) = 0x3Fu << INPUTS;
-    REG(GPIOB + 0x04) = 0x88888844;                             /* 10..15 pulled up */
+    REG(GPIOB + 0x0C) = 0x3Fu << INPUTS | 1u << PROBE;
+    REG(GPIOB + 0x04) = 0x88888848;                             /* 8, 10..15 pulled up */
     set_line(core, LOFT_BAUD);
     return &config;
 }
@@ -90,4 +92,9 @@ uint32_t cortex_stream(uint32_t slot_hz)
 
 void cortex_acknowledge(void) { REG(DMA1 + 0x04) = 0xFu << 16; }     /* IFCR: channel 5 */
 
-uint16_t loft_port_inputs(void) { return loft_switches_of(~REG(GPIOB + 0x08) >> INPUTS & 0x3F); }
+uint16_t loft_port_inputs(void)
+{
+    const uint32_t closed = ~REG(GPIOB + 0x08);
+
+    return loft_switches_of((closed >> INPUTS & 0x3F) | (closed >> PROBE & 1) << 6);
+}

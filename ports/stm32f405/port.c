@@ -4,7 +4,8 @@
  *
  *     step     PA0 PA1 PA2       limits   PC0 PC1 PC2, closing to ground
  *     dir      PA3 PA4 PA5       buttons  PC3 abort, PC4 hold, PC5 resume, closing to ground
- *     enable   PA6, low          line     PA9 PA10 (USART1), 8N1
+ *     enable   PA6, low          probe    PC6, closing to ground
+ *                                line     PA9 PA10 (USART1), 8N1
  *     outputs  PB8 power of output 1, PWM of 5.1 kHz; PB9 high while it is above 0; PB10 output 2
  *
  * Timer 1 requests two transfers of DMA2 in each slot (RM0090, table 43): its update, stream 5,
@@ -37,7 +38,7 @@
 #define WORDS   (DMA2 + 0x10 + 0x18 * 5)    /* stream 5: CR, NDTR, PAR, M0AR */
 #define ENDS    (DMA2 + 0x10 + 0x18 * 1)    /* stream 1 */
 #include "cortex-m/stm32.h"
-#define PULLED_UP 0x555u     /* 0..5 of GPIOC */
+#define PULLED_UP 0x1555u    /* 0..6 of GPIOC */
 #define COUNTS  0x4000u     /* of TIM4, in a period of the power */
 #define CELLS   1024
 #include "plans.h"
@@ -121,7 +122,7 @@ loft_machine_config *loft_port_init(void)
     /* MODER: 0..6 out, 9 10 line */
     REG(GPIOA + 0x00) = (REG(GPIOA + 0x00) & ~0x003C3FFFu) | 0x00281555u;
     REG(GPIOA + 0x24) = (REG(GPIOA + 0x24) & ~0x00000FF0u) | 0x00000770u;   /* AFRH: USART1 */
-    REG(GPIOC + 0x0C) = (REG(GPIOC + 0x0C) & ~0x00000FFFu) | PULLED_UP;     /* PUPDR: 0..5 up */
+    REG(GPIOC + 0x0C) = (REG(GPIOC + 0x0C) & ~0x00003FFFu) | PULLED_UP;     /* PUPDR: 0..6 up */
     begin_outputs();
     set_line(CORE / 2, LOFT_BAUD);
     loft_port_plans(&config);
@@ -152,8 +153,8 @@ uint16_t loft_port_inputs(void)
 {
     const uint8_t *opens = config.settings.wiring + LOFT_WIRING_OPENS;
 
-    if ((REG(GPIOC + 0x0C) & 0xFFFu) != PULLED_UP)
+    if ((REG(GPIOC + 0x0C) & 0x3FFFu) != PULLED_UP)
         return 0;
     return (uint16_t)(loft_switches_of(~REG(GPIOC + 0x10)) ^
-                      (loft_switches_of(0x3F) & (opens[0] | opens[1] << 8)));
+                      (loft_switches_of(0x7F) & (opens[0] | opens[1] << 8)));
 }

@@ -4,7 +4,8 @@
  *
  *     step     PA0 PA1 PA2       limits   PB0 PB1 PB2, closing to ground
  *     dir      PA3 PA4 PA5       buttons  PB3 abort, PB4 hold, PB5 resume, closing to ground
- *     enable   PA6, low          line     PB6 PB7 (USART1), 8N1
+ *     enable   PA6, low          probe    PB8, closing to ground
+ *                                line     PB6 PB7 (USART1), 8N1
  *
  * The pins of this family are on the bus of the core alone: a transfer by DMA to them ends with an
  * error (RM0444, 2.1). So the interrupt of timer 1 gives the slots. The internal clock is used,
@@ -68,10 +69,10 @@ loft_machine_config *loft_port_init(void)
     REG(RCC + 0x34) |= 1u << 1 | 1u << 0;               /* ports A, B */
     REG(RCC + 0x40) |= 1u << 14 | 1u << 11;             /* USART1, TIM1 */
     REG(BSRR) = 0x7Fu << 16;
-    /* MODER: 0..6 of A out; 0..5 of B in, 6 and 7 the line's (AF0) */
+    /* MODER: 0..6 of A out; 0..5 and 8 of B in, 6 and 7 the line's (AF0) */
     REG(GPIOA + 0x00) = (REG(GPIOA + 0x00) & ~0x00003FFFu) | 0x00001555u;
-    REG(GPIOB + 0x0C) = (REG(GPIOB + 0x0C) & ~0x0000FFFFu) | 0x00004555u;   /* PUPDR: up */
-    REG(GPIOB + 0x00) = (REG(GPIOB + 0x00) & ~0x0000FFFFu) | 0x0000A000u;
+    REG(GPIOB + 0x0C) = (REG(GPIOB + 0x0C) & ~0x0003FFFFu) | 0x00014555u;   /* PUPDR: up */
+    REG(GPIOB + 0x00) = (REG(GPIOB + 0x00) & ~0x0003FFFFu) | 0x0000A000u;
     set_line(CORE, LOFT_BAUD);
     return &config;
 }
@@ -85,4 +86,9 @@ uint32_t cortex_stream(uint32_t slot_hz)
     return CORE;
 }
 
-uint16_t loft_port_inputs(void) { return loft_switches_of(~REG(GPIOB + 0x10) & 0x3F); }
+uint16_t loft_port_inputs(void)
+{
+    const uint32_t closed = ~REG(GPIOB + 0x10);
+
+    return loft_switches_of((closed & 0x3F) | (closed >> 8 & 1) << 6);
+}

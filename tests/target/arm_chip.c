@@ -1,9 +1,11 @@
 /* tests/target/arm_chip.c -- a microcontroller whose slots a timer and DMA give, behind a line
  * SPDX-License-Identifier: MIT
  * usage: arm_chip KIND FIRMWARE.elf [--link PATH | --socket PATH] [--record FILE] [--steps N]
- *                 [--touch STEPS[,MS]] [--late US] [--jobs N] [--flash FILE] [--cut N]
+ *                 [--touch STEPS[,MS]] [--contact x|probe] [--late US] [--jobs N] [--flash FILE]
+ *                 [--cut N]
  *
  * --touch: the limit switch of x closes with the pulse of x that reaches STEPS, and bounces for MS.
+ * --contact probe: not the switch, but the probe.
  * --late: once, in mid-job, the interrupt that makes slots is held for US microseconds.
  * --flash: FILE holds the flash that the chip writes, between two runs.
  * --cut: the power fails in the N-th word that is written, or erasure.
@@ -30,6 +32,7 @@ static const struct kind kinds[] = {
       .bus = 84000000,
       .irq_line = 37,
       .irq_stream = 68,
+      .probe = 6,
       .rcc = 0x40023800,
       .bsrr = 0x40020018,
       .idr = 0x40020810,
@@ -50,6 +53,7 @@ static const struct kind kinds[] = {
       .irq_line = 37,
       .irq_stream = 15,
       .x_switch = 10,
+      .probe = 8,
       .rcc = 0x40021000,
       .bsrr = 0x40010810,
       .idr = 0x40010C08,
@@ -65,6 +69,7 @@ static const struct kind kinds[] = {
       .bus = 64000000,
       .irq_line = 27,
       .irq_stream = 13,
+      .probe = 8,
       .rcc = 0x40021000,
       .bsrr = 0x50000018,
       .idr = 0x50000410,
@@ -85,7 +90,8 @@ static const struct kind kinds[] = {
       .hz = 125000000,
       .irq_line = 20,
       .irq_stream = 11,
-      .x_switch = 6 },
+      .x_switch = 6,
+      .probe = 15 },
 };
 
 
@@ -150,7 +156,7 @@ static void x_pulse(void *context)
     c->closed = closed;
 }
 
-/* Of the switches. A contact that bounces is first as it will be, then changes each 64 us or later,
+/* Of the switches; what is not pulled up reads as closed. A contact that bounces is first as it will be, then changes each 64 us or later,
  * by a pattern without a period. */
 uint32_t chip_inputs(const struct chip *c)
 {
@@ -161,7 +167,11 @@ uint32_t chip_inputs(const struct chip *c)
         const uint64_t k = (now + c->bounce - c->settled) / part;
         closed ^= k > 0 && (k * 2654435761u >> 9 & 1);
     }
-    return closed ? 0xFFFFu & ~(1u << c->kind->x_switch) : 0xFFFF;
+    uint32_t open = 0;
+    for (unsigned pin = 0; pin < 16; pin++)
+        if (c->kind->family->pulls_up(c, pin) && !(closed && pin == c->contact))
+            open |= 1u << pin;
+    return open;
 }
 
 static uint32_t read_register(void *context, uint32_t address)
@@ -323,6 +333,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: arm_chip KIND FIRMWARE.elf [--link PATH] ..\n");
         return EX_USAGE;
     }
+    c.contact = c.kind->x_switch;
+    c.port[0] = c.kind->split ? 0xFFFFFFFF : 0;     /* RM0444, 7.4.1: the pins are analog */
     o.tick_hz = 8000;
     o.slots = c.kind->hz / o.tick_hz;   /* the record counts cycles */
     for (int i = 3; i + 1 < argc; i += 2) {
@@ -336,6 +348,8 @@ int main(int argc, char **argv)
             steps = atof(argv[i + 1]);
         if (strcmp(argv[i], "--touch") == 0)
             touch = argv[i + 1];
+        if (strcmp(argv[i], "--contact") == 0 && strcmp(argv[i + 1], "probe") == 0)
+            c.contact = c.kind->probe;
         if (strcmp(argv[i], "--late") == 0)
             c.late = (uint64_t)(atof(argv[i + 1]) * c.kind->hz / 1e6);
         if (strcmp(argv[i], "--flash") == 0)

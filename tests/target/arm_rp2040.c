@@ -141,6 +141,13 @@ static void write_pio(struct chip *c, uint32_t offset, uint32_t value)
 // Other registers
 // ---------------
 
+/* PADS_BANK0: input enabled, pulled up; the pin is SIO's. */
+static bool pulls_up(const struct chip *c, unsigned pin)
+{
+    return (*plain_register(c, 0x4001C004 + 4 * pin) & 0xC8) == 0x48 &&
+           (*plain_register(c, 0x40014004 + 8 * pin) & 31) == 5;
+}
+
 static uint32_t read_register(struct chip *c, uint32_t address, uint32_t plain)
 {
     switch (address) {
@@ -220,4 +227,5 @@ const struct family arm_rp2040 = { .read = read_register,
                                    .next = next,
                                    .byte_cycles = byte_cycles,
                                    .asks_to_send = asks_to_send,
-                                   .boot = boot };
+                                   .boot = boot,
+                                   .pulls_up = pulls_up };

@@ -60,6 +60,22 @@ static bool write_flash(struct chip *c, uint32_t address, uint32_t value)
     return true;
 }
 
+/* MODER and PUPDR of an F4 or G0 (RM0090, 8.4); CRH and ODR of an F1 (RM0008, 9.2). */
+static bool pulls_up(const struct chip *c, unsigned pin)
+{
+    if (c->kind->streams || c->kind->split)
+        return (c->port[0] >> 2 * pin & 3) == 0 && (c->port[3] >> 2 * pin & 3) == 1;
+    return pin >= 8 && (c->port[3] >> 4 * (pin - 8) & 15) == 8 && c->port[5] >> pin & 1;
+}
+
+/* The registers of the port of the switches, from 4 words before its IDR. */
+static uint32_t *port_register(struct chip *c, uint32_t address)
+{
+    const uint32_t at = address - (c->kind->idr - 0x10);
+
+    return at < sizeof c->port ? &c->port[at / 4] : NULL;
+}
+
 static uint32_t read_register(struct chip *c, uint32_t address, uint32_t plain)
 {
     const struct kind *k = c->kind;
@@ -73,6 +89,8 @@ static uint32_t read_register(struct chip *c, uint32_t address, uint32_t plain)
         return plain | (plain & 3) << 2;
     if (address == k->idr)
         return chip_inputs(c);
+    if (port_register(c, address))
+        return *port_register(c, address);
     if (address == usart(c, STATUS))
         return (uint32_t)c->came << 5 | (uint32_t)(c->core.now >= c->sent_at) << 7;
     if (address == usart(c, READ))
@@ -195,6 +213,8 @@ static void write_register(struct chip *c, uint32_t address, uint32_t value)
         watch_outputs(c);
     else if (k->outputs && address - k->outputs < 0x80)
         write_output(c, address - k->outputs, value);
+    else if (port_register(c, address))
+        *port_register(c, address) = value;
     else if (address == usart(c, CONTROL))
         c->core.pending[16 + k->irq_line] = c->came;
     else if (address == usart(c, WRITE))
@@ -209,4 +229,5 @@ const struct family arm_stm32 = { .read = read_register,
                                   .advance = advance,
                                   .next = next,
                                   .byte_cycles = byte_cycles,
-                                  .asks_to_send = asks_to_send };
+                                  .asks_to_send = asks_to_send,
+                                  .pulls_up = pulls_up };

@@ -165,6 +165,12 @@ outputs() {
     row "outputs: races" "$(grep -c 'WARNING: ThreadSanitizer' "$tmp/err")" = 0
 }
 
+# apart: the steps of line 0 less those of line 2
+apart() {
+    awk '$2 == 1 { way = $3 ? 1 : -1 }
+         $3 && $2 == 0 { d += way } $3 && $2 == 2 { d -= way } END { print d }' "$tmp/paper"
+}
+
 # homes: the switch of x is 400 steps, 5 mm, towards minus
 homes() {
     echo "-- on paper: loft home and loft probe"
@@ -188,6 +194,21 @@ homes() {
     row "probe: touched at, in mm" \
         "$(sed -n 's/^touched at -\([0-9.]*\) .*/\1/p' "$tmp/out")" "<=" 5.05
     kill $machine; wait $machine
+    sed -i "s/^x.home_touch.*/x.home_touch = 2/" "$tmp/home.txt"
+    echo "x.square = yes" >>"$tmp/home.txt"
+    LOFT_PAPER_SWITCH=400 LOFT_PAPER_SKEW=30 on_paper x.step2=2 x.limit=5 x.limit2=7
+    timeout 300 "$loft" home --machine "$tmp/home.txt" --port "$tmp/at.paper" >"$tmp/out" 2>&1
+    code=$?
+    row "square: the command ends well"                       "$code" = 0
+    row "square: its switches close within, in steps" \
+        "$(sed -n 's/.* close within \([0-9]*\) step.*/\1/p' "$tmp/out")" "<=" 2
+    # sought at 400 steps/s: the first switch is seen some ms later
+    row "square: they did before, 30 steps, at least" \
+        "$(sed -n 's/.* each other, before //p' "$tmp/out")" ">=" 24
+    row "square: the same, at most" "$(sed -n 's/.* each other, before //p' "$tmp/out")" "<=" 32
+    kill $machine; wait $machine
+    row "square: the first motor went on, by its pulses, least" "$(apart)" ">=" 28
+    row "square: the same, at most"                           "$(apart)" "<=" 32
     row "home, probe: races" "$(grep -c 'WARNING: ThreadSanitizer' "$tmp/err")" = 0
 }
 
@@ -242,6 +263,10 @@ refuses 78 'it is in place of a pwm'                    chip=/dev/0 x.step=0 x.d
 refuses 78 'it belongs to a pwm'                        chip=/dev/0 x.step=0 x.dir=1 spindle=5
 refuses 77 'give the folder of a channel'               chip=/dev/0 x.step=0 x.dir=1 pwm=/x
 refuses 66 'cannot read: No such file'                  /nonexistent
+refuses 78 'two motors of an axis are squared by a switch each' \
+    chip=/dev/0 x.step=0 x.dir=1 x.step2=2 x.limit=5
+refuses 78 'two motors of an axis are squared by a switch each' \
+    chip=/dev/0 x.step=0 x.dir=1 x.limit2=5
 refuses 78 'x.step has no dir'                          x.step=/dev/0:0
 refuses 78 'is the same line as x.step'                 chip=/dev/0 x.step=0 x.dir=0
 refuses 78 'a number, but of which chip'                x.step=0 x.dir=1

@@ -4,6 +4,8 @@
  *
  * With $LOFT_PAPER_SWITCH = N the inputs 5 of /dev/0 (a limit switch of x) and 6 (a probe) close
  * where x has gone N steps towards minus: it counts pulses of line 0, whose direction is line 1.
+ * Input 7 is the switch of a second motor, whose steps are line 2; $LOFT_PAPER_SKEW: so many steps
+ * it has gone more at the start.
  *
  * It writes lines `us line value`, like `changes` of gpio_guest.c; line 3 of /dev/1 is 103. Main
  * loop and thread call this file without a lock here. So ThreadSanitizer sees the synchronization
@@ -30,8 +32,8 @@ struct gpio_request {
 };
 
 static FILE *paper;
-static atomic_int x;                    /* steps */
-static int woken[2] = { -1, -1 };       /* a pipe: the switch has changed */
+static atomic_int x[2];                 /* steps of each motor */
+static int woken[3][2];                 /* pipes: an input has changed; 0: it is not there */
 
 static void note(unsigned line, bool high)
 {
@@ -106,13 +108,18 @@ gpio_request *gpio_outputs(gpio_chip *chip, const unsigned offset[], unsigned co
     return r;
 }
 
-static int switch_at(void)
+static int number_of(const char *name, int usual)
 {
-    const char *at = getenv("LOFT_PAPER_SWITCH");
-    return at ? atoi(at) : 1 << 30;
+    const char *is = getenv(name);
+    return is ? atoi(is) : usual;
 }
 
-static bool switch_closed(void) { return -atomic_load(&x) >= switch_at(); }
+/* That of the first or second motor. */
+static bool switch_closed(int motor)
+{
+    return (motor ? number_of("LOFT_PAPER_SKEW", 0) : 0) - atomic_load(&x[motor]) >=
+           number_of("LOFT_PAPER_SWITCH", 1 << 30);
+}
 
 static bool line_high(const gpio_request *r, unsigned line)
 {
@@ -123,14 +130,17 @@ static bool line_high(const gpio_request *r, unsigned line)
     return high;
 }
 
-/* Line 0 has risen; `minus`: line 1 is high. */
-static void count_step(bool minus)
+/* The step line of a motor has risen; `minus`: line 1 is high. */
+static void count_step(int motor, bool minus)
 {
-    const bool before = switch_closed();
+    const bool before = switch_closed(motor);
 
-    atomic_fetch_add(&x, minus ? -1 : 1);
-    if (switch_closed() != before && write(woken[1], "", 1) != 1)
-        abort();
+    atomic_fetch_add(&x[motor], minus ? -1 : 1);
+    if (switch_closed(motor) == before)
+        return;
+    for (int k = motor ? 2 : 0; k < (motor ? 3 : 2); k++)
+        if (woken[k][1] && write(woken[k][1], "", 1) != 1)
+            abort();
 }
 
 bool gpio_set(gpio_request *r, uint32_t which, uint32_t high)
@@ -139,13 +149,13 @@ bool gpio_set(gpio_request *r, uint32_t which, uint32_t high)
         if (which >> i & 1 && r->high[i] != (high >> i & 1)) {
             r->high[i] = high >> i & 1;
             note(r->line[i], r->high[i]);
-            if (r->line[i] == 0 && r->high[i])
-                count_step(line_high(r, 1));
+            if ((r->line[i] == 0 || r->line[i] == 2) && r->high[i])
+                count_step(r->line[i] == 2, line_high(r, 1));
         }
     return true;
 }
 
-/* A switch that nobody touches, or that of x. */
+/* A switch that nobody touches, or one of x. */
 gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias,
                          unsigned debounce_us)
 {
@@ -157,10 +167,11 @@ gpio_request *gpio_input(gpio_chip *chip, unsigned offset, enum gpio_bias bias,
         abort();
     r->fd = -1;
     r->line[0] = 100 * chip->number + offset;
-    if (r->line[0] == 5 || r->line[0] == 6) {
-        if (woken[0] < 0 && pipe2(woken, O_NONBLOCK | O_CLOEXEC) != 0)
+    if (r->line[0] >= 5 && r->line[0] <= 7) {
+        int *pair = woken[r->line[0] - 5];
+        if (pipe2(pair, O_NONBLOCK | O_CLOEXEC) != 0)
             abort();
-        r->fd = woken[0];
+        r->fd = pair[0];
     }
     return r;
 }
@@ -178,6 +189,6 @@ bool gpio_forget_edges(gpio_request *r)
     return true;
 }
 
-int gpio_get(gpio_request *r) { return r->fd >= 0 && switch_closed(); }
+int gpio_get(gpio_request *r) { return r->fd >= 0 && switch_closed(r->line[0] == 7); }
 
 void gpio_release(gpio_request *r) { free(r); }

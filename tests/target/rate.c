@@ -1,10 +1,10 @@
 /* tests/target/rate.c -- runs a machine at a given rate: some axes move straight, all at the same
  * number of steps per tick
  * SPDX-License-Identifier: MIT
- * usage: rate PORT AXES STEPS_PER_TICK [FILTER[!]]
+ * usage: rate PORT AXES STEPS_PER_TICK [FILTER[!] [probe]]
  * Prints `ticks elapsed slowed` and the positions reached, and fails if they are not those of the
- * plan. With FILTER, in ms, the limit switch of x guards the job, and !: stops it at once: prints
- * `latched` and the place, and fails if that has not ended the job.
+ * plan. With FILTER, in ms, the limit switch of x guards the job, or the probe, and !: stops it at
+ * once: prints `latched` and the place, and fails if that has not ended the job.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -65,12 +65,12 @@ static void plan(const loft_sender *s, int axes, double rate)
                                             s->axis[i].steps_per_mm);
 }
 
-static int begin(loft_sender *s, int axes, double rate, const char *filter)
+static int begin(loft_sender *s, int axes, double rate, const char *filter, uint16_t inputs)
 {
     loft_job job = { .kind = LOFT_SPANS };
 
     if (filter)
-        job.guard = (loft_guard){ .inputs = LOFT_INPUT_ENDS(0),
+        job.guard = (loft_guard){ .inputs = inputs,
                                   .how    = strchr(filter, '!') ? LOFT_GUARD_HARD : 0,
                                   .filter = (uint8_t)atoi(filter) };
 
@@ -110,13 +110,14 @@ static bool give(int fd, const uint8_t *byte, size_t count)
 
 int main(int argc, char **argv)
 {
-    const bool known = argc == 4 || argc == 5;
+    const bool known = argc >= 4 && argc <= 6;
     const int fd = known ? open_port(argv[1]) : -1, axes = known ? atoi(argv[2]) : 0;
+    const uint16_t inputs = argc == 6 ? LOFT_INPUT_PROBE : LOFT_INPUT_ENDS(0);
     static loft_sender s;
     int failed = 0;
 
     if (fd < 0 || axes < 1 || axes > LOFT_AXES) {
-        fprintf(stderr, "usage: rate PORT AXES STEPS_PER_TICK [FILTER]\n");
+        fprintf(stderr, "usage: rate PORT AXES STEPS_PER_TICK [FILTER [probe]]\n");
         return 64;
     }
     loft_sender_init(&s, now_ms() + (uint32_t)getpid(), now_ms());
@@ -136,16 +137,16 @@ int main(int argc, char **argv)
         for (ssize_t i = 0; i < got; i++)
             (void)loft_sender_push(&s, byte[i], now_ms());
         if (s.phase == LOFT_PHASE_READY)
-            failed = begin(&s, axes, atof(argv[3]), argc == 5 ? argv[4] : NULL);
+            failed = begin(&s, axes, atof(argv[3]), argc >= 5 ? argv[4] : NULL, inputs);
     }
     printf("ticks %u elapsed %u slowed %u position", (unsigned)s.report.ticks,
            (unsigned)s.report.elapsed, (unsigned)s.report.slowed);
     for (int i = 0; i < LOFT_AXES; i++)
         printf(" %d", (int)s.report.position[i]);
     printf(" planned %d\n", (int)end_steps);
-    if (argc == 5) {
+    if (argc >= 5) {
         printf("latched %d\n", (int)s.report.latched[0]);
-        return s.phase != LOFT_PHASE_ABORTED || s.report.ended_by != LOFT_INPUT_ENDS(0);
+        return s.phase != LOFT_PHASE_ABORTED || s.report.ended_by != inputs;
     }
     for (int i = 0; i < axes; i++)
         failed |= s.report.position[i] != end_steps;

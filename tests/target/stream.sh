@@ -129,11 +129,12 @@ late() {
     row "$name: steps apart, at least"                     "$(value between_least)" ">=" "$3" cycles
 }
 
-# guarded BOARD STEPS_PER_TICK STEPS[,MS] FILTER: the switch of x closes with one pulse; its place
-# is sampled each 10 us
+# guarded BOARD STEPS_PER_TICK STEPS[,MS] FILTER [probe]: the switch of x, or the probe, closes with
+# one pulse; its place is sampled each 10 us
 guarded() {
-    local name="$1, a guard at $2 steps/ms${3#"${3%,*}"}" most=$(($2 / 100 + 1))
-    on_arm "$1" "--touch $3" "$helpers/rate" "$tmp/port" 3 "$2" "$4"
+    local name="$1, a guard${5:+, $5,} at $2 steps/ms${3#"${3%,*}"}" most=$(($2 / 100 + 1))
+    on_arm "$1" "--touch $3${5:+ --contact $5}" \
+        "$helpers/rate" "$tmp/port" 3 "$2" "$4" ${5:+"$5"}
     row "$name: the guard ends the job"                     "$code" = 0
     row "$name: steps between the switch and the latch"  $(($(said latched) - ${3%,*})) ">=" 0
     row "$name: the same, at most 10 us" $(($(said latched) - ${3%,*})) "<=" $most
@@ -221,6 +222,7 @@ guarded stm32f405 5 700 8
 guarded stm32g0-fast 100 20001,5 8
 guarded rp2040 100 20001,5 8
 guarded rp2040-fast 5 700 8
+for board in stm32f405 stm32f103 stm32g0 rp2040; do guarded $board 5 700 8 probe; done
 guarded rp2040-fast 1000 200001 8
 guarded stm32f405 100 20001,5 8
 row "stm32f405: it slows down behind the switch, in steps"  "$(behind)" ">=" 1000
