@@ -13,7 +13,7 @@ import math
 import sys
 
 SAMPLE, STOP, SLOW = 0.005, 0.05, 1.0       # s, s, mm/s
-EDGE = 0.02                                 # s: within a step of rest the machine still moves
+EDGE = 0.04                                 # s: a ramp; within it the machine still moves
 
 
 def read(name):
