@@ -337,7 +337,7 @@ $(addprefix fuzz-,$(FUZZERS)): fuzz-%: build/fuzz/%_fuzz
 	tar -xzf tests/corpus/$*.tar.gz -C build/fuzz/$*
 	LSAN_OPTIONS=suppressions=tests/tools/fuzz.supp \
 	ASAN_OPTIONS=quarantine_size_mb=4:malloc_context_size=0 \
-	$< -entropic=0 -max_len=$(FUZZ_LENGTH) -timeout=20 -print_final_stats=1 \
+	$< -entropic=0 -max_len=$(FUZZ_LENGTH) -timeout=60 -print_final_stats=1 \
 	    $(if $(filter 0,$(FUZZ_RUNS)),-max_total_time=$(FUZZ_SECONDS),-runs=$(FUZZ_RUNS)) \
 	    -dict=tests/corpus/$(*:text=svg).dict -artifact_prefix=build/fuzz/$*- build/fuzz/$*
 
