@@ -518,6 +518,8 @@ const decide_question ENGINE_OF(decide)[DECIDE_QUESTIONS] = {
     { "frame", DECIDE_CURVES, 1, DECIDE_ANY, "parameters t in 0..1", ENGINE_OF(answer_frame) },
     { "degree", DECIDE_CURVES, 0, 0, "nothing", answer_degree },
     { "bend", DECIDE_CURVES, 1, DECIDE_ANY, "parameters t in 0..1", answer_bend },
+    { "inflections", DECIDE_CURVES, 0, 0, "nothing", ENGINE_OF(answer_inflections) },
+    { "loops", DECIDE_CURVES, 1, 1, "a tolerance above 0", ENGINE_OF(answer_loops) },
     { "conic", DECIDE_CURVES, 0, 0, "nothing", answer_conic },
     { "meet", DECIDE_CURVES, 0, 0, "nothing", answer_meet },
     { "enclosed", DECIDE_CURVES, 0, 0, "nothing", answer_enclosed },

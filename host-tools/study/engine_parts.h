@@ -17,6 +17,8 @@ int ENGINE_OF(make_pieces)(const decide_input *in);
 int ENGINE_OF(make_cut)(const decide_input *in);
 int ENGINE_OF(make_join)(const decide_input *in);
 int ENGINE_OF(make_lowest)(const decide_input *in);
+int ENGINE_OF(answer_inflections)(const decide_input *in);
+int ENGINE_OF(answer_loops)(const decide_input *in);
 int ENGINE_OF(answer_frame)(const decide_input *in);
 int ENGINE_OF(answer_power)(const decide_input *in);
 int ENGINE_OF(answer_integral)(const decide_input *in);

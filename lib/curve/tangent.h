@@ -10,7 +10,7 @@
  * makes or hides a cusp.
  *
  * In the `error` lines D1, D2 and D3 are the largest terms of the quotient rule: with X the
- * weighted points relative to the point, w the weight, D1 = |X'| / w + |w'| / w |X| / w, likewise D2 with
+ * weighted points relative to the point, w the weight, D1 = |X'| / w + |w'| / w |X| / w, D2 with
  * two derivatives and 2 |w'| / w D1, D3 with three and 3 |w'| / w D2 + 3 |w''| / w D1. They are at
  * most degree R, 4 degree^2 R^2 and 24 degree^3 R^3 times the distance between two control points,
  * divided by the length of the span, its square and its cube.

@@ -3,8 +3,8 @@
  *
  * The longer tangent is u, and w = v - f u is at a right angle to it, f = u v / u u. In the unit
  * vectors along u and w the second fundamental form is the matrix a b / b c. Its eigenvalues are
- * the principal curvatures m -+ s with m = (a + c) / 2, d = (a - c) / 2, s = |(d, b)|; the direction of
- * the larger one is (d + s, b), or (b, s - d), which is longer for d < 0.
+ * the principal curvatures m -+ s with m = (a + c) / 2, d = (a - c) / 2, s = |(d, b)|. The
+ * direction of the larger one is (d + s, b), or (b, s - d), which is longer for d < 0.
  */
 #include "surface/differential.h"
 

@@ -1359,6 +1359,26 @@ case_local() {
         run 0 "$loft" eval --num $num --normal --curvature "$tmp/flat.loft"; says out '^2 0 none 0$'
     done
 }
+# (2 t - 1)^5 over t has a flat inflection; a circle is none; a loop of degree 5, and one of two
+# pieces
+case_shape_of_any_degree() {
+    printf 'bezier 5\n0 -1\n1 1\n2 -1\n3 1\n4 -1\n5 1\n' >"$tmp/flat.loft"
+    printf 'rational 2\n1 0 : 1\n1 1 : 1\n0 1 : 2\n' >"$tmp/round.loft"
+    printf 'bezier 5\n0 0\n8 0\n16 16\n-8 16\n0 0\n8 0\n' >"$tmp/loop.loft"
+    printf 'line\n0 0\n8 0\n8 8\n4 -4\n' >"$tmp/bent.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" decide inflections --num $num "$tmp/flat.loft"
+        says out '^0 t 0.5 inflection, multiplicity 3$'
+        run 0 "$loft" decide inflections --num $num "$tmp/round.loft"
+        [ ! -s "$tmp/out" ] || job_fails "round $num: $(cat "$tmp/out")"
+        run 0 "$loft" decide loops --num $num --of 0.001 "$tmp/loop.loft"
+        [ "$(wc -l <"$tmp/out")" = 1 ] || job_fails "loop $num: $(cat "$tmp/out")"
+        run 0 "$loft" decide loops --num $num --of 0.001 "$tmp/bent.loft"
+        says out '^0 2 0.666666' ; says out ' at 5.3333'
+        [ "$(wc -l <"$tmp/out")" = 1 ] || job_fails "bent $num: $(cat "$tmp/out")"
+    done
+    one_line 65 'a tolerance of 0' "$loft" decide loops --of 0 "$tmp/loop.loft"
+}
 # an octant of radius 8 and the plane z = 3 meet in a quarter of a circle, a line in one place; two
 # equal parabolas across each other in the diagonals of their square
 case_meet() {

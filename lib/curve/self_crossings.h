@@ -1,0 +1,37 @@
+/* lib/curve/self_crossings.h -- where a Bezier curve of any degree crosses itself
+ * SPDX-License-Identifier: MIT
+ *
+ *     loft_crossing c[8];
+ *     size_t        count;
+ *     if (loft_bezier_self_crossings(&b, LOFT_REAL(0.001), c, 8, &count) == LOFT_OK)
+ *         for (size_t k = 0; k < count; k++)
+ *             use(c[k].s, c[k].t, c[k].point);        // c[k].s < c[k].t
+ *
+ * shape.h decides the loop of a plane cubic exactly.
+ */
+#ifndef LOFT_CURVE_SELF_CROSSINGS_H
+#define LOFT_CURVE_SELF_CROSSINGS_H
+
+#include "curve/intersect.h"    /* loft_crossing */
+
+LOFT_BEGIN_C
+
+/* Find where b meets itself, in the plane or in space, sorted by s, s < t: out[room]. A closed
+ * curve meets itself at its ends.
+ *
+ *   range   as loft_bezier_intersect. LOFT_SINGULAR: a stretch runs over another one. LOFT_MORE:
+ *           there are more than `room`
+ *   error   as loft_bezier_intersect, plus half an LSB (ulp) at each point. A loop that stays
+ *           within 2 tol of its crossing may be missed
+ *   cost    for each pair of pieces that turn by less than 180 degrees, and that do not do so
+ *           together, once loft_bezier_intersect; 10 kB of stack more than that in q16
+ *   see     a curve whose derivatives are all in one half-space does not cross itself: Farin,
+ *           Curves and Surfaces for CAGD, hodographs
+ */
+enum loft_status loft_bezier_self_crossings(const loft_bezier *b, loft_real tol,
+                                            loft_crossing out[], size_t room,
+                                            size_t *count) LOFT_CHECKED;
+
+LOFT_END_C
+
+#endif

@@ -1,0 +1,134 @@
+/* tests/lib/curve/test_self_crossings.c -- properties of lib/curve/self_crossings.h
+ * SPDX-License-Identifier: MIT
+ */
+#include "curve/self_crossings.h"
+#include "curve/shape.h"
+#include "support/exact.h"          /* exact_eval; CHECK, PROPERTY */
+
+#if LOFT_AXES < 2
+#  error "curves in the plane"
+#endif
+
+#define MOST (LOFT_DEGREE_MAX + 1)
+#define ROOM 40
+
+typedef struct {
+    loft_vec p[MOST];
+    loft_bezier b;
+} curve;
+
+static void arb_plane(arb *a, curve *c, unsigned n)
+{
+    for (unsigned k = 0; k <= n; k++) {
+        c->p[k] = (loft_vec){ { 0 } };
+        for (int axis = 0; axis < 2; axis++)
+            c->p[k].axis[axis] = arb_real(a, 50);
+    }
+    CHECK(loft_bezier_init(&c->b, c->p, n) == LOFT_OK);
+}
+
+static long double at(const curve *c, int axis, long double t)
+{
+    long double x[MOST];
+
+    for (unsigned k = 0; k <= c->b.degree; k++)
+        x[k] = exact_of(c->p[k].axis[axis]);
+    return exact_eval(x, c->b.degree, t);
+}
+
+/* The loop of a cubic, as shape.h decides it. */
+static void the_loop_of_a_cubic_is_found(arb *a)
+{
+    const loft_real tol = LOFT_REAL(0.0078125);
+    loft_crossing out[ROOM];
+    loft_cubic cubic;
+    loft_shape s;
+    size_t count;
+    curve c;
+
+    arb_plane(a, &c, 3);
+    for (int k = 0; k < 4; k++)
+        cubic.p[k] = c.p[k];
+    if (loft_cubic_shape(&cubic, &s) != LOFT_OK || s.kind == LOFT_LINE || s.kind == LOFT_POINT)
+        return;
+    const enum loft_status status = loft_bezier_self_crossings(&c.b, tol, out, ROOM, &count);
+    CHECK(status == LOFT_OK || status == LOFT_SINGULAR);
+    if (s.loops == 1 && exact_unit(s.loop[1]) - exact_unit(s.loop[0]) > 0.05L) {
+        bool found = false;
+        for (size_t k = 0; k < count; k++)
+            found = found || (fabsl(exact_unit(out[k].s) - exact_unit(s.loop[0])) < 0.02L &&
+                              fabsl(exact_unit(out[k].t) - exact_unit(s.loop[1])) < 0.02L);
+        CHECK(found);
+    }
+}
+
+/* Chords of the curve that cross are near a crossing; at a crossing both points are within tol. */
+static void each_crossing_of_chords_is_near_one(arb *a)
+{
+    enum { N = 160 };
+    const loft_real tol = LOFT_REAL(0.0625);
+    long double x[N + 1], y[N + 1];
+    loft_crossing out[ROOM];
+    size_t count;
+    curve c;
+
+    arb_plane(a, &c, 4 + arb_below(a, LOFT_DEGREE_MAX - 3));
+    const enum loft_status status = loft_bezier_self_crossings(&c.b, tol, out, ROOM, &count);
+    if (status != LOFT_OK)
+        return;
+    for (size_t k = 0; k < count; k++) {
+        const long double s = exact_unit(out[k].s), t = exact_unit(out[k].t);
+        CHECK(s < t);
+        CHECK(hypotl(at(&c, 0, s) - at(&c, 0, t), at(&c, 1, s) - at(&c, 1, t)) <
+              exact_of(tol) + 0x1p-12L);
+    }
+    for (int i = 0; i <= N; i++) {
+        x[i] = at(&c, 0, (long double)i / N);
+        y[i] = at(&c, 1, (long double)i / N);
+    }
+    for (int i = 0; i < N; i++)
+        for (int j = i + 2; j < N; j++) {
+            const long double ux = x[i + 1] - x[i], uy = y[i + 1] - y[i], vx = x[j + 1] - x[j],
+                              vy = y[j + 1] - y[j], wx = x[j] - x[i], wy = y[j] - y[i],
+                              det = ux * vy - uy * vx;
+            const long double s = (wx * vy - wy * vx) / det, t = (wx * uy - wy * ux) / det;
+            if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1) || j - i < N / 16 ||
+                fabsl(det) < 0.5L * hypotl(ux, uy) * hypotl(vx, vy))
+                continue;
+            bool found = false;
+            for (size_t k = 0; k < count; k++)
+                found = found || (fabsl(exact_unit(out[k].s) * N - i - s) < 2 &&
+                                  fabsl(exact_unit(out[k].t) * N - j - t) < 2);
+            CHECK(found);
+        }
+}
+
+/* An arch has none; a closed curve meets itself at its ends. */
+static void arches_have_none_and_ends_meet(arb *a)
+{
+    const int32_t wide = 5 + (int32_t)arb_below(a, 50);
+    loft_crossing out[ROOM];
+    size_t count;
+    curve c;
+
+    arb_plane(a, &c, 4);
+    for (int k = 0; k < 5; k++) {
+        c.p[k].axis[0] = loft_real_from_int(wide * k);
+        c.p[k].axis[1] = loft_real_from_int(wide * (k == 0 || k == 4 ? 0 : 3));
+    }
+    CHECK(loft_bezier_self_crossings(&c.b, LOFT_REAL(0.01), out, ROOM, &count) == LOFT_OK &&
+          count == 0);
+    c.p[4].axis[0] = 0;
+    CHECK(loft_bezier_self_crossings(&c.b, LOFT_REAL(0.01), out, ROOM, &count) == LOFT_OK &&
+          count == 1 && out[0].s == 0 && out[0].t == LOFT_UNIT(1));
+    CHECK(loft_bezier_self_crossings(&c.b, 0, out, ROOM, &count) == LOFT_ERR_ARG && count == 0);
+    CHECK(loft_bezier_self_crossings(&c.b, LOFT_REAL(0.01), out, 0, &count) == LOFT_MORE);
+}
+
+int main(void)
+{
+    PROPERTY(the_loop_of_a_cubic_is_found, 200);
+    PROPERTY(each_crossing_of_chords_is_near_one, 60);
+    PROPERTY(arches_have_none_and_ends_meet, 30);
+    return check_failures();
+}
