@@ -95,6 +95,9 @@ static int sort_codes(gcode_program *g, int of[GROUPS])
             gcode_leave_out(g, 'G', code);
             continue;
         }
+        if (code / 10 == 38)
+            return wrong_code(g, 'G', code, "a file cannot probe: what follows would depend on it",
+                              "probe before, with `loft probe z- --at 0`, and leave G38 out");
         if (into == UNKNOWN)
             return wrong_code(g, 'G', code, "is not known here",
                               "write it out in plain motions, in the CAM's post-processor");
