@@ -102,6 +102,7 @@
 #include "curve/intersect.h"
 #include "curve/overlap.h"
 #include "curve/join.h"
+#include "curve/knot_removal.h"
 #include "curve/measure.h"
 #include "curve/monotone.h"
 #include "curve/moving_frame.h"

@@ -164,6 +164,7 @@
 #define loft_bspline_init          LOFT_NAME(loft_bspline_init)
 #define loft_bspline_insert        LOFT_NAME(loft_bspline_insert)
 #define loft_bspline_next          LOFT_NAME(loft_bspline_next)
+#define loft_bspline_remove        LOFT_NAME(loft_bspline_remove)
 #define loft_bspline_surface_init  LOFT_NAME(loft_bspline_surface_init)
 #define loft_bump_part             LOFT_NAME(loft_bump_part)
 #define loft_cardinal_deriv        LOFT_NAME(loft_cardinal_deriv)

@@ -5,6 +5,7 @@
  *     engine_decide.c     the answers; engine_make.c, engine_weave.c, engine_fill.c: curves and
  *                         surfaces made of others; compiled once per number type
  *     engine_parts.c      pieces of curves, frames, polynomials
+ *     engine_thin.c       B-splines with fewer knots
  *     engine_meet.c       where surfaces meet each other and curves
  *     engine_pieces.h     what all use
  *     decide.c            what the commands decide and make share
@@ -45,7 +46,7 @@ typedef struct {
 extern const decide_question decide_q16[DECIDE_QUESTIONS], decide_f32[DECIDE_QUESTIONS],
     decide_f64[DECIDE_QUESTIONS];
 
-#define MAKE_VERBS 24
+#define MAKE_VERBS 25
 
 extern const decide_question make_q16[MAKE_VERBS], make_f32[MAKE_VERBS], make_f64[MAKE_VERBS];
 

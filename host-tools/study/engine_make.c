@@ -291,6 +291,7 @@ const decide_question ENGINE_OF(make)[MAKE_VERBS] = {
     { "split", DECIDE_EITHER, 1, DECIDE_ANY, "t,.. between 0 and 1; of a surface u,v", make_split },
     { "lowest", DECIDE_CURVES, 1, 1, "a tolerance above 0", ENGINE_OF(make_lowest) },
     { "join", DECIDE_CURVES, 1, 1, "a tolerance above 0", ENGINE_OF(make_join) },
+    { "thin", DECIDE_CURVES, 1, 1, "a tolerance", ENGINE_OF(make_thin) },
     { "cut", DECIDE_CURVES, 2, 2, "two parameters of the curve, the lower one first",
       ENGINE_OF(make_cut) },
     { "pieces", DECIDE_CURVES, 0, 0, "nothing", ENGINE_OF(make_pieces) },

@@ -1359,6 +1359,20 @@ case_local() {
         run 0 "$loft" eval --num $num --normal --curvature "$tmp/flat.loft"; says out '^2 0 none 0$'
     done
 }
+# a parabola as a B-spline with five inner knots needs none
+case_thin() {
+    { echo 'bspline 2'
+      printf '0 0\n0.5 0\n1.5 2\n2.5 6\n3.5 12\n4.5 20\n5.5 30\n6 36\n'
+      echo 'knots 0 0 0 1 2 3 4 5 6 6 6'; } >"$tmp/many.loft"
+    sed 's/2.5 6/2.5 9/' "$tmp/many.loft" >"$tmp/bump.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" make thin --num $num --of 0.001 "$tmp/many.loft"
+        says out '^bspline 2$'; says out '^6 36$'; says out '^knots 0 0 0 6 6 6$'
+        run 0 "$loft" make thin --num $num --of 0.001 "$tmp/bump.loft"
+        says out '^2.5 9$'; says out 'knots 0 0 0 1 2 3 4 6 6 6'
+    done
+    one_line 65 'is no `bspline`' "$loft" make thin --of 1 tests/drawings/curves.loft
+}
 # (2 t - 1)^5 over t has a flat inflection; a circle is none; a loop of degree 5, and one of two
 # pieces
 case_shape_of_any_degree() {

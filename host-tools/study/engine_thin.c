@@ -1,0 +1,117 @@
+/* host-tools/study/engine_thin.c -- B-splines without the knots that they do not need; compiled
+ * once per number type
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "curve/knot_removal.h"     /* loft_bspline_remove */
+
+#include "base/tool.h"              /* tool_grow */
+#include "study/engine_parts.h"
+
+#define EACH_LINE 10                /* knots */
+
+/* A curve, and what it becomes without one knot: the last tried, the best. */
+typedef struct {
+    loft_vec *p[3];
+    loft_real *k[3];
+    unsigned points, degree;
+} thinning;
+
+static int refuse(const decide_input *in, const char *why)
+{
+    snprintf(in->why, DECIDE_WHY, "%s", why);
+    return LOFT_ERR_ARG;
+}
+
+static void swap_sides(thinning *x, int a, int b)
+{
+    loft_vec *const p = x->p[a];
+    loft_real *const k = x->k[a];
+
+    x->p[a] = x->p[b];
+    x->k[a] = x->k[b];
+    x->p[b] = p;
+    x->k[b] = k;
+}
+
+/* Remove the knot that moves the curve least, if by no more than `left`; *far is how much. */
+static bool remove_least(thinning *x, double left, double *far)
+{
+    loft_bspline b;
+    bool found = false;
+
+    if (loft_bspline_init(&b, x->p[0], x->points, x->k[0], x->degree) != LOFT_OK)
+        return false;
+    for (unsigned knot = x->degree + 1; knot < x->points; knot++) {
+        loft_acc distance;
+        if (loft_bspline_remove(&b, knot, x->p[1], x->k[1], &distance) != LOFT_OK ||
+            double_of_acc(distance) > (found ? *far : left))
+            continue;
+        *far = double_of_acc(distance);
+        found = true;
+        swap_sides(x, 1, 2);
+    }
+    if (found) {
+        swap_sides(x, 0, 2);
+        x->points--;
+    }
+    return found;
+}
+
+static void write_spline(const decide_input *in, const thinning *x, double far)
+{
+    const unsigned knots = x->points + x->degree + 1;
+
+    printf("bspline %u\n", x->degree);
+    write_points(in, x->p[0], x->points);
+    for (unsigned k = 0; k < knots; k++) {
+        fputs(k % EACH_LINE == 0 ? "knots " : " ", stdout);
+        print_number(in->e, double_of(x->k[0][k]));
+        if (k % EACH_LINE == EACH_LINE - 1 || k + 1 == knots)
+            putchar('\n');
+    }
+    printf("# within %.9g\n", far);
+}
+
+/* Knots go one by one, as long as the sum of their distances is within the tolerance. */
+static int thin_curve(const decide_input *in, const curve *c)
+{
+    thinning x = { .points = c->count, .degree = c->degree };
+    double sum = 0, far = 0;
+    int status = LOFT_OK;
+
+    if (c->kind != CURVE_BSPLINE)
+        return refuse(in, "a curve is no `bspline`: give B-splines without weights");
+    for (int i = 0; i < 3; i++) {
+        x.p[i] = tool_grow(NULL, c->count * sizeof *x.p[i]);
+        x.k[i] = tool_grow(NULL, c->knot_count * sizeof *x.k[i]);
+    }
+    for (unsigned i = 0; i < c->count; i++)
+        if (!vec_of(c->point[i].p, &x.p[0][i]))
+            status = LOFT_ERR_RANGE;
+    for (unsigned i = 0; i < c->knot_count; i++)
+        if (!real_of(c->knot[i], &x.k[0][i]))
+            status = LOFT_ERR_RANGE;
+    if (status == LOFT_OK && c->knot_count != c->count + c->degree + 1)
+        status = refuse(in, "a B-spline has no knots: give as many as points + degree + 1");
+    while (status == LOFT_OK && remove_least(&x, in->of->value[0] - sum, &far))
+        sum += far;
+    if (status == LOFT_OK)
+        write_spline(in, &x, sum);
+    for (int i = 0; i < 3; i++) {
+        free(x.p[i]);
+        free(x.k[i]);
+    }
+    return status;
+}
+
+int ENGINE_OF(make_thin)(const decide_input *in)
+{
+    int status = in->of->value[0] >= 0 ? LOFT_OK : refuse(in, "give a tolerance of 0 or more");
+
+    for (size_t c = 0; c < in->curves->count && status == LOFT_OK; c++)
+        status = thin_curve(in, &in->curves->curve[c]);
+    return status;
+}
