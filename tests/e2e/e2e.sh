@@ -1009,6 +1009,73 @@ warned() {
     grep -qF "$(sed 's/ (an error by --strict)//' "$tmp/err")" "$tmp/warnings" \
         || job_fails "another line than the first warning"
 }
+# a drawing for each warning of the reader of SVG (enum svg_warning): the tail of its name, what the
+# line says, what is within <svg>
+svg_warnings() {
+    sed -e :a -e '/\\$/N; s/\\\n *//; ta' <<'TABLE'
+SELECTOR|selector "path:nth-child(2)|<style>path:nth-child(2) { display: none }</style>
+DATA|path data ends after|<path d="M0 0L5" stroke="red"/>
+TEXT|<flowRoot> is not drawn|<flowRoot/>
+LETTER|is in no font|<text x="5" y="9">a&#x10FFFD;</text>
+LAYER|as AxiDraw does|<g i:groupmode="layer" i:label="% notes"><path d="M0 0h5" stroke="red"/></g>
+LAYER_NUMBERS|no speed, height|\
+    <g i:groupmode="layer" i:label="1 +S50"><path d="M0 0h5" stroke="red"/></g>
+LINE|letters without single lines|<text x="5" y="9">&#x3a9;</text>
+UPRIGHT|is read as horizontal|<text x="5" y="9" writing-mode="vertical-rl">a</text>
+PICTURE|<image> is not drawn|<image width="5" height="5" href="a.png"/>
+CLIP_PATH|clip-path: circle(2)|<path d="M0 0h5" stroke="red" clip-path="circle(2)"/>
+MASK|not of white shapes|\
+    <mask id="m"><path d="M0 0h9v9z" fill="#777"/></mask>\
+    <path d="M0 0h5" stroke="red" mask="url(#m)"/>
+PATTERN|tiles is left out|\
+    <pattern id="p" width=".01" height=".01" patternUnits="userSpaceOnUse">\
+    <path d="M0 0h1" stroke="red"/></pattern><path d="M0 0h40v40h-40z" fill="url(#p)"/>
+DASHES|more than [0-9]* dashes|<path d="M0 0h40" stroke="red" stroke-dasharray=".0001"/>
+BOX|transform-box: fill-box|<path d="M0 0h5" stroke="red" style="transform-box: fill-box; transform: rotate(9deg)"/>
+UNSEEN|without fill and stroke|<path d="M0 0h5" fill="none"/>
+USE_NOTHING|<use> without href|<use/>
+USE_ELSEWHERE|is not in this file|<use href="b.svg#a"/>
+USE_MISSING|no element has this id|<use href="#a"/>
+TABLE
+}
+case_strict_svg_warning_by_warning() {
+    local kind pattern inside text
+    while IFS='|' read -r kind pattern inside; do
+        printf '%s\n%s\n' '<svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm"
+            viewBox="0 0 50 50" xmlns:i="http://www.inkscape.org/namespaces/inkscape">
+            <path d="M1 1h3" stroke="red"/>' "$inside</svg>" >"$tmp/$kind.svg"
+        [ $kind = LINE ] && text=line || text=outline
+        warned "$kind.svg:[0-9]*: .*$pattern" "$loft" plan "$tmp/$kind.svg" --total --text $text
+    done < <(svg_warnings)
+    # each has a line above
+    diff <(svg_warnings | cut -d'|' -f1 | sort) \
+         <(sed -n 's/^    SVG_WARN_\([A-Z_]*\),\?$/\1/p' host-tools/read/svg.h | sort) \
+        || job_fails "warnings without a line, or lines without a warning"
+}
+# a program for each word that G-code leaves out
+case_strict_gcode_warning_by_warning() {
+    local pattern lines dialect
+    while IFS='|' read -r pattern dialect lines; do
+        printf 'G21 G90 F600\nG1 X5\n%b\nG1 Y5\n' "$lines" >"$tmp/left.nc"
+        warned "left.nc:\?[0-9]*: $pattern" "$loft" plan "$tmp/left.nc" --total --dialect $dialect
+    done <<'TABLE'
+M48: has no meaning|linuxcnc|M48
+$: commands of a controller|grbl|$H
+M107: has no meaning|marlin|M107
+E: there is no extruder|marlin|G1 X9 E2
+G61 in a part of it|linuxcnc|G61\nG1 X9\nG64
+TABLE
+}
+# what is not in a reader
+case_strict_elsewhere() {
+    printf 'G21 G90 F600\nG1 X5\nG1 Y5\n' >"$tmp/plain.nc"
+    printf '0,0 1,1 2,2 9,9\n' >"$tmp/one.csv"
+    warned 'it has no layers of Inkscape' "$loft" plan "$tmp/one.csv" --total --order layer
+    printf 'x.reversed = yes\nx.travel = 90\nkinematics = corexy\ntolerance = 0.01\n' >"$tmp/plan.txt"
+    machine strict --speed fast
+    warned 'and what else is of firmware or plan, is not kept' \
+        "$loft" set --machine "$tmp/plan.txt" --port "$tmp/strict"
+}
 case_strict_makes_warnings_errors() {
     cat >"$tmp/image.svg" <<'SVG'
 <svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm" viewBox="0 0 50 50">
