@@ -54,7 +54,7 @@ $(call cortex,mps2-an386,$(CORTEX_M4F),0x00000000 4M 0x20000000 4M,$(MPS2),$(MPS
 $(call cortex,mps2-an500,$(CORTEX_M7),0x00000000 4M 0x20000000 4M,$(MPS2),$(MPS2_PORT))
 $(call cortex,mps2-an505,$(CORTEX_M33),0x10000000 4M 0x38000000 4M,$(MPS2_33),$(MPS2_PORT))
 
-# --- the RP2040: its program lies in a file of blocks, with a checksum ----------------------------
+# --- the RP2040 and the RP2350: their program lies in a file of blocks ----------------------------
 RP2040 = -DCORTEX_IRQS=26 -DCORTEX_LINE_IRQ=20 -DCORTEX_STREAM_IRQ=11 -DSTREAM_LAG=5
 RP2040_SRC = $(strip ports/rp2040/boot.S ports/rp2040/port.c ports/cortex-m/stream.c \
     $(NO_OUTPUTS))
@@ -64,19 +64,29 @@ $(call cortex,rp2040,$(CORTEX_M0P),$(RP2040_AT),$(RP2040) -DLOFT_SLOTS=250,$(str
     $(RP2040_SRC)),$(RP2040_LD))
 $(call cortex,rp2040-fast,$(CORTEX_M0P),$(RP2040_AT),$(RP2040) -DLOFT_SLOTS=1000,$(strip \
     $(RP2040_SRC)),$(RP2040_LD))
+RP2350 = -DCORTEX_IRQS=52 -DCORTEX_LINE_IRQ=33 -DCORTEX_STREAM_IRQ=10 -DSTREAM_LAG=5 -DRP2350
+RP2350_AT = 0x10000000 4M 0x20000000 512K
+$(call cortex,rp2350,$(CORTEX_M33),$(RP2350_AT),$(RP2350) -DLOFT_SLOTS=250,$(strip \
+    $(RP2040_SRC)),$(RP2040_LD))
+$(call cortex,rp2350-fast,$(CORTEX_M33),$(RP2350_AT),$(RP2350) -DLOFT_SLOTS=1000,$(strip \
+    $(RP2040_SRC)),$(RP2040_LD))
 build/firmware/%/loft.uf2: build/firmware/%/loft.elf ports/rp2040/image.py
 	$(SAY) "  UF2 $@"
 	$(Q)arm-none-eabi-objcopy -O binary $< $(@:.uf2=.bin)
-	$(Q)python3 ports/rp2040/image.py $(@:.uf2=.bin) $@
-firmware-rp2040 firmware-rp2040-fast: firmware-%: build/firmware/%/loft.uf2
+	$(Q)python3 ports/rp2040/image.py $(*:-fast=) $(@:.uf2=.bin) $@
+PICO := rp2040 rp2040-fast rp2350 rp2350-fast
+$(PICO:%=firmware-%): firmware-%: build/firmware/%/loft.uf2
 
-## Write it to a Raspberry Pi Pico that was plugged in with BOOTSEL held: RP2040_DRIVE is its drive
+## Write it to a Raspberry Pi Pico, or Pico 2, plugged in with BOOTSEL held   RP2040_DRIVE=
 RP2040_DRIVE ?= /media/$(USER)/RPI-RP2
-.PHONY: flash-rp2040 flash-rp2040-fast
-flash-rp2040 flash-rp2040-fast: flash-%: firmware-%
-	@test -d "$(RP2040_DRIVE)" || { echo "$(RP2040_DRIVE) is not there: plug the board in with" \
-	    "BOOTSEL held, and name its drive: RP2040_DRIVE=/path"; exit 1; }
-	cp build/firmware/$*/loft.uf2 "$(RP2040_DRIVE)"
+RP2350_DRIVE ?= /media/$(USER)/RP2350
+.PHONY: $(PICO:%=flash-%)
+$(filter flash-rp2040%,$(PICO:%=flash-%)): DRIVE = RP2040_DRIVE
+$(filter flash-rp2350%,$(PICO:%=flash-%)): DRIVE = RP2350_DRIVE
+$(PICO:%=flash-%): flash-%: firmware-%
+	@test -d "$($(DRIVE))" || { echo "$($(DRIVE)) is not there: plug the board in with" \
+	    "BOOTSEL held, and name its drive: $(DRIVE)=/path"; exit 1; }
+	cp build/firmware/$*/loft.uf2 "$($(DRIVE))"
 
 # --- flashing: the usual tool, or a clear word when it is missing ---------------------------------
 flash_tool = @command -v $(1) >/dev/null || { echo "$(1) is missing: apt install $(2)"; exit 1; }

@@ -14,8 +14,8 @@
  * An output changes where the half begins in which its tick does: 0.25 ms before it, at most. While
  * the timer stands all are off.
  *
- * On an RP2040 DMA feeds a state machine instead of the pins: rp2040/port.c. Where DMA does not
- * reach the pins a short interrupt gives the words, with STREAM_BY_CORE: giver.h.
+ * On an RP2040 and an RP2350 DMA feeds a state machine instead of the pins: rp2040/port.c. Where
+ * DMA does not reach the pins a short interrupt gives the words, with STREAM_BY_CORE: giver.h.
  *
  * If a half is not made in time the timer stops until it is: no word is given twice.
  */

@@ -2,15 +2,21 @@
 @ into RAM, starts it
 @ SPDX-License-Identifier: MIT
 @
-@ The boot ROM runs these bytes in RAM if their last four are the CRC of the others, which image.py
-@ puts there (RP2040 datasheet, 2.8.1.3). Flash is read by the command 03h, which any chip obeys
-@ (4.10.13, SSI).
+@ The boot ROM of an RP2040 runs these bytes in RAM if their last four are the CRC of the others,
+@ which image.py puts there (RP2040 datasheet, 2.8.1.3). Flash is read by the command 03h, which any
+@ chip obeys (4.10.13, SSI). That of an RP2350 has set the flash up, finds the block that says what
+@ the image is, and runs it in flash from the vectors at its begin (RP2350 datasheet, 5.9.5).
     .syntax unified
-    .cpu cortex-m0plus
     .thumb
     .section .boot, "ax"
     .global boot
     .thumb_func
+#ifdef RP2350
+    .word   stack_top, boot
+    .word   0xFFFFDED3, 0x10210142      @ begin; one word: a program, secure, for Arm, an RP2350
+    .word   0x000001FF, 0, 0xAB123579   @ last item; the next block is this one; end
+boot:
+#else
 boot:
     ldr     r3, =0x18000000             @ SSI
     movs    r0, #0
@@ -25,6 +31,7 @@ boot:
     str     r1, [r2]                    @ SPI_CTRLR0
     movs    r1, #1
     str     r1, [r3, #0x08]
+#endif
 
     ldr     r0, =image_from
     ldr     r1, =image_begin

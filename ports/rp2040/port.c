@@ -1,5 +1,5 @@
-/* ports/rp2040/port.c -- an RP2040 at 125 MHz, as on the Raspberry Pi Pico: three axes, LOFT_SLOTS
- * steps per millisecond each
+/* ports/rp2040/port.c -- an RP2040 at 125 MHz, as on the Raspberry Pi Pico, or an RP2350 at 150
+ * MHz, as on the Pico 2: three axes, LOFT_SLOTS steps per millisecond each
  * SPDX-License-Identifier: MIT
  *
  *     step     GP0 GP1 GP2       limits   GP6 GP7 GP8, closing to ground
@@ -11,29 +11,17 @@
  * At the end of each half its interrupt starts the next one, while four words wait in the FIFO. If
  * a half is not made, the state machine waits with all steps low.
  *
- * Registers: RP2040 datasheet.
+ * Registers: RP2040 datasheet, RP2350 datasheet.
  */
 #include "cortex-m/cortex.h"
 #include "cortex-m/stream.h"
 #include "port.h"
+#include "rp2040/registers.h"
 #include "switches.h"
 
 #ifndef LOFT_BAUD
 #  define LOFT_BAUD 115200
 #endif
-#define CORE    125000000u          /* Hz, from a crystal of 12 MHz */
-#define CLOCKS  0x40008000
-#define RESETS  0x4000C000
-#define PINS    0x40014000          /* IO_BANK0 */
-#define PADS    0x4001C000
-#define XOSC    0x40024000
-#define PLL     0x40028000
-#define UART    0x40034000
-#define ROSC    0x40060000
-#define DMA     0x50000000          /* channel 0 */
-#define PIO     0x50200000
-#define SM      (PIO + 0xC8)        /* state machine 0 */
-#define SIO     0xD0000000
 #define LEFT    REG(DMA + 0x08)     /* TRANS_COUNT */
 
 #define FIRST_INPUT 6
@@ -63,8 +51,7 @@ static bool came(uint32_t address, uint32_t bits)
     return false;
 }
 
-/* 12 MHz * 125 / 6 / 2. Without a crystal the ring oscillator stays the clock, and the line is
- * mute. */
+/* Without a crystal the ring oscillator stays the clock, and the line is mute. */
 static void set_clock(void)
 {
     REG(XOSC + 0x0C) = 47;                              /* STARTUP: 1 ms */
@@ -78,7 +65,7 @@ static void set_clock(void)
     REG(PLL + 0x04) = 1u << 3 | 1u << 2;                /* PWR: on, without its divider */
     if (!came(PLL + 0x00, 1u << 31))
         return;
-    REG(PLL + 0x0C) = 6u << 16 | 2u << 12;
+    REG(PLL + 0x0C) = PLL_AFTER << 16 | 2u << 12;
     REG(PLL + 0x04) = 1u << 2;
     REG(CLOCKS + 0x3C) = 0;
     REG(CLOCKS + 0x3C) = 1;                             /* CLK_SYS: the PLL */
@@ -89,10 +76,8 @@ static void set_clock(void)
 /* DMA, pins, pads, PIO0, UART0, and the PLL, which stays as it is if it runs. */
 static void begin_parts(void)
 {
-    const uint32_t parts = 1u << 2 | 1u << 5 | 1u << 8 | 1u << 10 | 1u << 12 | 1u << 22;
-
-    REG(RESETS + 0x00) &= ~parts;
-    (void)came(RESETS + 0x08, parts);
+    REG(RESETS + 0x00) &= ~PARTS;
+    (void)came(RESETS + 0x08, PARTS);
 }
 
 static uint32_t random_number(void)
@@ -100,17 +85,16 @@ static uint32_t random_number(void)
     uint32_t number = 0;
 
     for (int i = 0; i < 32; i++)
-        number = number << 1 | (REG(ROSC + 0x1C) & 1u);
+        number = number << 1 | (REG(RANDOM) & 1u);
     return number;
 }
 
-/* Give a pin to a part: 2 UART, 5 SIO, 6 PIO0. */
-static void give_pin(uint32_t pin, uint32_t part)   { REG(PINS + 8 * pin + 4) = part; }
-
-static void begin_input(uint32_t pin)
+/* Give a pin to a part: 2 UART, 5 SIO, 6 PIO0. The pad is 4 mA, can be read, is pulled up or not,
+ * and, on an RP2350, no more apart from its part. */
+static void give_pin(uint32_t pin, uint32_t part, uint32_t pull)
 {
-    REG(PADS + 4 + 4 * pin) = 1u << 6 | 1u << 4 | 1u << 3 | 1u << 1;        /* in, pulled up */
-    give_pin(pin, 5);
+    REG(PINS + 8 * pin + 4) = part;
+    REG(PADS + 4 + 4 * pin) = 1u << 6 | 1u << 4 | pull << 3 | 1u << 1;
 }
 
 loft_machine_config *loft_port_init(void)
@@ -119,12 +103,12 @@ loft_machine_config *loft_port_init(void)
     config.info.boot = random_number() ^ cortex_starts();
     set_clock();
     for (uint32_t pin = FIRST_INPUT; pin < FIRST_INPUT + 6; pin++)
-        begin_input(pin);
-    begin_input(PROBE);
-    REG(SIO + 0x20) = 1u << ENABLE;                     /* an output, low */
-    give_pin(ENABLE, 5);
-    give_pin(SENDS, 2);
-    give_pin(SENDS + 1, 2);
+        give_pin(pin, 5, 1);
+    give_pin(PROBE, 5, 1);
+    REG(SIO_DRIVES) = 1u << ENABLE;                     /* an output, low */
+    give_pin(ENABLE, 5, 0);
+    give_pin(SENDS, 2, 0);
+    give_pin(SENDS + 1, 2, 1);
     const uint32_t divider = (4 * CORE + LOFT_BAUD / 2) / LOFT_BAUD;        /* in 1/64 */
     REG(UART + 0x24) = divider / 64;
     REG(UART + 0x28) = divider % 64;
@@ -161,7 +145,7 @@ size_t loft_port_write(const uint8_t *bytes, size_t count)
 
 uint16_t loft_port_inputs(void)
 {
-    const uint32_t closed = ~REG(SIO + 0x04);
+    const uint32_t closed = ~REG(SIO_INPUTS);
 
     return loft_switches_of((closed >> FIRST_INPUT & 0x3F) | (closed >> PROBE & 1) << 6);
 }
@@ -192,7 +176,7 @@ static void set_machine(uint32_t slot_hz)
     }
     REG(SM + 0x14) = THREE_PINS(0u);
     for (uint32_t pin = 0; pin < 6; pin++)
-        give_pin(pin, 6);
+        give_pin(pin, 6, 0);
     REG(PIO + 0x00) = 1;                                            /* CTRL: it runs */
 }
 

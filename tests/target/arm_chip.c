@@ -91,7 +91,19 @@ static const struct kind kinds[] = {
       .irq_line = 20,
       .irq_stream = 11,
       .x_switch = 6,
-      .probe = 15 },
+      .probe = 15,
+      .parts = &arm_rp2040_parts },
+    { .name = "rp2350",
+      .family = &arm_rp2350,
+      .model = UC_CPU_ARM_CORTEX_M33,
+      .fpu = true,
+      .memory = { 0x10000000, 0x400000, 0x20000000, 0x82000, 0x10000100 },
+      .hz = 150000000,
+      .irq_line = 33,
+      .irq_stream = 10,
+      .x_switch = 6,
+      .probe = 15,
+      .parts = &arm_rp2350_parts },
 };
 
 
@@ -156,8 +168,8 @@ static void x_pulse(void *context)
     c->closed = closed;
 }
 
-/* Of the switches; what is not pulled up reads as closed. A contact that bounces is first as it will be, then changes each 64 us or later,
- * by a pattern without a period. */
+/* Of the switches; what is not pulled up reads as closed. A contact that bounces is first as it will
+ * be, then changes each 64 us or later, by a pattern without a period. */
 uint32_t chip_inputs(const struct chip *c)
 {
     const uint64_t now = c->core.now, part = c->kind->hz / 1000000 * 64;

@@ -26,10 +26,14 @@ struct family {
     int      (*boot)(struct chip *c);
     bool     (*pulls_up)(const struct chip *c, unsigned pin);
 };
-extern const struct family arm_stm32, arm_rp2040, arm_nrf51;
+extern const struct family arm_stm32, arm_rp2040, arm_rp2350, arm_nrf51;
 
-/* What differs between the chips. Addresses: RCC's clock control; the pins of the slots, the
- * port of the switches, x and the probe in it; timer 1; its transfers; USART 1; the outputs; the flash. */
+/* Where an RP2040 and an RP2350 have their parts. */
+struct arm_parts;
+extern const struct arm_parts arm_rp2040_parts, arm_rp2350_parts;
+
+/* What differs between the chips. Addresses: RCC's clock control; the pins of the slots, the port of
+ * the switches, x and the probe in it; timer 1; its transfers; USART 1; the outputs; the flash. */
 struct kind {
     const char *name;
     const struct family *family;
@@ -41,6 +45,7 @@ struct kind {
     uint32_t rcc, bsrr, idr, timer, dma, usart, random;
     uint32_t power, outputs;            /* timer 4 and its port, or 0 */
     uint32_t flashes;                   /* or 0 */
+    const struct arm_parts *parts;      /* of an RP2040 or RP2350 */
 };
 struct chip {
     const struct kind *kind;

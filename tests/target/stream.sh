@@ -13,7 +13,7 @@ result=$tmp/result
 # image_of BOARD: the file that is flashed
 image_of() {
     case $1 in
-    rp2040*) echo "$firmware/$1/loft.uf2" ;;
+    rp2*) echo "$firmware/$1/loft.uf2" ;;
     *)       echo "$firmware/$1/loft.elf" ;;
     esac
 }
@@ -203,7 +203,9 @@ rates stm32g0-fast   320 200 0.60 63 60
 rates stm32g0        200 320 0.60 127,122 60
 rates nrf51          100 160 0.65 31 60
 rates rp2040-fast   1000 125 0.20 60
+rates rp2350-fast   1000 150 0.15 72
 rates rp2040         250 500 0.15 240
+rates rp2350         250 600 0.10 288
 rates stm32f405      250  672 0.10 336
 rates stm32f103-fast 500  144 0.15 72
 draws stm32f103 250 288
@@ -212,9 +214,12 @@ draws stm32f405-fast 1000 168
 draws stm32f405 250 672 600
 draws stm32g0-fast 320 200 '' 60
 draws rp2040 250 500
+draws rp2350 250 600
+draws rp2350-fast 1000 150
 draws rp2040-fast 1000 125
 draws rp2040 250 500 600
 late rp2040-fast 1000 125 600
+late rp2350-fast 1000 150 600
 late stm32f405-fast 1000 168 600
 late stm32f103-fast 500 144 600
 guarded stm32f103 100 20001,5 8
@@ -222,8 +227,11 @@ guarded stm32f405 5 700 8
 guarded stm32g0-fast 100 20001,5 8
 guarded rp2040 100 20001,5 8
 guarded rp2040-fast 5 700 8
-for board in stm32f405 stm32f103 stm32g0 rp2040; do guarded $board 5 700 8 probe; done
+for board in stm32f405 stm32f103 stm32g0 rp2040 rp2350; do guarded $board 5 700 8 probe; done
 guarded rp2040-fast 1000 200001 8
+guarded rp2350 100 20001,5 8
+guarded rp2350-fast 5 700 8
+guarded rp2350-fast 1000 200001 8
 guarded stm32f405 100 20001,5 8
 row "stm32f405: it slows down behind the switch, in steps"  "$(behind)" ">=" 1000
 # the ring of half a tick, the filter of two samples, and the sample of the main loop

@@ -56,7 +56,8 @@ build/target/arm_chip: $(ARM_CHIP_SRC) $(wildcard tests/target/arm_*.h tests/tar
 ## Run boards that step by a timer and DMA in a model of both: every slot, guards, instructions
 .PHONY: check-stream
 check-stream: $(patsubst %,firmware-%,stm32f405 stm32f405-fast stm32f103 stm32f103-fast \
-                                     stm32g0 stm32g0-fast rp2040 rp2040-fast nrf51) \
+                                     stm32g0 stm32g0-fast rp2040 rp2040-fast rp2350 rp2350-fast \
+                                     nrf51) \
               build/target/arm_chip build/target/rate $(TOOL_OUT)/loft
 	@bash tests/target/stream.sh build/firmware $(TOOL_OUT)/loft build/target
 TARGET_BESIDE += check-stream
