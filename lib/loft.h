@@ -154,6 +154,7 @@
 #include "surface/tensor/revolve.h"
 #include "surface/tensor/ruled.h"
 #include "surface/tensor/skin.h"
+#include "surface/tensor/surface_fit.h"
 #include "surface/tensor/sweep.h"
 #include "surface/tensor/tensor.h"
 #include "surface/triangle/triangle_integral.h"

@@ -799,6 +799,7 @@
 #define loft_step_place            LOFT_NAME(loft_step_place)
 #define loft_step_position         LOFT_NAME(loft_step_position)
 #define loft_step_take             LOFT_NAME(loft_step_take)
+#define loft_surface_fit           LOFT_NAME(loft_surface_fit)
 #define loft_surface_from_bicubic  LOFT_NAME(loft_surface_from_bicubic)
 #define loft_surface_from_coons    LOFT_NAME(loft_surface_from_coons)
 #define loft_surface_from_disk     LOFT_NAME(loft_surface_from_disk)

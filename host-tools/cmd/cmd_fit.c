@@ -1,4 +1,4 @@
-/* host-tools/cmd/cmd_fit.c -- loft fit: curves near measured points
+/* host-tools/cmd/cmd_fit.c -- loft fit: curves and surfaces near measured points
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -6,15 +6,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "num/status.h"         /* LOFT_SINGULAR */
+
 #include "base/scan.h"          /* scan_numbers */
 #include "base/source.h"        /* source_read */
 #include "base/space.h"         /* space_distance */
 #include "base/tool.h"
 #include "engine/engine.h"
 #include "engine/print.h"       /* print_point */
+#include "plan/grid_fit.h"
 #include "plan/point_fit.h"
 
 #define EACH_LINE 8     /* knots */
+#define GRID_MOST 1000  /* rows, columns */
 
 typedef struct {
     point_fit_options o;
@@ -22,6 +26,8 @@ typedef struct {
     spline_fit f;
     const char *file;
     bool close;                 /* rows that do not return, too */
+    bool surface;               /* rows are a grid */
+    grid_fit grid;
     point_row row;
     unsigned line;              /* where it begins */
     bool failed;
@@ -57,10 +63,80 @@ static int print_fit(void *context, const spline_fit *f)
     return 0;
 }
 
+// Surfaces
+// --------
+
+/* A row of the grid: as long as the first one. */
+static int add_row(fitting *x)
+{
+    grid_fit *g = &x->grid;
+    const size_t rows = g->count[0], columns = x->row.count;
+
+    if (columns == 0)
+        return 0;
+    if (rows == 0)
+        g->count[1] = (unsigned)columns;
+    if (columns != g->count[1] || columns < 2 || columns > GRID_MOST || rows >= GRID_MOST)
+        return tool_error(EX_DATAERR,
+                          "%s:%u: a row of %zu points after rows of %u: give a grid, 2 to %d rows "
+                          "of 2 to %d points each",
+                          x->file, x->line, columns, g->count[1], GRID_MOST, GRID_MOST);
+    g->p = tool_grow(g->p, (rows + 1) * columns * sizeof *g->p);
+    memcpy(g->p + rows * columns, x->row.p, columns * sizeof *g->p);
+    g->count[0]++;
+    x->row.count = 0;
+    return 0;
+}
+
+static void print_knots(const fitting *x, int along)
+{
+    const grid_fit *g = &x->grid;
+    const unsigned count = g->points[along] + g->degree[along] + 1;
+
+    for (unsigned k = 0; k < count; k++) {
+        if (k % EACH_LINE == 0)
+            printf("knots %c ", along ? 'v' : 'u');
+        print_number(x->p.e, g->knot[along][k]);
+        putchar(k % EACH_LINE == EACH_LINE - 1 || k + 1 == count ? '\n' : ' ');
+    }
+}
+
+static int fit_surface(fitting *x)
+{
+    grid_fit *g = &x->grid;
+
+    if (g->count[0] < 2)
+        return tool_error(EX_DATAERR, "%s: %u rows: give two or more, with empty lines between",
+                          x->file, g->count[0]);
+    const int status = grid_fit_make(g, x->p.e, x->o.degree, x->o.tol);
+    if (status != 0)
+        return tool_error(EX_DATAERR, "%s: %s", x->file,
+                          status == LOFT_SINGULAR ? "two rows or columns are one: give different "
+                                                    "points"
+                                                  : engine_status(status));
+    if (!(g->off <= x->o.tol))
+        return tool_error(EX_DATAERR,
+                          "%s: numbers of %s do not hold points within --tol %g: give a larger "
+                          "--tol, or --num f64",
+                          x->file, x->p.e->name, x->o.tol);
+    printf("nurbs-surface %u %u %u %u\n", g->degree[0], g->degree[1], g->points[0], g->points[1]);
+    x->p.solid = true;
+    for (size_t k = 0; k < (size_t)g->points[0] * g->points[1]; k++)
+        print_point(&x->p, g->net[k]);
+    print_knots(x, 0);
+    print_knots(x, 1);
+    printf("# %u x %u control points for %u x %u points, within %.3g\n", g->points[0], g->points[1],
+           g->count[0], g->count[1], g->off);
+    return 0;
+}
+
 static int end_row(fitting *x)
 {
     point_row *r = &x->row;
     int code = 0;
+
+    if (x->surface)
+        return add_row(x);
 
     if (r->count == 1)
         code = tool_error(EX_DATAERR, "%s:%u: one point: give two or more", x->file, x->line);
@@ -89,7 +165,7 @@ static void add_point(fitting *x, const double p[ENGINE_AXES], unsigned line)
 
     if (r->count == 0)
         x->line = line;
-    else if (!(space_distance(p, r->p[r->count - 1]) > 0))
+    else if (!x->surface && !(space_distance(p, r->p[r->count - 1]) > 0))
         return;
     if ((r->count & (r->count - 1)) == 0)
         r->p = tool_grow(r->p, (r->count ? 2 * r->count : 1) * sizeof *r->p);
@@ -140,7 +216,7 @@ static int run_fit(const tool_command *self, int argc, char **argv)
     const engine *e = &engine_f64;
     double tol = 0.01, corner = 50;
     unsigned degree = 3;
-    bool close = false;
+    bool close = false, surface = false;
     const char *file;
     size_t size;
     int code;
@@ -150,6 +226,7 @@ static int run_fit(const tool_command *self, int argc, char **argv)
         TOOL_COUNT("degree", "N", &degree, 1, 9, "of the curves (3)"),
         TOOL_NUMBER("corner", "DEGREES", &corner, 0, 181,
                     "points that turn by more stay corners; 181: none does (50)"),
+        TOOL_SWITCH("surface", &surface, "rows of equal length are a grid: the surface near it"),
         TOOL_SWITCH("closed", &close, "each row goes on to its first point"),
         ENGINE_OPTION(&e, "number type (f64)"),
         TOOL_OPTIONS_END
@@ -164,8 +241,12 @@ static int run_fit(const tool_command *self, int argc, char **argv)
                   .p = { e, false },
                   .f = { .e = e },
                   .file = source_name(file),
-                  .close = close };
+                  .close = close,
+                  .surface = surface };
     code = fit_text(&x, text);
+    if (code == 0 && surface)
+        code = fit_surface(&x);
+    grid_fit_free(&x.grid);
     spline_fit_free(&x.f);
     free(x.row.p);
     free(text);
@@ -173,11 +254,12 @@ static int run_fit(const tool_command *self, int argc, char **argv)
 }
 
 const tool_command command_fit = {
-    "fit", "[--tol MM] [FILE|-]", "curves near measured points, with their corners",
+    "fit", "[--tol MM] [FILE|-]", "curves and surfaces near measured points",
     "FILE has one point per line: x,y or x,y,z, also with blanks or semicolons; a first line of\n"
     "names and what follows # do not count. An empty line ends a row of points; a row whose last\n"
     "point is its first one is closed. Prints B-splines in the format of host-tools/LOFT.md, in\n"
     "the order of the points: by least squares, with as many knots as the tolerance takes. They\n"
-    "begin and end in points and corners; closed rows without a corner have a smooth seam.\n",
+    "begin and end in points and corners; closed rows without a corner have a smooth seam.\n"
+    "With --surface the rows are a grid, v along them: prints the nurbs-surface near it.\n",
     run_fit
 };

@@ -197,6 +197,13 @@ typedef struct {
     bool closed;
 } engine_fit;
 
+/* A grid of points, row by row, and the knots of the surface near them: [0] along u, from row to
+ * row, [1] along v. */
+typedef struct {
+    const double (*p)[ENGINE_AXES], *at[2], *knot[2];
+    unsigned count[2], points[2], degree[2];
+} engine_grid_fit;
+
 /* A plan in progress: its memory does not depend on the number of moves. */
 typedef struct engine_plan engine_plan;
 
@@ -228,6 +235,8 @@ typedef struct {
     const engine_measures *measure;
     /* The control points of the B-spline nearest to points. */
     int (*fit)(const engine_fit *f, double out[][ENGINE_AXES]);
+    /* Those of a surface, and the largest distance of a point from its place on it. */
+    int (*fit_grid)(const engine_grid_fit *f, double out[][ENGINE_AXES], double *off);
     /* The arc of an SVG path, at most about one turn, as cubics in the plane within tol of it.
      * turns is 1 from x to y, or -1. */
     int (*ellipse)(const double from[2], const double to[2], const double radii[2], double degrees,

@@ -2,9 +2,12 @@
  * number type
  * SPDX-License-Identifier: MIT
  */
+#include <math.h>
 #include <stdlib.h>
 
 #include "curve/fit.h"              /* loft_bspline_fit */
+#include "surface/tensor/nurbs_surface.h"   /* loft_nurbs_surface_eval */
+#include "surface/tensor/surface_fit.h"     /* loft_surface_fit */
 
 #include "base/tool.h"              /* tool_grow */
 #include "engine/engine_fit.h"
@@ -60,5 +63,97 @@ int ENGINE_OF(engine_fit_spline)(const engine_fit *f, double out[][ENGINE_AXES])
     for (unsigned k = 0; k < f->points && status == LOFT_OK; k++)
         point_of(h.out[k], out[k]);
     give_back(&h);
+    return status;
+}
+
+
+// Surfaces
+// --------
+
+typedef struct {
+    loft_vec *p, *out, *middle;
+    loft_real *at[2], *knot[2];
+    loft_sci *memory;
+} held_grid;
+
+static bool hold_reals(const double *from, size_t count, loft_real **out)
+{
+    *out = tool_grow(NULL, count * sizeof **out);
+    for (size_t k = 0; k < count; k++)
+        if (!real_of(from[k], &(*out)[k]))
+            return false;
+    return true;
+}
+
+static bool hold_grid(const engine_grid_fit *f, held_grid *h)
+{
+    const unsigned rows = f->count[0], m = f->points[0], n = f->points[1];
+    bool fits = true;
+
+    h->p      = tool_grow(NULL, (size_t)rows * f->count[1] * sizeof *h->p);
+    h->out    = tool_grow(NULL, (size_t)m * n * sizeof *h->out);
+    h->middle = tool_grow(NULL, LOFT_SURFACE_FIT_POINTS((size_t)rows, m, n) * sizeof *h->middle);
+    h->memory = tool_grow(NULL,
+                          (size_t)LOFT_FIT_MEMORY(m + n, LOFT_DEGREE_MAX) * sizeof *h->memory);
+    for (size_t k = 0; k < (size_t)rows * f->count[1]; k++)
+        fits = vec_of(f->p[k], &h->p[k]) && fits;
+    for (int k = 0; k < 2; k++) {
+        fits = hold_reals(f->at[k], f->count[k], &h->at[k]) && fits;
+        fits = hold_reals(f->knot[k], f->points[k] + f->degree[k] + 1, &h->knot[k]) && fits;
+    }
+    return fits;
+}
+
+static int measure_grid(const engine_grid_fit *f, const held_grid *h, double *off)
+{
+    loft_nurbs_surface s;
+    int status = loft_bspline_surface_init(&s, h->out, f->points[0], f->points[1], h->knot[0],
+                                           f->degree[0], h->knot[1], f->degree[1]);
+
+    *off = 0;
+    for (unsigned i = 0; i < f->count[0]; i++)
+        for (unsigned j = 0; j < f->count[1] && status == LOFT_OK; j++) {
+            const double *want = f->p[(size_t)i * f->count[1] + j];
+            double got[ENGINE_AXES], sum = 0;
+            loft_vec p;
+            status = loft_nurbs_surface_eval(&s, h->at[0][i], h->at[1][j], &p);
+            if (status != LOFT_OK)
+                break;
+            point_of(p, got);
+            for (int axis = 0; axis < ENGINE_AXES; axis++)
+                sum += (got[axis] - want[axis]) * (got[axis] - want[axis]);
+            *off = fmax(*off, sqrt(sum));
+        }
+    return status;
+}
+
+int ENGINE_OF(engine_fit_surface)(const engine_grid_fit *f, double out[][ENGINE_AXES], double *off)
+{
+    held_grid h = { .p = NULL };
+    int status = LOFT_ERR_RANGE;
+
+    if (hold_grid(f, &h)) {
+        const loft_fit_grid data = { h.p, h.at[0], h.at[1], (uint16_t)f->count[0],
+                                     (uint16_t)f->count[1] };
+        const loft_fit_net net = { h.knot[0],
+                                   h.knot[1],
+                                   (uint16_t)f->points[0],
+                                   (uint16_t)f->points[1],
+                                   (uint8_t)f->degree[0],
+                                   (uint8_t)f->degree[1] };
+        status = loft_surface_fit(&data, &net, h.out, h.middle, h.memory);
+    }
+    if (status == LOFT_OK)
+        status = measure_grid(f, &h, off);
+    for (size_t k = 0; k < (size_t)f->points[0] * f->points[1] && status == LOFT_OK; k++)
+        point_of(h.out[k], out[k]);
+    for (int k = 0; k < 2; k++) {
+        free(h.at[k]);
+        free(h.knot[k]);
+    }
+    free(h.p);
+    free(h.out);
+    free(h.middle);
+    free(h.memory);
     return status;
 }

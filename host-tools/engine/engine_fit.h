@@ -7,5 +7,6 @@
 #include "engine/engine_num.h"      /* ENGINE_OF */
 
 int ENGINE_OF(engine_fit_spline)(const engine_fit *f, double out[][ENGINE_AXES]);
+int ENGINE_OF(engine_fit_surface)(const engine_grid_fit *f, double out[][ENGINE_AXES], double *off);
 
 #endif

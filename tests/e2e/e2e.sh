@@ -1426,6 +1426,28 @@ case_local() {
         run 0 "$loft" eval --num $num --normal --curvature "$tmp/flat.loft"; says out '^2 0 none 0$'
     done
 }
+# a grid of points of z = x y / 8 needs one bicubic patch; of a wave more; a row that is short
+case_fit_surface() {
+    awk 'BEGIN { for (i = 0; i <= 8; i++) { for (j = 0; j <= 9; j++) print i, j, i * j / 8
+                                            print "" } }' >"$tmp/saddle.csv"
+    awk 'BEGIN { for (i = 0; i <= 24; i++) { for (j = 0; j <= 20; j++)
+                     print i, j, 3 * sin(i / 3) * cos(j / 4)
+                     print "" } }' >"$tmp/wave.csv"
+    { cat "$tmp/saddle.csv"; echo 9 9 9; } >"$tmp/short.csv"
+    for num in q16 f32 f64; do
+        run 0 "$loft" fit --surface --num $num --tol 0.001 "$tmp/saddle.csv"
+        says out '^nurbs-surface 3 3 4 4$'; says out '^8 9 9$'
+        "$loft" fit --surface --num $num --tol 0.02 "$tmp/wave.csv" >"$tmp/wave.loft"
+        run 0 "$loft" eval --num $num --uv 0,0,1,1 "$tmp/wave.loft"; says out '^0 0 0$'
+        run 0 "$loft" decide nearest --num $num --of 12,10,1.8189 "$tmp/wave.loft"
+        awk '{ exit !($7 < 0.03) }' "$tmp/out" || job_fails "wave $num: $(cat "$tmp/out")"
+    done
+    one_line 65 'a row of 1 points after rows of 10' "$loft" fit --surface "$tmp/short.csv"
+    printf '0 0 0\n1 0 0\n' >"$tmp/one.csv"
+    one_line 65 '1 rows: give two or more' "$loft" fit --surface "$tmp/one.csv"
+    one_line 65 'two rows or columns are one' "$loft" fit --surface \
+        <(cat "$tmp/one.csv"; echo; cat "$tmp/one.csv")
+}
 # a parabola as a B-spline with five inner knots needs none
 case_thin() {
     { echo 'bspline 2'

@@ -1,0 +1,24 @@
+/* host-tools/plan/grid_fit.h -- the B-spline surface near a grid of measured points, with as few
+ * knots as a tolerance takes
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_HOST_GRID_FIT_H
+#define LOFT_HOST_GRID_FIT_H
+
+#include "engine/engine.h"      /* engine, ENGINE_AXES */
+
+typedef struct {
+    double (*p)[ENGINE_AXES];   /* rows x columns, row by row */
+    unsigned count[2];
+    double *at[2], *knot[2], (*net)[ENGINE_AXES];       /* 0..1 along u and v; the result */
+    unsigned points[2], degree[2];
+    double off;                 /* the largest distance of a point from its place */
+} grid_fit;
+
+/* Fit it: more spans along both, until `off` is within tol or each point has a control point. At
+ * most `degree`, less where there are few points. Returns enum loft_status: LOFT_SINGULAR if rows
+ * coincide. */
+int  grid_fit_make(grid_fit *g, const engine *e, unsigned degree, double tol);
+void grid_fit_free(grid_fit *g);
+
+#endif
