@@ -12,12 +12,12 @@ FIRMWARES :=
 firmware:
 	+@$(PARALLEL) firmware-atmega328p $(addprefix firmware-,$(FIRMWARES))
 
-## Write it to a board   PORT=/dev/ttyUSB0 (an Uno), or BOARD=stm32f405|stm32f103|rp2040|rp2350|nrf51
+## Write it to a board   PORT=/dev/ttyUSB0 (an Uno), or BOARD=stm32f405|rp2040|rp2350|nrf51|..
 .PHONY: flash
 flash: BOARD ?= $(if $(PORT),atmega328p)
 flash:
 	@case "$(BOARD)" in \
-	atmega328p|stm32f405|stm32f405-fast|stm32f103|stm32f103-fast|stm32g0|stm32g0-fast|\
+	atmega328p|atmega328p-fast|stm32f405|stm32f405-fast|stm32f103|stm32f103-fast|stm32g0|stm32g0-fast|\
 	rp2040|rp2040-fast|rp2350|rp2350-fast|nrf51) \
 	    $(MAKE) --no-print-directory flash-$(BOARD) ;; \
 	*) echo "name the board or its port: make flash PORT=/dev/ttyUSB0 (an ATmega328P)," \

@@ -20,8 +20,9 @@
 #include "machine/machine.h"    /* loft_machine */
 #include "slots.h"              /* RING_TAIL */
 
-#define LOW     64              /* slots left in the ring when work begins: enough for the longest
-                                 * tick and for its first slots, */
+/* Slots left in the ring when work begins, 0.8 ms: enough for the longest tick and for its first
+ * slots, */
+#define LOW     (LOFT_SLOTS > 80 ? LOFT_SLOTS * 4u / 5 : 64u)
 #define PORTION 40              /* which are made at once */
 #define POWER   (1 << 3)        /* of PORTB */
 #define ENABLED (1 << 5)        /* of PORTB */

@@ -114,7 +114,7 @@ static uint16_t closed_inputs(void)
 {
     const uint8_t limits = (uint8_t)~PINB, others = (uint8_t)~PINC;
     const uint16_t closed = loft_switches_of((limits >> 1 & 3u) | (limits >> 2 & 4u) |
-                                             (others & BUTTONS) << 3 | (others & PROBE) << 1);
+                                             (others & BUTTONS) * 8u | (others & PROBE) * 2u);
     const uint16_t opens = (uint16_t)(IN_FORCE(LOFT_WIRING_OPENS) | IN_FORCE(LOFT_WIRING_OPENS + 1)
                                                                         << 8);
 

@@ -1,7 +1,8 @@
 #!/bin/bash
 # tests/target/avr.sh -- whole jobs on an emulated ATmega328P, a line `ok` or `FAIL` per number
 # SPDX-License-Identifier: MIT
-# usage: tests/target/avr.sh FIRMWARE.elf LOFT HELPERS ; HELPERS holds chip and rate
+# usage: tests/target/avr.sh FOLDER/FIRMWARE.elf LOFT HELPERS ; HELPERS holds chip and rate, and
+# FOLDER-fast the firmware for 100 slots in a ms, with pulses of 1 us
 set -u
 elf=$1 loft=$2 chip=$3/chip rate=$3/rate
 drawing=tests/drawings/outline12.csv feed=50
@@ -86,6 +87,27 @@ done
 rates "120 steps/ms, 3 axes" 3 120
 row "120 steps/ms, 3 axes: it says how many ticks were slowed" "$(said slowed)" ">=" 1
 row "120 steps/ms, 3 axes: slots missed"                    "$(value slots_missed)" = 0
+
+echo "-- 100 slots in a ms, pulses of 1 us"
+slower=$elf elf=${elf%/*}-fast/${elf##*/}
+for axes in 1 3; do
+    rates "100 steps/ms, $axes axes" $axes 100
+    row "100 steps/ms, $axes axes: ticks that were slowed"  "$(said slowed)" = 0
+    row "100 steps/ms, $axes axes: slots missed"            "$(value slots_missed)" = 0
+    row "100 steps/ms, $axes axes: slots that found the ring empty" "$(value slots_empty)" = 0
+    row "100 steps/ms, $axes axes: all interrupts"          "$(value load)" "<=" 0.68 "of the time"
+    row "100 steps/ms, $axes axes: steps apart, at least"   "$(value between_least)" ">=" 80 cycles
+    row "100 steps/ms, $axes axes: shortest pulse (1 us)"   "$(value pulse_least)" ">=" 16 cycles
+done
+on_chip "$chip" "$elf" "$loft" stream "$drawing" --feed $feed --port "$tmp/port"
+row "100 slots, a drawing: the command ends well"           "$code" = 0
+row "100 slots, a drawing: steps told and steps counted at the pins" \
+    "$(told "$tmp/out")" = "$(value position)"
+row "100 slots, a drawing: slots that found the ring empty" "$(value slots_empty)" = 0
+row "100 slots, a drawing: ticks that were slowed"      "$(grep -c 'ticks slowed' "$tmp/out")" = 0
+row "100 slots, a drawing: all interrupts"                  "$(value load)" "<=" 0.68 "of the time"
+row "100 slots: RAM, data, bss and the deepest stack"       "$(ram)" "<=" 1988 bytes
+elf=$slower
 
 echo "-- a guarded job: the switch of x closes with one pulse, without and with bouncing"
 # guarded NAME STEPS_PER_TICK STEPS[,MS] [FILTER]
