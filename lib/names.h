@@ -200,6 +200,7 @@
 #define loft_circle_spans_next     LOFT_NAME(loft_circle_spans_next)
 #define loft_circle_spans_rational LOFT_NAME(loft_circle_spans_rational)
 #define loft_conic_axes            LOFT_NAME(loft_conic_axes)
+#define loft_conic_foci            LOFT_NAME(loft_conic_foci)
 #define loft_conic_from_cubic      LOFT_NAME(loft_conic_from_cubic)
 #define loft_conic_from_half_cubic LOFT_NAME(loft_conic_from_half_cubic)
 #define loft_conic_init            LOFT_NAME(loft_conic_init)

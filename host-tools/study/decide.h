@@ -5,6 +5,7 @@
  *     engine_decide.c     the answers; engine_make.c, engine_weave.c, engine_fill.c: curves and
  *                         surfaces made of others; compiled once per number type
  *     engine_parts.c      pieces of curves, frames, polynomials
+ *     engine_net.c        places, areas and volumes of surfaces with nets
  *     engine_thin.c       B-splines with fewer knots
  *     engine_meet.c       where surfaces meet each other and curves
  *     engine_pieces.h     what all use

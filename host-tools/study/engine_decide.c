@@ -15,14 +15,8 @@
 #include "curve/rational.h"                     /* loft_rational */
 #include "curve/reduce.h"                       /* loft_bezier_exact_degree */
 #include "curve/tangent.h"                      /* loft_rational_tangent */
-#include "surface/area.h"                       /* loft_net_area */
-#include "surface/net_nearest.h"      /* loft_net_nearest */
-#include "surface/net_ray.h"          /* loft_net_ray */
-#include "surface/volume.h"                     /* loft_net_volume */
 #include "surface/triangle/triangle_shape.h"    /* loft_triangle_convex */
 
-#include "engine/engine_sheet.h"                /* engine_nets */
-#include "engine/surface.h"
 #include "study/decide.h"
 #include "study/engine_parts.h"
 #include "study/engine_patch.h"
@@ -180,8 +174,9 @@ static int conic_of(void *context, const arc_piece *a, size_t number)
     const decide_input *in = context;
     loft_weighted p[3];
     loft_conic c;
-    loft_vec centre;
+    loft_vec centre, focus[2];
     loft_real axes[2];
+    unsigned foci = 0;
     int status = LOFT_OK;
 
     if (a->b.degree == 3) {
@@ -201,8 +196,15 @@ static int conic_of(void *context, const arc_piece *a, size_t number)
     if (status != LOFT_OK)
         return status;
     printf("%zu %s%s\n", number, c.circle ? "circle, " : "", word[c.kind]);
-    if (c.kind != LOFT_CONIC_ELLIPSE && c.kind != LOFT_CONIC_HYPERBOLA)
+    if (c.kind > LOFT_CONIC_HYPERBOLA)
         return LOFT_OK;
+    status = loft_conic_foci(p, focus, &foci);
+    for (unsigned k = 0; k < foci && status == LOFT_OK; k++) {
+        printf("focus ");
+        print_vec(in, focus[k]);
+    }
+    if (status != LOFT_OK || c.kind == LOFT_CONIC_PARABOLA)
+        return status;
     status = loft_conic_axes(p, &centre, axes);
     if (status != LOFT_OK)
         return status;
@@ -301,208 +303,6 @@ static int answer_enclosed(const decide_input *in)
     return status;
 }
 
-
-// Surfaces
-// --------
-
-/* What the nets of a surface are asked; `number` is its place in the file. */
-typedef struct {
-    const decide_input *in;
-    size_t number;
-    loft_vec point, direction;
-    loft_net_near near;
-    double at[2];
-    bool found, proved;
-    loft_ray_hit hit[64];
-    double hit_at[64][2];
-    unsigned hits;
-    bool more;
-    double area, volume;
-} net_question;
-
-static int ask_nets(net_question *q, engine_net_visit *visit, bool weights)
-{
-    const surface *s = &q->in->surfaces->surface[q->number];
-    engine_surface *held;
-    int status = ENGINE_OF(engine_surfaces).open(s, &held);
-
-    if (status != LOFT_OK)
-        return status;
-    status = ENGINE_OF(engine_nets)(held, visit, q);
-    ENGINE_OF(engine_surfaces).close(held);
-    if (status == LOFT_ERR_ARG)
-        snprintf(q->in->why, DECIDE_WHY, "surface %zu is of kind %s%s: give %s", q->number,
-                 s->rational ? "rational " : "", surface_name(s->kind),
-                 weights ? "tensor, triangle, coons, bicubic, pn, nurbs-surface or octant"
-                         : "those without weights, or take `loft surface --tol`");
-    return status;
-}
-
-static int ask_each(net_question *q, engine_net_visit *visit, bool weights,
-                    void (*tell)(const net_question *q))
-{
-    int status = LOFT_OK;
-
-    for (q->number = 0; q->number < q->in->surfaces->count && status == LOFT_OK; q->number++) {
-        q->found = false;
-        q->proved = true;
-        q->hits = 0;
-        q->more = false;
-        q->area = 0;
-        status = ask_nets(q, visit, weights);
-        if (status == LOFT_OK)
-            tell(q);
-    }
-    return status;
-}
-
-static int nearest_of(void *context, loft_net net, const double from[2], const double share[2])
-{
-    net_question *q = context;
-    loft_net_near near;
-    const int status = loft_net_nearest(net, q->point, LOFT_REAL(0.0001), &near);
-
-    if (status < 0)
-        return status;
-    q->proved = q->proved && status == LOFT_OK;
-    if (q->found && !(near.distance < q->near.distance))
-        return LOFT_OK;
-    q->found = true;
-    q->near = near;
-    q->at[0] = from[0] + share[0] * double_of_unit(near.u);
-    q->at[1] = from[1] + share[1] * double_of_unit(near.v);
-    return LOFT_OK;
-}
-
-static void tell_nearest(const net_question *q)
-{
-    printf("%zu u %.9g v %.9g distance %.9g%s at ", q->number, q->at[0], q->at[1],
-           double_of_acc(q->near.distance), q->proved ? "" : " (not proved)");
-    print_vec(q->in, q->near.point);
-}
-
-static int answer_nearest(const decide_input *in)
-{
-    net_question q = { .in = in };
-    loft_real x[3];
-    const int status = in->of->count == 3 ? numbers_of(in, x, 3) : LOFT_ERR_ARG;
-
-    for (int axis = 0; axis < 3 && status == LOFT_OK; axis++)
-        q.point.axis[axis] = x[axis];
-    return status ? status : ask_each(&q, nearest_of, true, tell_nearest);
-}
-
-/* Insert, sorted by t; a hit on the border of two spans is one. */
-static void keep_hit(net_question *q, const loft_ray_hit *hit, double u, double v)
-{
-    unsigned k = 0;
-
-    for (k = 0; k < q->hits; k++)
-        if (hit->edge && q->hit[k].edge && fabs(q->hit_at[k][0] - u) < 0x1p-20 &&
-            fabs(q->hit_at[k][1] - v) < 0x1p-20)
-            return;
-    q->more = q->more || q->hits == 64;
-    if (q->hits == 64)
-        return;
-    for (k = q->hits++; k > 0 && q->hit[k - 1].t > hit->t; k--) {
-        q->hit[k] = q->hit[k - 1];
-        q->hit_at[k][0] = q->hit_at[k - 1][0];
-        q->hit_at[k][1] = q->hit_at[k - 1][1];
-    }
-    q->hit[k] = *hit;
-    q->hit_at[k][0] = u;
-    q->hit_at[k][1] = v;
-}
-
-static int hits_of(void *context, loft_net net, const double from[2], const double share[2])
-{
-    net_question *q = context;
-    loft_ray_hit hit[64];
-    unsigned count = 0;
-    const int status = loft_net_ray(net, q->point, q->direction, hit, 64, &count);
-
-    for (unsigned k = 0; k < count; k++)
-        keep_hit(q, &hit[k], from[0] + share[0] * double_of_unit(hit[k].u),
-                 from[1] + share[1] * double_of_unit(hit[k].v));
-    q->more = q->more || status == LOFT_MORE;
-    return status < 0 ? status : LOFT_OK;
-}
-
-static void tell_hits(const net_question *q)
-{
-    for (unsigned k = 0; k < q->hits; k++)
-        printf("%zu t %.9g u %.9g v %.9g%s%s\n", q->number, double_of_acc(q->hit[k].t),
-               q->hit_at[k][0], q->hit_at[k][1], q->hit[k].edge ? " edge" : "",
-               q->hit[k].touch ? " touch" : "");
-    if (q->more)
-        printf("%zu more\n", q->number);
-}
-
-static int answer_ray(const decide_input *in)
-{
-    static net_question q;
-    loft_real x[6];
-    const int status = in->of->count == 6 ? numbers_of(in, x, 6) : LOFT_ERR_ARG;
-
-    q.in = in;
-    for (int axis = 0; axis < 3 && status == LOFT_OK; axis++) {
-        q.point.axis[axis] = x[axis];
-        q.direction.axis[axis] = x[axis + 3];
-    }
-    return status ? status : ask_each(&q, hits_of, true, tell_hits);
-}
-
-static int area_of(void *context, loft_net net, const double from[2], const double share[2])
-{
-    net_question *q = context;
-    loft_acc area = 0;
-    const int status = loft_net_area(net, LOFT_REAL(0.001), &area);
-
-    (void)from;
-    (void)share;
-    q->area += double_of_acc(area);
-    return status;
-}
-
-static void tell_area(const net_question *q) { printf("%zu area %.9g\n", q->number, q->area); }
-
-static int answer_area(const decide_input *in)
-{
-    net_question q = { .in = in };
-
-    return ask_each(&q, area_of, false, tell_area);
-}
-
-/* The cone from the origin over a net, a part of the volume. */
-static int volume_of(void *context, loft_net net, const double from[2], const double share[2])
-{
-    net_question *q = context;
-    const loft_net both[2] = { { &q->point, NULL, 0, 0, false }, net };
-    loft_acc volume = 0;
-    const int status = loft_net_volume(both, 2, &volume);
-
-    (void)from;
-    (void)share;
-    q->volume += double_of_acc(volume);
-    return status;
-}
-
-static void tell_nothing(const net_question *q) { (void)q; }
-
-/* Cones from one point over all nets; a net that is that point alone gives it to the library. */
-static int answer_volume(const decide_input *in)
-{
-    net_question q = { .in = in };
-
-    if (in->surfaces->surface[0].count > 0 &&
-        !vec_of(in->surfaces->surface[0].point[0].p, &q.point))
-        return LOFT_ERR_RANGE;
-    const int status = ask_each(&q, volume_of, false, tell_nothing);
-    if (status == LOFT_OK)
-        printf("volume %.9g\n", q.volume);
-    return status;
-}
-
 const decide_question ENGINE_OF(decide)[DECIDE_QUESTIONS] = {
     { "positive", DECIDE_NUMBERS, 1, DECIDE_ANY, "Bernstein coefficients", answer_positive },
     { "convex", DECIDE_NUMBERS, 1, DECIDE_ANY, "Bernstein coefficients", answer_convex },
@@ -523,10 +323,11 @@ const decide_question ENGINE_OF(decide)[DECIDE_QUESTIONS] = {
     { "conic", DECIDE_CURVES, 0, 0, "nothing", answer_conic },
     { "meet", DECIDE_CURVES, 0, 0, "nothing", answer_meet },
     { "enclosed", DECIDE_CURVES, 0, 0, "nothing", answer_enclosed },
-    { "nearest", DECIDE_SURFACES, 3, 3, "a point x,y,z", answer_nearest },
-    { "ray", DECIDE_SURFACES, 6, 6, "a point and a direction x,y,z,dx,dy,dz", answer_ray },
+    { "nearest", DECIDE_SURFACES, 3, 3, "a point x,y,z", ENGINE_OF(answer_nearest) },
+    { "ray", DECIDE_SURFACES, 6, 6, "a point and a direction x,y,z,dx,dy,dz",
+      ENGINE_OF(answer_ray) },
     { "pierce", DECIDE_BOTH, 1, 1, "a tolerance above 0", ENGINE_OF(answer_pierce) },
-    { "area", DECIDE_SURFACES, 0, 0, "nothing", answer_area },
-    { "volume", DECIDE_SURFACES, 0, 0, "nothing", answer_volume },
+    { "area", DECIDE_SURFACES, 0, 0, "nothing", ENGINE_OF(answer_area) },
+    { "volume", DECIDE_SURFACES, 0, 0, "nothing", ENGINE_OF(answer_volume) },
     { "join", DECIDE_SURFACES, 0, 2, "nothing, or shares of T2 and T3", ENGINE_OF(answer_join) },
 };

@@ -15,6 +15,12 @@ int ENGINE_OF(make_quarter)(const decide_input *in);
 int ENGINE_OF(make_continue)(const decide_input *in);
 int ENGINE_OF(answer_join)(const decide_input *in);
 
+/* engine_net.c: of each surface with a net */
+int ENGINE_OF(answer_nearest)(const decide_input *in);
+int ENGINE_OF(answer_ray)(const decide_input *in);
+int ENGINE_OF(answer_area)(const decide_input *in);
+int ENGINE_OF(answer_volume)(const decide_input *in);
+
 /* engine_meet.c: surfaces with nets, and curves */
 int ENGINE_OF(make_meet)(const decide_input *in);
 int ENGINE_OF(answer_pierce)(const decide_input *in);

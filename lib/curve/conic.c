@@ -224,6 +224,98 @@ enum loft_status loft_conic_axes(const loft_weighted p[3], loft_vec *centre, lof
     return LOFT_OK;
 }
 
+/* Complex numbers: { real, imaginary } */
+typedef struct {
+    loft_sci x, y;
+} plane;
+
+static plane plane_times(plane a, plane b)
+{
+    const plane out = { loft_sci_sub(loft_sci_mul(a.x, b.x), loft_sci_mul(a.y, b.y)),
+                        loft_sci_add(loft_sci_mul(a.x, b.y), loft_sci_mul(a.y, b.x)) };
+    return out;
+}
+
+static plane plane_scaled(plane a, loft_sci by)
+{
+    const plane out = { loft_sci_mul(a.x, by), loft_sci_mul(a.y, by) };
+    return out;
+}
+
+/* The root whose larger part is found without cancelling. */
+static plane plane_root(plane a)
+{
+    const loft_sci half = loft_sci_power2(-1);
+    const loft_sci size = loft_sci_sqrt(
+        loft_sci_add(loft_sci_mul(a.x, a.x), loft_sci_mul(a.y, a.y)));
+    const loft_sci more = loft_sci_sqrt(loft_sci_mul(half, loft_sci_add(size, loft_sci_abs(a.x))));
+    const loft_sci less = loft_sci_sign(more) > 0 ? loft_sci_div(loft_sci_mul(half, a.y), more)
+                                                  : loft_sci_zero();
+    const bool right = loft_sci_sign(a.x) >= 0;
+    const plane out = { right ? more : less, right ? less : more };
+    return out;
+}
+
+/* A line through the focus f with the slope i is x + i y = f. It touches the curve: with z = x + i
+ * y the polynomial of the weighted z_k - f has a double root, w1^2 (z1 - f)^2 = w0 w2 (z0 - f) (z2
+ * - f). With g = f - z1, a = z0 - z1, b = z2 - z1, q = w0 w2, d = q - w1^2:
+ *
+ *     d g^2 - q (a + b) g + q a b = 0
+ *
+ * Its roots are the foci; of a parabola d = 0. */
+static void find_foci(const plane leg[2], loft_sci q, loft_sci d, bool parabola, plane g[2])
+{
+    const plane sum = { loft_sci_add(leg[0].x, leg[1].x), loft_sci_add(leg[0].y, leg[1].y) },
+                product = plane_times(leg[0], leg[1]);
+
+    if (parabola) {                             /* a b / (a + b) */
+        const plane across = { sum.x, loft_sci_neg(sum.y) };
+        const loft_sci square = loft_sci_add(loft_sci_mul(sum.x, sum.x),
+                                             loft_sci_mul(sum.y, sum.y));
+        g[0] = g[1] = plane_scaled(plane_times(product, across),
+                                   loft_sci_div(loft_sci_one(), square));
+        return;
+    }
+    const plane half = plane_scaled(sum, loft_sci_div(loft_sci_mul(q, loft_sci_power2(-1)), d)),
+                square = plane_times(half, half), rest = plane_scaled(product, loft_sci_div(q, d));
+    const plane under = { loft_sci_sub(square.x, rest.x), loft_sci_sub(square.y, rest.y) };
+    const plane root = plane_root(under);
+    g[0].x = loft_sci_add(half.x, root.x);
+    g[0].y = loft_sci_add(half.y, root.y);
+    g[1].x = loft_sci_sub(half.x, root.x);
+    g[1].y = loft_sci_sub(half.y, root.y);
+}
+
+enum loft_status loft_conic_foci(const loft_weighted p[3], loft_vec focus[2], unsigned *count)
+{
+    loft_vec out[2] = { { { 0 } }, { { 0 } } };
+    loft_conic kind;
+    plane leg[2], g[2];
+
+    if (LOFT_AXES < 2)
+        return LOFT_ERR_ARG;
+    if (loft_conic_init(&kind, p) != LOFT_OK)
+        return LOFT_ERR_RANGE;
+    if (kind.kind > LOFT_CONIC_HYPERBOLA)
+        return LOFT_SINGULAR;
+    const bool parabola = kind.kind == LOFT_CONIC_PARABOLA;
+    const loft_sci w1 = loft_sci_from_real(p[1].w), x = sci_axis(&p[1], 0), y = sci_axis(&p[1], 1),
+                   q = loft_sci_mul(loft_sci_from_real(p[0].w), loft_sci_from_real(p[2].w));
+    for (int k = 0; k < 2; k++) {
+        leg[k].x = loft_sci_sub(sci_axis(&p[2 * k], 0), x);
+        leg[k].y = loft_sci_sub(sci_axis(&p[2 * k], 1), y);
+    }
+    find_foci(leg, q, loft_sci_sub(q, loft_sci_mul(w1, w1)), parabola, g);
+    for (int k = 0; k < 2; k++)
+        if (!round_real(loft_sci_add(g[k].x, x), &out[k].axis[0]) ||
+            !round_real(loft_sci_add(g[k].y, y), &out[k].axis[LOFT_AXES > 1]))
+            return LOFT_ERR_RANGE;
+    *count = parabola ? 1 : 2;
+    for (unsigned k = 0; k < *count; k++)
+        focus[k] = out[k];
+    return LOFT_OK;
+}
+
 /* Is h3 - 3 h2 + 3 h1 - h0 = 0 for h = w x (axis) or h = w (axis -1)? */
 static bool third_difference_zero(const loft_weighted p[4], int axis)
 {

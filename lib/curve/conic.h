@@ -57,6 +57,19 @@ enum loft_status loft_conic_init(loft_conic *out, const loft_weighted p[3]) LOFT
 enum loft_status loft_conic_axes(const loft_weighted p[3], loft_vec *centre,
                                  loft_real axes[2]) LOFT_CHECKED;
 
+/* The foci: two of an ellipse or a hyperbola, the centre twice of a circle, one of a parabola.
+ *
+ *   range   as loft_conic_axes, and a parabola; LOFT_ERR_ARG with fewer than two axes; the results
+ *           are untouched after an error. Further axes are 0
+ *   error   with s and e as there, c half the distance of the foci, L the largest coordinate: q16:
+ *           1/2 LSB + 2^-17 LSB   f32: 1/2 ulp; and 8 e s L (1 + s L / c), at most 4 sqrt(e) s L.
+ *           A parabola: 8 e |a| |b| (|a| + |b|) / |a + b|^2, a and b the legs from its middle point
+ *   cost    as loft_conic_init, and in numbers of num/sci.h 25 products, 3 quotients and 3 roots
+ *   see     Salmon, Conic Sections: foci are where two tangents of slope i and -i meet
+ */
+enum loft_status loft_conic_foci(const loft_weighted p[3], loft_vec focus[2],
+                                 unsigned *count) LOFT_CHECKED;
+
 /* Is this rational cubic a conic, exactly? Then out[3] is the rational quadratic, with the weights
  * of both ends.
  *

@@ -1372,6 +1372,7 @@ case_decide() {
         printf 'rational 2\n1 0 : 1\n1 1 : 1\n0 1 : 2\n' >"$tmp/conic.loft"
         run 0 "$loft" decide conic --num $num "$tmp/conic.loft"
         says out '^0 circle, ellipse'; says out '^centre 0 0'; says out '^axes 1 1'
+        says out '^focus 0 0'
         printf 'rational 3\n3 0 : 3\n3 6 : 1\n-3 6 : 1\n-3 0 : 3\n' >"$tmp/half.loft"
         run 0 "$loft" decide conic --num $num "$tmp/half.loft"
         says out '^0 circle, ellipse'; says out '^centre 0 0'; says out '^axes 3 3'

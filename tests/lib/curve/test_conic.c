@@ -229,10 +229,64 @@ static void half_ellipses_have_a_half(arb *a)
     CHECK(loft_conic_from_half_cubic(q, out) == LOFT_SINGULAR);
 }
 
+/* x = a c(t), y = b s(t) with (c, s) = (1 - t^2, 2 t) / (1 + t^2), turned by 3-4-5: foci at +-
+ * sqrt(a^2 - b^2) along the longer axis; y = x^2 / 4 f has its focus at f. */
+static void foci_are_where_they_are_known(arb *a)
+{
+#if LOFT_AXES > 1
+    const int32_t m = 5 * (1 + (int32_t)arb_below(a, 60)), n = 5 * (1 + (int32_t)arb_below(a, 60));
+    const bool parabola = arb_below(a, 3) == 0;
+    /* points of the curve with the weights 1, 1, 2, or 1, 1, 1 */
+    const int32_t x[3] = { parabola ? -2 * m : m, parabola ? 0 : m, parabola ? 2 * m : 0 },
+                  y[3] = { parabola ? m : 0, parabola ? -m : n, parabola ? m : n };
+    const long double c = parabola ? 0 : sqrtl(fabsl((long double)m * m - (long double)n * n)),
+                      at[2] = { m >= n ? c : 0, parabola ? m
+                                                : m >= n ? 0
+                                                         : c };
+    loft_weighted p[3];
+    loft_vec focus[2];
+    unsigned count = 0;
+
+    for (int k = 0; k < 3; k++) {
+        p[k].p = (loft_vec){ { 0 } };
+        p[k].p.axis[0] = loft_real_from_int((3 * x[k] - 4 * y[k]) / 5);
+        p[k].p.axis[1] = loft_real_from_int((4 * x[k] + 3 * y[k]) / 5);
+        p[k].w = loft_real_from_int(parabola || k < 2 ? 1 : 2);
+    }
+    CHECK(loft_conic_foci(p, focus, &count) == LOFT_OK && count == (parabola ? 1u : 2u));
+    const long double want[2] = { (3 * at[0] - 4 * at[1]) / 5, (4 * at[0] + 3 * at[1]) / 5 };
+    const long double sign =
+        want[0] * exact_of(focus[0].axis[0]) + want[1] * exact_of(focus[0].axis[1]) < 0 ? -1 : 1;
+    for (unsigned k = 0; k < count; k++)
+        for (int axis = 0; axis < 2; axis++)
+            CHECK_EXACT(exact_of(focus[k].axis[axis]), (k ? -sign : sign) * want[axis],
+                        bound_by_num(LSB / 2 + 0x1p-20L, 2 * ulp(300), 0x1p-13L));
+#else
+    (void)a;
+#endif
+}
+
+static void lines_have_no_foci(arb *a)
+{
+    loft_weighted p[3] = { { { { 0 } }, LOFT_REAL(1) },
+                           { { { 0 } }, LOFT_REAL(1) },
+                           { { { 0 } }, LOFT_REAL(1) } };
+    loft_vec focus[2];
+    unsigned count = 7;
+
+    if (LOFT_AXES < 2)
+        return;
+    p[1].p.axis[0] = loft_real_from_int(1 + (int32_t)arb_below(a, 100));
+    p[2].p.axis[0] = loft_real_from_int(-1 - (int32_t)arb_below(a, 100));
+    CHECK(loft_conic_foci(p, focus, &count) == LOFT_SINGULAR && count == 7);
+}
+
 int main(void)
 {
     PROPERTY(kinds_are_those_of_integers,             3000);
     PROPERTY(quarters_with_exact_weights_are_circles,  300);
+    PROPERTY(foci_are_where_they_are_known,            500);
+    PROPERTY(lines_have_no_foci,                        20);
     PROPERTY(axes_are_those_of_the_curve,              500);
     PROPERTY(raised_conics_are_recognized,             500);
     PROPERTY(half_ellipses_have_a_half,                300);
