@@ -15,6 +15,8 @@
  *
  * since a change of velocity v w that takes T = sqrt(4 v w / j) leaves the corner by j T^3 / 40.
  *
+ * A place goes onto each sharp joint, but not onto two within a quarter of a period.
+ *
  * Where corners have a larger tolerance, that is the one at joints that turn by more than 5
  * degrees, at the scale of the tolerance as well. It holds on ways from a place to the next that
  * are wholly within 31 times itself from them.
@@ -28,6 +30,7 @@
 #define UNIT        LOFT_CHAIN_UNIT
 #define SHARP       LOFT_CHAIN_SHARP
 #define SCALES      5
+#define CLOSE       4                               /* parts of a period */
 #define NEAR        31                              /* tolerances of a corner */
 
 static loft_coord least(loft_coord a, loft_coord b) { return a < b ? a : b; }
@@ -304,6 +307,14 @@ static int64_t known(const loft_corners *c)
     return s;
 }
 
+/* Is it passed so soon after a sharp one? Places on both would be a stop: a period for so short a
+ * way. */
+static bool is_close(const loft_corners *c, int64_t s, loft_coord speed)
+{
+    const loft_corner *last = &c->corner[c->count > 0 ? c->count - 1u : 0];
+    return c->count > 0 && last->sharp && s - last->s < speed / CLOSE;
+}
+
 /* The joint before stretch `looked`. */
 static void look_at_joint(loft_corners *c)
 {
@@ -320,7 +331,7 @@ static void look_at_joint(loft_corners *c)
         loft_corners_add(c, loft_corner_of(s, speed > 1 ? speed : 1,
                                            least(loft_corner_jerk(p, before->to, cap),
                                                  loft_corner_jerk(p, after->from, cap)),
-                                           is_sharp(before, after)));
+                                           is_sharp(before, after) && !is_close(c, s, speed)));
 }
 
 /* The largest scale at which a joint is looked at. */
