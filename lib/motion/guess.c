@@ -8,7 +8,7 @@
 #if LOFT_PLAN_EFFORT > 1
 
 #define PERIOD      65536           /* of times */
-#define SWEEPS      40
+#define SWEEPS          30
 #define AHEAD       22              /* knots that the pace of one looks ahead */
 #define BEHIND      16
 #define ROUGH       6

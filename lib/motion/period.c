@@ -7,8 +7,9 @@
  * more, jerk gets several periods to build up the acceleration: h = a / (8 j).
  *
  * Control values of spans are multiples of a grain, 2^-16 mm. With n0, n1 the second differences at
- * both ends of a span, in grains, acceleration is 6 n / h^2 and jerk 6 (n1 - n0) / h^3. So what a
- * machine may do is a whole number of 6 grains: h^3 >= 6 grains / j, and h^2 >= 6 grains / a.
+ * both ends of a span, in grains, acceleration is 6 n / h^2 and jerk 6 (n1 - n0) / h^3. So a machine
+ * must be allowed 6 grains: h^3 >= 6 grains / j, and h^2 >= 6 grains / a. Parts of 6 grains may be
+ * planned as well: thin.c holds them.
  *
  * Where jerk is not limited, it is 2 tol: a h^2 = 2 tol, and acceleration takes a period to change.
  * Where not even a tick is that short, less of the limits is used.
@@ -84,7 +85,12 @@ static uint16_t shortest(const loft_period *p)
     return (uint16_t)half;
 }
 
-static loft_coord whole(loft_coord x, loft_coord part) { return x > part ? x - x % part : part; }
+/* Of a speed: whole steps of 3 grains. */
+static loft_coord whole(loft_coord x)
+{
+    const loft_coord step = 3 * LOFT_COORD_GRAIN;
+    return x > step ? x - x % step : x;
+}
 
 void loft_period_init(loft_period *period, const loft_limits *limits)
 {
@@ -107,11 +113,9 @@ void loft_period_init(loft_period *period, const loft_limits *limits)
                       j = in_period(period, (int64_t)limits->max_jerk[i] << LOFT_COORD_BITS);
         const loft_coord accel = cut_off(in_period(period, a)), soft = 2 * period->tol,
                          jerk = cut_off(in_period(period, in_period(period, j)));
-        period->speed[i] = whole(speed_of(period, limits->max_speed[i]), 3 * LOFT_COORD_GRAIN);
-        period->accel[i] = whole(jerk > 0 ? accel : least(accel, 6 * period->tol),
-                                 6 * LOFT_COORD_GRAIN);
-        period->jerk[i] = whole(least(jerk > 0 ? jerk : period->accel[i], soft),
-                                6 * LOFT_COORD_GRAIN);
+        period->speed[i] = whole(speed_of(period, limits->max_speed[i]));
+        period->accel[i] = jerk > 0 ? accel : least(accel, 6 * period->tol);
+        period->jerk[i]  = least(jerk > 0 ? jerk : period->accel[i], soft);
     }
     period->last = shortest(period);
     const loft_coord spans = period->tol / 24 + loft_coord_length(period->jerk) / 18;

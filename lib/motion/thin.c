@@ -24,11 +24,11 @@
  *     v = p1 - p0,   n0 = p2 - 2 p1 + p0,   n1 = p3 - 2 p2 + p1,   p3 = p0 + 3 v + 2 n0 + n1
  *
  * where p0 is the end of the span before. Speed, acceleration and jerk are 3 v / h, 6 n / h^2 and
- * 6 (n1 - n0) / h^3, and limits are whole numbers of grains (period.c). If the wanted w0, w1 are
- * within the limits so are n0, n1 for a choice of floor or floor + 1 of each: if floor(w1) -
- * floor(w0) exceeds the jerk j, it is j + 1, then w0 is no whole number and floor(w0) + 1 will do.
- * What is left of an excess of w1 - w0 is taken off both. So limits are held without any margin.
- * For each n0, n1 there is a v for which p3 is off by less than a grain and a half, and for one
+ * 6 (n1 - n0) / h^3, and the limits of a span are whole numbers of grains. What w1 - w0 exceeds the
+ * jerk by is taken off both. If the wanted w0, w1 are within the limits then so are n0, n1 for a
+ * choice of floor or floor + 1 of each: if floor(w1) - floor(w0) exceeds the jerk j, it is j + 1,
+ * then w0 is no whole number and floor(w0) + 1 will do. So limits are held without any margin.
+ * For each n0, n1 there is a v for which p3 is off by at most a grain and a half, and for one
  * choice of them by half a grain. Velocity and acceleration jump by a grain or two where spans
  * meet; rounded for themselves they would jump as well.
  */
@@ -299,12 +299,13 @@ static int64_t floor_of(int64_t x, int32_t n) { return x >= 0 ? x / n : -((n - 1
 static int64_t square_of(int64_t x) { return x * x; }
 
 /* What is wanted of an axis in a span: 6 v, 6 n0, 6 n1 and 6 times the way to its end, in units; if
- * `ends` the next span is the last one, and the end of the chain is `rest` from here. Most of v, n
- * and n1 - n0, in grains; of what remains to the end, in units. */
+ * `ends` the next span is the last one, and the end of the chain is `rest` from here; if it
+ * `begins` it starts from rest. Most of v, n and n1 - n0, in grains; of what remains to the end, in
+ * units. */
 typedef struct {
     int64_t v, n0, n1, way, rest;
     int64_t speed, accel, jerk, remains;
-    bool    ends;
+    bool    begins, ends;
 } wanted;
 
 /* Where the span ends, from its start. */
@@ -321,6 +322,7 @@ static int64_t over_of(steps_of_axis x, const wanted *w)
     return beyond(x.v, w->speed) + beyond(x.v + x.n0, w->speed) +
            beyond(x.v + x.n0 + x.n1, w->speed) + beyond(x.n0, w->accel) + beyond(x.n1, w->accel) +
            beyond(x.n1 - x.n0, w->jerk) +
+           (w->begins ? loft_long_abs(x.v) + loft_long_abs(x.n0) : 0) +
            (w->ends ? beyond(w->rest - way_of(x) * LOFT_COORD_GRAIN, w->remains) : 0);
 }
 
@@ -344,8 +346,13 @@ static steps_of_axis rounded(const wanted *w)
         return best;                        /* it stands still */
     for (int n = 0; n < 12; n++) {
         steps_of_axis x = { n / 4 - 1, f0 + (n & 1), f1 + (n >> 1 & 1) };
-        const int32_t six_v = left - (int32_t)(2 * x.n0 + x.n1);
-        x.v += six_v >= 0 ? six_v / 6 : -((5 - six_v) / 6);
+        if (w->begins) {                    /* v and n0 are 0, so n1 alone is the way */
+            x.n1 += x.v;
+            x.v = 0;
+        } else {
+            const int32_t six_v = left - (int32_t)(2 * x.n0 + x.n1);
+            x.v += six_v >= 0 ? six_v / 6 : -((5 - six_v) / 6);
+        }
         const int64_t cost = cost_of(x, w);
         if (cost < least) {
             least = cost;
@@ -365,11 +372,17 @@ static int64_t most_of_last(const loft_thin *t, int i)
            (6 * whole * whole);
 }
 
+static int64_t within(int64_t x, int64_t most) { return x > most ? most : x < -most ? -most : x; }
+
+/* Six grains, so often. */
+static int64_t whole(int64_t x) { return x - x % SIX_GRAINS; }
+
 /* What is wanted of the next span. */
 static wanted want(const loft_thin *t, int i)
 {
     const loft_period *p = t->period;
-    const int64_t n = from_to(t, FIRST, FIRST + 1), most = p->jerk[i] * n * n * n;
+    const int64_t n = from_to(t, FIRST, FIRST + 1), most = whole(p->jerk[i] * n * n * n),
+                  accel = whole(p->accel[i] * n * n);
     const bool ends = t->ended && FIRST + 5u == t->count;
     rates r;
 
@@ -381,14 +394,15 @@ static wanted want(const loft_thin *t, int i)
                          : jerk < -most ? jerk + most
                                         : 0;
     const wanted w = { .v = 2 * e.v0 * n >> FINE,
-        .n0 = n0 + more / 2,
-        .n1 = n1 - (more - more / 2),
+        .n0 = within(n0 + more / 2, accel),
+        .n1 = within(n1 - (more - more / 2), accel),
         .way  = e.six_p3 - t->grains[i] * SIX_GRAINS,
         .rest = t->point[t->count - 1].at[i] - t->grains[i] * LOFT_COORD_GRAIN,
         .speed = p->speed[i] / (3 * LOFT_COORD_GRAIN) * n,
-        .accel = p->accel[i] / (6 * LOFT_COORD_GRAIN) * n * n,
-        .jerk  = p->jerk[i] / (6 * LOFT_COORD_GRAIN) * n * n * n,
+        .accel = accel / SIX_GRAINS,
+        .jerk  = most / SIX_GRAINS,
         .remains = ends ? most_of_last(t, i) : 0,
+                       .begins = !t->moves,
                        .ends = ends };
     return w;
 }

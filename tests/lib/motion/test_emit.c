@@ -78,11 +78,14 @@ static void all_limits_are_held_exactly(arb *a)
     loft_period_init(&p, &limits);
     p.joined = 1;
     arb_motion(a, &p);
-    const loft_position first = place_of(0), last = place_of(samples - 1);
+    const loft_position first = place_of(0);
+    loft_position last = place_of(samples - 1);
     begin_chain();
     curves = 1;
     for (int k = 0; k < 4; k++)
         chain[0].curve.p[k] = vec_of(k < 2 ? &first : &last);
+    for (int i = 0; i < LOFT_AXES; i++)             /* the sample is the end that is given */
+        last.axis[i] = loft_coord_of(loft_to_acc(chain[0].curve.p[3].axis[i]));
     loft_emit_begin(&emit, &p, chain[0].curve.p[0]);
     count = 0;
     for (unsigned k = 0; k < samples; k++) {

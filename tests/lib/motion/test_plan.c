@@ -295,6 +295,7 @@ static void larger_corners_are_faster(bool star)
     for (int n = 0; n < 3; n++) {
         corners_of_lines(star);
         limits.corner = real_of(n * (n + 3) * 0.005);       /* 0, 20, 50 um */
+        limits.tick_hz = 20000;                             /* whole ticks hide little */
         CHECK(plan_chain(&all_at_once) == PLANNED);
         CHECK(spans_connect());
         CHECK(seconds() < before);
