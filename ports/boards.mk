@@ -1,7 +1,7 @@
 # ports/boards.mk -- how the firmware of a 32-bit board is built; each port.mk names its boards
 # SPDX-License-Identifier: MIT
 
-MACHINE_SRC  = $(wildcard $(patsubst %,lib/%/*.c,num geom kinematics motion wire machine))
+MACHINE_SRC  = $(wildcard $(patsubst %,lib/%/*.c,num geom kinematics path motion wire machine))
 FIRMWARE_SRC = ports/firmware.c ports/bare/memory.c $(MACHINE_SRC)
 FIRMWARE_FLAGS = -std=c99 -O2 -ffreestanding -ffunction-sections -fdata-sections \
                  $(WARN) $(DEPS) -Ilib -Iports $(call num_flag,q16)

@@ -96,7 +96,7 @@ test-axes: $(AXES_EACH)
 
 # --- the planner with the effort of a chip: its bounds on times are wider ------------------------
 CHIP_TESTS := plan planner timing
-CHIP_ROOMS := num geom basis curve kinematics motion wire machine
+CHIP_ROOMS := num geom basis curve kinematics path motion wire machine
 CHIP_SRC   := $(foreach r,$(CHIP_ROOMS),$(sort $(wildcard lib/$(r)/*.c)))
 build/effort/lib/%.o: lib/%.c | lib/names.h
 	@mkdir -p $(@D)

@@ -33,7 +33,7 @@ typedef struct {
     double max_speed[ENGINE_AXES], max_accel[ENGINE_AXES];      /* mm/s, mm/s^2 */
     double max_jerk[ENGINE_AXES];                               /* mm/s^3, or 0 */
     double corner, tol;                                         /* mm           */
-    double exact;                                               /* as in lib/motion/limits.h */
+    double exact;                                               /* as in lib/path/limits.h */
     unsigned tick_hz;
 } engine_limits;
 

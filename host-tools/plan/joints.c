@@ -17,7 +17,7 @@
 #define SHORT     0.02      /* mm: shorter pieces may change it more */
 #define CUTS      20        /* halvings of a move, then following it fails */
 #define POLE      1e-6      /* mm: closer than this is the pole */
-#define SPEED_MAX 16383.0   /* of a plan, lib/motion/limits.h                       */
+#define SPEED_MAX 16383.0   /* of a plan, lib/path/limits.h                       */
 #define ACCEL_MAX 16383.0
 #define JERK_MAX  1e7
 #define TOL_MIN   (1 / 1024.0)

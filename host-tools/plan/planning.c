@@ -10,10 +10,10 @@
 #include "plan/tools.h"          /* tools_apply */
 #include "base/source.h"         /* source_name */
 
-#define JERK_MAX 1e7        /* mm/s^3, of lib/motion/limits.h                    */
+#define JERK_MAX 1e7        /* mm/s^3, of lib/path/limits.h                    */
 #define SMOOTH_PART 0.2     /* of the tolerance: for replacing lines by curves */
 #define MAP_PART    0.2     /* of the tolerance: for the curves of nonlinear motors */
-#define TOL_MIN     (1 / 1024.0)    /* mm, of lib/motion/limits.h                */
+#define TOL_MIN     (1 / 1024.0)    /* mm, of lib/path/limits.h                */
 #define TOL_MAX 1.0         /* mm, of --tol */
 #define RAPID 1000.0        /* mm/s: more than any axis; so its own limits are the rapid speed */
 #define EXACT_DEGREES 5     /* a smaller turn is no corner */

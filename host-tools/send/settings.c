@@ -15,7 +15,7 @@
 #define ANSWERS  60.0           /* s without this answer; a line may damage many in a row */
 #define MOST     65535u
 #define CHECK_BYTES 4
-#define JERK_MAX 1e7            /* mm/s^3, of lib/motion/limits.h */
+#define JERK_MAX 1e7            /* mm/s^3, of lib/path/limits.h */
 #define JERK_PER 20             /* 1/s times the acceleration, as in plan/planning.c */
 
 /* Send one SET and wait for its answer, in t->sender.kept. */

@@ -1,4 +1,4 @@
-/* lib/motion/emit.h -- samples of the motion become spans
+/* lib/motion/emit.h -- places of the timed path at even periods, and spans of these samples
  * SPDX-License-Identifier: MIT
  *
  * The motion is a uniform cubic B-spline in time, with the samples X at its knots: control points
@@ -8,8 +8,38 @@
 #define LOFT_MOTION_EMIT_H
 
 #include "motion/thin.h"    /* loft_thin, loft_period, loft_span */
+#include "motion/timing.h"  /* loft_knot */
 
 LOFT_BEGIN_C
+
+/* Time: 2^30 is a period. */
+typedef int64_t loft_time;
+#define LOFT_TIME_ONE ((loft_time)1 << 30)
+
+/* A place between knot k and the next, `time` after knot k. */
+typedef struct {
+    unsigned  knot;
+    loft_time time, whole;      /* whole: the time from knot k to the next; 0: not known yet */
+} loft_sample;
+
+/* The time from knot k to the next.
+ *
+ *   error   2^-20 of it where the pace changes by less than a third
+ */
+loft_time loft_sample_time(const loft_knot knot[], unsigned k);
+
+/* Go on by `time`, up to knot `last`; gives what is left of it. */
+loft_time loft_sample_pass(loft_sample *at, const loft_knot knot[], unsigned last, loft_time time);
+
+/* How far between its knots it is, 2^-30. */
+int32_t loft_sample_part(const loft_sample *at, const loft_knot knot[]);
+
+/* Where it is on the path. */
+static inline void loft_sample_place(const loft_sample *at, const loft_knot knot[],
+                                     loft_position *out)
+{
+    loft_tube_place(knot, at->knot, loft_sample_part(at, knot), out);
+}
 
 #define LOFT_EMIT_SAMPLES 10
 

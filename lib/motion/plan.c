@@ -7,7 +7,6 @@
  */
 #include "motion/plan.h"
 
-#include "motion/aim.h" /* loft_aim_raise */
 
 #define BEHIND    4
 #define SMOOTHING 16 /* knots whose points may still move */
@@ -243,7 +242,7 @@ static void begin_raising(loft_plan *plan, unsigned sweeps)
 static void aim(loft_plan *plan)
 {
     const loft_timing timing = timing_of(plan);
-    loft_aim_raise(&timing);
+    loft_timing_aim(&timing);
 }
 
 /* Where the whole chain is known and none of it has been used, its timing is a better guess than

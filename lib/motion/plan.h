@@ -26,7 +26,6 @@
 
 #include "motion/emit.h"   /* loft_emit   */
 #include "motion/guess.h"  /* loft_guess  */
-#include "motion/sample.h" /* loft_sample */
 
 LOFT_BEGIN_C
 

@@ -9,7 +9,7 @@
 #ifndef LOFT_MOTION_THIN_H
 #define LOFT_MOTION_THIN_H
 
-#include "motion/period.h"  /* loft_period, loft_position */
+#include "path/period.h"  /* loft_period, loft_position */
 #include "motion/span.h"    /* loft_span */
 
 LOFT_BEGIN_C

@@ -9,7 +9,7 @@
 #ifndef LOFT_MOTION_TIMING_H
 #define LOFT_MOTION_TIMING_H
 
-#include "motion/tube.h"    /* loft_knot, loft_period */
+#include "path/tube.h"    /* loft_knot, loft_period */
 
 LOFT_BEGIN_C
 
@@ -47,6 +47,15 @@ int loft_timing_share(const loft_timing *timing, unsigned k);
 
 /* Are all limits held from knot `from` to knot `to`, as far as they may be used? */
 bool loft_timing_all_hold(const loft_timing *timing, unsigned from, unsigned to);
+
+/* Raise v2[from .. to - 1] at once towards a pace that is nearly the fastest; all limits stay held.
+ * Bumps would raise a ramp that is longer than they are by little in each sweep: they do what this
+ * leaves out.
+ *
+ *   cost    to - from knots at most: 6 divisions of 32 bits for each axis and about 3 calls of
+ *           loft_bump_part for each
+ */
+void loft_timing_aim(const loft_timing *timing);
 
 /* Raise once by bumps of all widths; `shift` moves them. */
 void loft_timing_raise(const loft_timing *timing, unsigned shift);

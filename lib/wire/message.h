@@ -126,7 +126,7 @@ typedef struct {
 
 /* Limits of a job for a machine that plans, in addition to its own limits. */
 typedef struct {
-    int32_t corner, tol;                /* as in lib/motion/limits.h, mm, raw Q16.16 */
+    int32_t corner, tol;                /* as in lib/path/limits.h, mm, raw Q16.16 */
     struct {
         int32_t  max_speed, max_accel;  /* raw Q16.16; the machine's own limits prevail */
         uint32_t max_jerk;              /* mm/s^3; 0: not limited */

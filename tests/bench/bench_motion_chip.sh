@@ -30,7 +30,7 @@ chain_of() {
 library() {
     rm -rf "${dir:?}/$1"
     mkdir -p "$dir/$1"
-    ls lib/num/*.c lib/geom/*.c lib/basis/*.c lib/curve/*.c lib/motion/*.c |
+    ls lib/num/*.c lib/geom/*.c lib/basis/*.c lib/curve/*.c lib/path/*.c lib/motion/*.c |
         xargs -P2 -I{} sh -c 'arm-none-eabi-gcc '"$2"' -c {} -o "$0/$(basename {} .c).o"' "$dir/$1"
     touch "$dir/$1/done"
 }

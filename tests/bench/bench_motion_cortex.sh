@@ -18,7 +18,7 @@ for core in cortex-m0 cortex-m4; do
             -Ilib -Itests/target -I"$dir" -DLOFT_AXES=3 -DJERK=$jerk -DMOVES=4 -DKNOTS=176 \
             -T tests/target/netduino.ld tests/target/microbit.c tests/target/semihost.S \
             tests/target/motion.c lib/num/*.c lib/geom/*.c lib/basis/*.c lib/curve/*.c \
-            lib/motion/*.c lib/machine/pace.c lib/machine/step.c -lgcc \
+            lib/path/*.c lib/motion/*.c lib/machine/pace.c lib/machine/step.c -lgcc \
             -o "$dir/motion-$core.elf"
         timeout 200 qemu-system-arm -M netduinoplus2 -nographic -monitor none -serial none \
             -icount shift=0 -semihosting-config enable=on,target=native \

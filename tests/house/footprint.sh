@@ -30,7 +30,7 @@ mkdir -p "$out"
 built() {       # built CHIP: each file of lib/ once
     local flags="-std=c99 -ffreestanding -Os -ffunction-sections -fdata-sections -Ilib $warnings"
     mkdir -p "$out/$1"
-    for c in $(find lib/num lib/geom lib/basis lib/curve lib/motion lib/machine lib/wire \
+    for c in $(find lib/num lib/geom lib/basis lib/curve lib/path lib/motion lib/machine lib/wire \
                    -name '*.c' | LC_ALL=C sort) ports/bare/memory.c; do
         o=$out/$1/$(echo "${c%.c}" | tr / -).o
         [ "$o" -nt "$c" ] && [ -z "$(find lib -name '*.h' -newer "$o" | head -1)" ] && continue

@@ -57,7 +57,7 @@ wrong_arrows() {        # wrong_arrows TOP ROOM..: includes of a later room
         esac
     done
 }
-{ wrong_arrows lib num geom basis curve surface polygon toolpath kinematics motion wire machine
+{ wrong_arrows lib num geom basis curve surface polygon toolpath kinematics path motion wire machine
   grep -nE '#[[:space:]]*include.*(ports|host-tools|loft\.h|port\.h)' $sources
 } | rule "arrows of lib/ point one way"
 { wrong_arrows host-tools base engine read plan send draw study cmd
@@ -85,7 +85,7 @@ for header in $headers; do
 done | sort | uniq -d | rule "no public name stands for two functions"
 
 # ... and loft.h includes every header, except internal ones of motion/ and of the packer
-not_for_users='lib/motion/|lib/num/(q16|f32|f64|floats|avr).h|lib/wire/(curve_code|varint).h'
+not_for_users='lib/path/|lib/motion/|lib/num/(q16|f32|f64|floats|avr).h|lib/wire/(curve_code|varint).h'
 echo '#include "loft.h"' | cc -Ilib -M -x c - | tr -d '\\' | tr -s ' ' '\n' |
     { cat; printf '%s\n' $headers | grep -E "$not_for_users"; } | sort -u >"$result.included"
 printf '%s\n' $headers | grep -vxF -f "$result.included" | rule "loft.h includes every header"

@@ -13,7 +13,7 @@ import os
 import re
 import sys
 
-ROOMS = ['num', 'geom', 'basis', 'curve', 'surface', 'polygon', 'toolpath', 'kinematics', 'motion',
+ROOMS = ['num', 'geom', 'basis', 'curve', 'surface', 'polygon', 'toolpath', 'kinematics', 'path', 'motion',
          'wire', 'machine']
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"[^\n]*\n', re.M)
 SYSTEM = re.compile(r'^[ \t]*#[ \t]*include[ \t]*<([^>]+)>[^\n]*\n', re.M)

@@ -1,12 +1,11 @@
 /* tests/lib/motion/test_timing.c -- properties of lib/motion/timing.h, lib/motion/bump.h and
- * lib/motion/sample.h
+ * lib/motion/emit.h
  * SPDX-License-Identifier: MIT
  */
 #include "support/motion_knots.h"   /* arb_path */
 
-#include "motion/aim.h"             /* loft_aim_raise */
 #include "motion/bump.h"            /* loft_bump_part */
-#include "motion/sample.h"          /* loft_sample_part */
+#include "motion/emit.h"            /* loft_sample_part */
 
 static void creep(void)
 {
@@ -87,7 +86,7 @@ static void raising_holds_all_limits(arb *a)
     const bool open = arb_below(a, 2);
     const loft_timing t = timing_of(open);
     CHECK(loft_timing_all_hold(&t, 1, t.end));
-    loft_aim_raise(&t);
+    loft_timing_aim(&t);
     CHECK(loft_timing_all_hold(&t, 1, t.end));
     double before = 1e300;
     for (unsigned n = 0; n < 12; n++) {

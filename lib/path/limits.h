@@ -1,8 +1,8 @@
-/* lib/motion/limits.h -- what a machine can do
+/* lib/path/limits.h -- what a machine can do
  * SPDX-License-Identifier: MIT
  */
-#ifndef LOFT_MOTION_LIMITS_H
-#define LOFT_MOTION_LIMITS_H
+#ifndef LOFT_PATH_LIMITS_H
+#define LOFT_PATH_LIMITS_H
 
 #include "geom/vec.h"   /* loft_vec */
 

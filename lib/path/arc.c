@@ -1,4 +1,4 @@
-/* lib/motion/arc.c
+/* lib/path/arc.c
  * SPDX-License-Identifier: MIT
  *
  * An arc is kept as the polynomial C(t) = c0 + c1 t + c2 t^2 + c3 t^3 of its own parameter, t =
@@ -14,7 +14,7 @@
  * arc begins c0, c1, c2 err by at most 3, 5, 3 u and, for the half of a curve or less of it, the
  * sum of all at its end by 11 u.
  */
-#include "motion/arc.h"
+#include "path/arc.h"
 
 #include "num/accs.h"       /* loft_accs_add, .. */
 

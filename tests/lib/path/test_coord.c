@@ -1,10 +1,10 @@
-/* tests/lib/motion/test_coord.c -- properties of lib/motion/coord.h
+/* tests/lib/path/test_coord.c -- properties of lib/path/coord.h
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>           /* sqrt: the reference */
 
 #include "check.h"          /* CHECK, PROPERTY */
-#include "motion/coord.h"   /* loft_coord_of */
+#include "path/coord.h"   /* loft_coord_of */
 
 static void a_length_comes_back(arb *a)
 {

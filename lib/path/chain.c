@@ -1,7 +1,7 @@
-/* lib/motion/chain.c
+/* lib/path/chain.c
  * SPDX-License-Identifier: MIT
  */
-#include "motion/chain.h"
+#include "path/chain.h"
 
 #include "geom/normal.h"    /* loft_vec_unit */
 

@@ -1,7 +1,7 @@
-/* lib/motion/coord.c
+/* lib/path/coord.c
  * SPDX-License-Identifier: MIT
  */
-#include "motion/coord.h"
+#include "path/coord.h"
 
 loft_coord loft_coord_of(loft_acc x)
 {

@@ -1,9 +1,9 @@
-/* tests/lib/motion/test_arc.c -- properties of lib/motion/arc.h
+/* tests/lib/path/test_arc.c -- properties of lib/path/arc.h
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>           /* sqrt, fmax: the reference */
 
-#include "motion/arc.h"             /* loft_arc_next, loft_arc_eval */
+#include "path/arc.h"             /* loft_arc_next, loft_arc_eval */
 #include "support/motion_oracle.h"  /* cubic_at, distance; CHECK, PROPERTY, arb */
 
 static double wide_value(loft_acc x)

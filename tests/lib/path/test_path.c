@@ -1,11 +1,11 @@
-/* tests/lib/motion/test_path.c -- properties of lib/motion/path.h
+/* tests/lib/path/test_path.c -- properties of lib/path/path.h
  * SPDX-License-Identifier: MIT
  */
 #define CURVES 64
 
 #include "support/motion_any.h"     /* arb_short_chain, path_distance */
 
-#include "motion/path.h"            /* loft_path_next */
+#include "path/path.h"            /* loft_path_next */
 
 #define PLACES 30000
 

@@ -1,4 +1,4 @@
-/* lib/motion/tube.c
+/* lib/path/tube.c
  * SPDX-License-Identifier: MIT
  *
  * The spline with control points Q is at (Q[k-1] + 4 Q[k] + Q[k+1]) / 6 at knot k. So it meets the
@@ -12,7 +12,7 @@
  * Each point in turn is moved 1.4 times as far as that asks for (over-relaxation), and back into
  * its ball.
  */
-#include "motion/tube.h"
+#include "path/tube.h"
 
 #include "num/part.h"       /* loft_part, loft_part_root */
 
@@ -198,4 +198,22 @@ void loft_tube_smooth(loft_knot knot[], unsigned from, unsigned to, int sweeps)
     for (int n = 0; n < sweeps; n++)
         for (unsigned k = from; k < to; k++)
             relax(knot, n % 2 ? from + to - 1 - k : k);
+}
+
+/* 6 S = 6 Q + D2 + z (6 D1 + z (3 D2 + z D3)) */
+void loft_tube_place(const loft_knot knot[], unsigned k, int32_t z, loft_position *out)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_coord q = knot[k].point.axis[i];
+        const int64_t a = loft_coord_sub(q, knot[k - 1].point.axis[i]),
+                      b = loft_coord_sub(knot[k + 1].point.axis[i], q),
+                      c = z > 0
+                              ? loft_coord_sub(knot[k + 2].point.axis[i], knot[k + 1].point.axis[i])
+                              : b;
+        int64_t sum = c - 2 * b + a;
+        sum = 3 * (b - a) + (sum * z >> 30);
+        sum = 3 * (a + b) + (sum * z >> 30);
+        sum = (b - a) + (sum * z >> 30);
+        out->axis[i] = loft_coord_add(q, (loft_coord)((sum + (sum < 0 ? -3 : 3)) / 6));
+    }
 }

@@ -1,4 +1,4 @@
-/* lib/motion/period.c
+/* lib/path/period.c
  * SPDX-License-Identifier: MIT
  *
  * Where jerk is limited, the period h is chosen so that the largest jerk makes a third difference
@@ -14,12 +14,10 @@
  * Where jerk is not limited, it is 2 tol: a h^2 = 2 tol, and acceleration takes a period to change.
  * Where not even a tick is that short, less of the limits is used.
  */
-#include "motion/period.h"
+#include "path/period.h"
 
 #define MOST        ((loft_coord)1 << 28)    /* of a difference that is allowed */
 #define TICKS_MAX   1001u                   /* below LOFT_SPAN_TICKS_MAX */
-
-static loft_coord least(loft_coord a, loft_coord b) { return a < b ? a : b; }
 
 /* x * ticks / hz, for x below 2^43. */
 static int64_t in_period(const loft_period *p, int64_t x) { return x * p->ticks / p->tick_hz; }
@@ -38,7 +36,7 @@ static loft_coord speed_of(const loft_period *period, loft_real speed)
 loft_coord loft_period_speed(const loft_period *period, loft_real speed)
 {
     const loft_coord v = speed_of(period, speed);
-    return v - least(6 * LOFT_COORD_GRAIN, v / 4);
+    return v - loft_coord_least(6 * LOFT_COORD_GRAIN, v / 4);
 }
 
 /* Sixteenths of a tick that a period may last, and the fewest ticks that it must. */
@@ -114,12 +112,13 @@ void loft_period_init(loft_period *period, const loft_limits *limits)
         const loft_coord accel = cut_off(in_period(period, a)), soft = 2 * period->tol,
                          jerk = cut_off(in_period(period, in_period(period, j)));
         period->speed[i] = whole(speed_of(period, limits->max_speed[i]));
-        period->accel[i] = jerk > 0 ? accel : least(accel, 6 * period->tol);
-        period->jerk[i]  = least(jerk > 0 ? jerk : period->accel[i], soft);
+        period->accel[i] = jerk > 0 ? accel : loft_coord_least(accel, 6 * period->tol);
+        period->jerk[i]  = loft_coord_least(jerk > 0 ? jerk : period->accel[i], soft);
     }
     period->last = shortest(period);
     const loft_coord spans = period->tol / 24 + loft_coord_length(period->jerk) / 18;
     period->tube = period->tol - spans;
     period->off = spans / 4 * 3;
-    period->joined = (uint16_t)least(LOFT_PERIOD_JOINED, (loft_coord)TICKS_MAX / period->ticks);
+    period->joined = (uint16_t)loft_coord_least(LOFT_PERIOD_JOINED,
+                                                (loft_coord)TICKS_MAX / period->ticks);
 }

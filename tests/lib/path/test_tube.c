@@ -1,11 +1,11 @@
-/* tests/lib/motion/test_tube.c -- properties of lib/motion/tube.h
+/* tests/lib/path/test_tube.c -- properties of lib/path/tube.h
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>                   /* sqrt */
 
 #include "support/motion_paths.h"   /* arb_limits */
 
-#include "motion/tube.h"            /* loft_tube_smooth */
+#include "path/tube.h"            /* loft_tube_smooth */
 
 #define KNOTS 60
 

@@ -1,11 +1,11 @@
-/* lib/motion/arc.h -- arc: a part of a cubic that is nearly straight, walked by its length
+/* lib/path/arc.h -- arc: a part of a cubic that is nearly straight, walked by its length
  * SPDX-License-Identifier: MIT
  *
  * A curve is cut into arcs so short that direction, curvature and rate (length per parameter)
  * change little.
  */
-#ifndef LOFT_MOTION_ARC_H
-#define LOFT_MOTION_ARC_H
+#ifndef LOFT_PATH_ARC_H
+#define LOFT_PATH_ARC_H
 
 #include "curve/bezier.h"   /* loft_cubic */
 

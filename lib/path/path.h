@@ -1,4 +1,4 @@
-/* lib/motion/path.h -- path: curves become places, graded by the path itself
+/* lib/path/path.h -- path: curves become places, graded by the path itself
  * SPDX-License-Identifier: MIT
  *
  * The places are those of a first guess of the motion, one a period apart: slow where the path has
@@ -7,10 +7,10 @@
  * curves matter only for what they do to the path at the scale of the tolerance, so that it does
  * not matter into how many curves a path is cut.
  */
-#ifndef LOFT_MOTION_PATH_H
-#define LOFT_MOTION_PATH_H
+#ifndef LOFT_PATH_PATH_H
+#define LOFT_PATH_PATH_H
 
-#include "motion/corner.h"  /* loft_corners */
+#include "path/corner.h"  /* loft_corners */
 
 LOFT_BEGIN_C
 

@@ -1,7 +1,7 @@
-/* lib/motion/limits.c
+/* lib/path/limits.c
  * SPDX-License-Identifier: MIT
  */
-#include "motion/limits.h"
+#include "path/limits.h"
 
 #define TOL_MIN      LOFT_REAL(0.0009765625)
 #define TOL_MAX      LOFT_REAL(1)

@@ -1,14 +1,14 @@
-/* lib/motion/period.h -- what the limits of a machine allow in a period
+/* lib/path/period.h -- what the limits of a machine allow in a period
  * SPDX-License-Identifier: MIT
  *
  * Motion is planned with places at even periods of time. In one period h, differences of places are
  * at most v h, a h^2 and j h^3.
  */
-#ifndef LOFT_MOTION_PERIOD_H
-#define LOFT_MOTION_PERIOD_H
+#ifndef LOFT_PATH_PERIOD_H
+#define LOFT_PATH_PERIOD_H
 
-#include "motion/coord.h"    /* loft_coord   */
-#include "motion/limits.h"  /* loft_limits */
+#include "path/coord.h"    /* loft_coord   */
+#include "path/limits.h"  /* loft_limits */
 
 LOFT_BEGIN_C
 

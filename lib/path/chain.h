@@ -1,11 +1,11 @@
-/* lib/motion/chain.h -- chain: curves that wait in a ring, walked by their length
+/* lib/path/chain.h -- chain: curves that wait in a ring, walked by their length
  * SPDX-License-Identifier: MIT
  */
-#ifndef LOFT_MOTION_CHAIN_H
-#define LOFT_MOTION_CHAIN_H
+#ifndef LOFT_PATH_CHAIN_H
+#define LOFT_PATH_CHAIN_H
 
-#include "motion/arc.h"     /* loft_arc    */
-#include "motion/period.h"  /* loft_period */
+#include "path/arc.h"     /* loft_arc    */
+#include "path/period.h"  /* loft_period */
 
 LOFT_BEGIN_C
 

@@ -1,13 +1,13 @@
-/* lib/motion/corner.h -- corners: where the tolerance does not swallow what the path turns by
+/* lib/path/corner.h -- corners: where the tolerance does not swallow what the path turns by
  * SPDX-License-Identifier: MIT
  *
  * They are found ahead of the walk, with the speed that they may be passed at. A launch is a motion
  * from rest with the jerk; corners say how far from them a launch has come.
  */
-#ifndef LOFT_MOTION_CORNER_H
-#define LOFT_MOTION_CORNER_H
+#ifndef LOFT_PATH_CORNER_H
+#define LOFT_PATH_CORNER_H
 
-#include "motion/chain.h"   /* loft_chain */
+#include "path/chain.h"   /* loft_chain */
 
 LOFT_BEGIN_C
 

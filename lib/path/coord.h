@@ -1,11 +1,11 @@
-/* lib/motion/coord.h -- whole numbers in which motion is planned, the same in every number type
+/* lib/path/coord.h -- whole numbers in which motion is planned, the same in every number type
  * SPDX-License-Identifier: MIT
  *
  * A place is kept in units of 2^-24 mm, modulo 2^8 mm: only differences of neighbours are ever
  * taken. A factor (of the squared pace, see timing.h) is a multiple of 2^-24.
  */
-#ifndef LOFT_MOTION_COORD_H
-#define LOFT_MOTION_COORD_H
+#ifndef LOFT_PATH_COORD_H
+#define LOFT_PATH_COORD_H
 
 #include "geom/vec.h"   /* loft_vec, loft_root */
 
@@ -34,6 +34,7 @@ static inline loft_coord loft_coord_add(loft_coord a, loft_coord b)
     return (loft_coord)((uint32_t)a + (uint32_t)b);
 }
 
+static inline int32_t loft_coord_least(int32_t a, int32_t b) { return a < b ? a : b; }
 static inline int32_t loft_coord_abs(int32_t a) { return a < 0 ? -a : a; }
 static inline int64_t loft_long_abs(int64_t a) { return a < 0 ? -a : a; }
 

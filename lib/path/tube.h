@@ -1,13 +1,13 @@
-/* lib/motion/tube.h -- one smooth path within the tolerance
+/* lib/path/tube.h -- one smooth path within the tolerance
  * SPDX-License-Identifier: MIT
  *
  * The path is a uniform cubic B-spline over the knots, which are places of it. It leaves them by
  * less than the tolerance, and within that its third differences are as small as can be.
  */
-#ifndef LOFT_MOTION_TUBE_H
-#define LOFT_MOTION_TUBE_H
+#ifndef LOFT_PATH_TUBE_H
+#define LOFT_PATH_TUBE_H
 
-#include "motion/path.h"    /* loft_path_place, loft_period */
+#include "path/path.h"    /* loft_path_place, loft_period */
 
 LOFT_BEGIN_C
 
@@ -68,6 +68,9 @@ void loft_tube_measure(const loft_period *period, loft_knot knot[], unsigned fro
  *   cost    sweeps * (to - from) * LOFT_AXES * 7 products of 32 bits; more where it is a corner
  */
 void loft_tube_smooth(loft_knot knot[], unsigned from, unsigned to, int sweeps);
+
+/* Where the path is, at the part z of the way from knot k to the next, 2^-30. */
+void loft_tube_place(const loft_knot knot[], unsigned k, int32_t z, loft_position *out);
 
 LOFT_END_C
 

@@ -1,9 +1,9 @@
-/* tests/lib/motion/test_period.c -- properties of lib/motion/period.h
+/* tests/lib/path/test_period.c -- properties of lib/path/period.h
  * SPDX-License-Identifier: MIT
  */
 #include "support/motion_paths.h"   /* arb_limits, arb_jerk */
 
-#include "motion/period.h"          /* loft_period_init */
+#include "path/period.h"          /* loft_period_init */
 
 #define GRAIN 256.0                 /* 2^-16 mm: spans are made of them */
 

@@ -1,4 +1,4 @@
-/* tests/lib/motion/test_limits.c -- properties of lib/motion/limits.h
+/* tests/lib/path/test_limits.c -- properties of lib/path/limits.h
  * SPDX-License-Identifier: MIT
  */
 #include "support/motion_chains.h"  /* usual_limits, real_of, arb_decades */

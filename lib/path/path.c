@@ -1,10 +1,10 @@
-/* lib/motion/path.c
+/* lib/path/path.c
  * SPDX-License-Identifier: MIT
  *
  * From a place to the next is a period, at the speed that the launches from corners behind (see
  * corner.c), the landings on those ahead, and the cap of speed allow.
  */
-#include "motion/path.h"
+#include "path/path.h"
 
 #include "num/part.h"       /* loft_part, loft_doublings */
 
@@ -17,8 +17,6 @@
 #define AHEAD       6                               /* places that are settled */
 #define ROUNDS      4                               /* towards the nearest place of a cubic */
 #define NEAR        (PART_ONE / 256)
-
-static loft_coord least(loft_coord a, loft_coord b) { return a < b ? a : b; }
 
 
 // Places
@@ -48,11 +46,11 @@ static int64_t allowed(const loft_path *path, loft_coord cap, int32_t part)
  * ahead. */
 static int32_t step_here(const loft_path *path, bool far)
 {
-    int32_t step = far ? least(path->step + path->step / 24, STEP_MAX)
+    int32_t step = far ? loft_coord_least(path->step + path->step / 24, STEP_MAX)
                        : path->step - path->step / 8;
 
     for (unsigned i = 0; i < path->corners.count && step > ONE; i++)
-        step = least(step, loft_corner_time(&path->corners.corner[i], path->s) / STEPS);
+        step = loft_coord_least(step, loft_corner_time(&path->corners.corner[i], path->s) / STEPS);
     return step > ONE ? step : ONE;
 }
 
@@ -310,7 +308,7 @@ static int32_t part_along(const loft_coord off[], const loft_coord tangent[])
 static loft_coord bend_of(const between *w, int32_t part)
 {
     const loft_coord x = times(times(largest(w->before) + largest(w->after), part), part);
-    return 4 * least(x, INT32_C(1) << 27);
+    return 4 * loft_coord_least(x, INT32_C(1) << 27);
 }
 
 /* Along its tangent, until that is near; then across it, but beyond the ends of the cubic. */
@@ -442,7 +440,7 @@ static void halve(loft_path *path, unsigned k)
     path->queued++;
     q[1].s = s;
     loft_chain_walk w = *walk_before(path, q[1].s);
-    q[1].on.feed = least(loft_chain_go(&path->chain, &w, q[1].s), q[2].on.feed);
+    q[1].on.feed = loft_coord_least(loft_chain_go(&path->chain, &w, q[1].s), q[2].on.feed);
     loft_chain_place(&w, q[1].s, &q[1].on.at);
     q[1].on.number = w.number;
     q[1].on.sharp = q[1].on.loose = false;

@@ -1,4 +1,4 @@
-/* lib/motion/corner.c
+/* lib/path/corner.c
  * SPDX-License-Identifier: MIT
  *
  * From rest, with jerk j in a period, a path is at X(n) = j n^3 / 6 after n periods. A corner that
@@ -21,7 +21,7 @@
  * degrees, at the scale of the tolerance as well. It holds on ways from a place to the next that
  * are wholly within 31 times itself from them.
  */
-#include "motion/corner.h"
+#include "path/corner.h"
 
 #define ONE         LOFT_CORNER_ONE
 #define TIME_MAX    ((int32_t)256 * ONE)
@@ -32,8 +32,6 @@
 #define SCALES      5
 #define CLOSE       4                               /* parts of a period */
 #define NEAR        31                              /* tolerances of a corner */
-
-static loft_coord least(loft_coord a, loft_coord b) { return a < b ? a : b; }
 
 
 // Launches
@@ -82,7 +80,7 @@ loft_coord loft_corner_jerk(const loft_period *p, const int16_t u[], loft_coord 
 
 loft_coord loft_corner_cap(const loft_period *p, const int16_t u[], loft_coord feed)
 {
-    return least(least(along(p->speed, u), feed), CAP_MAX) + 1;
+    return loft_coord_least(loft_coord_least(along(p->speed, u), feed), CAP_MAX) + 1;
 }
 
 
@@ -109,14 +107,14 @@ static void add_stretch(loft_corners *c)
     loft_chain_direction(w, 0, e.from);
     loft_chain_direction(w, 2, e.to);
     e.length = w->length;
-    e.cap = least(loft_corner_cap(c->chain->period, e.from, w->feed),
-                  loft_corner_cap(c->chain->period, e.to, w->feed));
+    e.cap = loft_coord_least(loft_corner_cap(c->chain->period, e.from, w->feed),
+                             loft_corner_cap(c->chain->period, e.to, w->feed));
     if (c->stretches == 0 || !is_scrap(c, last, &e)) {
         c->stretch[c->stretches++] = e;
         return;
     }
     last->length += e.length;
-    last->cap = least(last->cap, e.cap);
+    last->cap = loft_coord_least(last->cap, e.cap);
     for (int i = 0; i < LOFT_AXES; i++)
         last->to[i] = e.to[i];
 }
@@ -179,7 +177,7 @@ static loft_coord swing(const loft_period *p, loft_coord tol, const loft_coord v
     const uint64_t change = (uint64_t)jerk * (uint64_t)tol / 4096 * (uint64_t)tol / 4096;
     const loft_coord by_accel = (loft_coord)loft_coord_sqrt((uint64_t)(8 * accel * tol)),
                      by_jerk = (loft_coord)(29 * (int64_t)loft_coord_cbrt(change) * 256 / 10);
-    return soft ? least(by_accel, by_jerk) : by_accel / 2;
+    return soft ? loft_coord_least(by_accel, by_jerk) : by_accel / 2;
 }
 
 /* By what the path turns at the joint before stretch i, at the scale l; false: not known. */
@@ -323,14 +321,15 @@ static void look_at_joint(loft_corners *c)
     const loft_period *p = c->chain->period;
     const loft_corner_stretch *before = &c->stretch[i - 1], *after = &c->stretch[i];
     const bool corner = is_corner(c, i);
-    const loft_coord speed = joint_speed(c, i, corner), cap = least(before->cap, after->cap);
+    const loft_coord speed = joint_speed(c, i, corner),
+                     cap = loft_coord_least(before->cap, after->cap);
 
     if (corner)
         add_zone(c, s);
     if (speed < cap)
         loft_corners_add(c, loft_corner_of(s, speed > 1 ? speed : 1,
-                                           least(loft_corner_jerk(p, before->to, cap),
-                                                 loft_corner_jerk(p, after->from, cap)),
+                                           loft_coord_least(loft_corner_jerk(p, before->to, cap),
+                                                            loft_corner_jerk(p, after->from, cap)),
                                            is_sharp(before, after) && !is_close(c, s, speed)));
 }
 
