@@ -194,7 +194,7 @@ bool loft_timing_all_hold(const loft_timing *t, unsigned from, unsigned to)
 
 /* w(z) = 1 - 2 z^2 up to 1/2, then 2 (1 - z)^2, with z = i / (width + 1/2), 2^-15. */
 static const uint16_t narrowest[] = { 32768, 7281 }, narrower[] = { 32768, 22282, 2621 },
-                      middle[] = { 32768, 29531, 19822, 7281, 809 },
+                      medium[] = { 32768, 29531, 19822, 7281, 809 },
                       wider[] = { 32768, 31860, 29139, 24604, 18254, 11111, 5669, 2040, 226 },
                       widest[] = { 32768, 32527, 31805, 30601, 28916, 26750, 24102, 20972, 17361,
                                    13540, 10170, 7281, 4874, 2948, 1504, 541, 60 };
@@ -268,7 +268,7 @@ int32_t loft_timing_time(const loft_knot knot[], unsigned k)
 
 void loft_timing_raise_part(const loft_timing *t, unsigned shift, unsigned part)
 {
-    static const uint16_t *const parts[] = { widest, wider, middle, narrower, narrowest };
+    static const uint16_t *const parts[] = { widest, wider, medium, narrower, narrowest };
     const unsigned width = 16u >> part, step = width > 1 ? width / 2 : 1;
 
     for (unsigned n = (BACK ? 0u - shift : shift) % step; t->from + n < t->to; n += step) {

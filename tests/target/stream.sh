@@ -200,7 +200,8 @@ keeps stm32f405
 burns stm32f405
 rates stm32f405-fast 1000 168 0.10 84
 rates stm32g0-fast   320 200 0.60 63 60
-rates stm32g0        200 320 0.60 127,113 60     # its pulse is 147 cycles: of a slot 60 late 113 remain
+# its pulse lasts 147 cycles: of a slot that begins 60 late 113 remain
+rates stm32g0        200 320 0.60 127,113 60
 rates nrf51          100 160 0.65 31 60
 rates rp2040-fast   1000 125 0.20 60
 rates rp2350-fast   1000 150 0.15 72
