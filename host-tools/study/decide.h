@@ -5,6 +5,7 @@
  *     engine_decide.c     the answers; engine_make.c, engine_weave.c, engine_fill.c: curves and
  *                         surfaces made of others; compiled once per number type
  *     engine_parts.c      pieces of curves, frames, polynomials
+ *     engine_simplex.c    lines, planes, triangles and tetrahedra
  *     engine_net.c        places, areas and volumes of surfaces with nets
  *     engine_thin.c       B-splines with fewer knots
  *     engine_meet.c       where surfaces meet each other and curves
@@ -42,7 +43,7 @@ typedef struct {
 
 #define DECIDE_ANY       1024
 #define DECIDE_WHY       160
-#define DECIDE_QUESTIONS 22
+#define DECIDE_QUESTIONS 29
 
 extern const decide_question decide_q16[DECIDE_QUESTIONS], decide_f32[DECIDE_QUESTIONS],
     decide_f64[DECIDE_QUESTIONS];

@@ -15,6 +15,15 @@ int ENGINE_OF(make_quarter)(const decide_input *in);
 int ENGINE_OF(make_continue)(const decide_input *in);
 int ENGINE_OF(answer_join)(const decide_input *in);
 
+/* engine_simplex.c: of lines, planes, triangles, tetrahedra */
+int ENGINE_OF(answer_shares)(const decide_input *in);
+int ENGINE_OF(answer_plane)(const decide_input *in);
+int ENGINE_OF(answer_weights)(const decide_input *in);
+int ENGINE_OF(answer_solid)(const decide_input *in);
+int ENGINE_OF(answer_triangle_operator)(const decide_input *in);
+int ENGINE_OF(answer_triangle_integral)(const decide_input *in);
+int ENGINE_OF(answer_polar)(const decide_input *in);
+
 /* engine_net.c: of each surface with a net */
 int ENGINE_OF(answer_nearest)(const decide_input *in);
 int ENGINE_OF(answer_ray)(const decide_input *in);

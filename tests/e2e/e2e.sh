@@ -1427,6 +1427,32 @@ case_local() {
         run 0 "$loft" eval --num $num --normal --curvature "$tmp/flat.loft"; says out '^2 0 none 0$'
     done
 }
+# numbers over triangles and tetrahedra whose answers are whole
+case_simplex() {
+    printf 'triangle 2\n0 0 0\n1 0 0\n0 1 0\n2 0 4\n1 1 0\n0 2 0\n' >"$tmp/tri.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" decide shares --num $num --of 0,0,4,0,0,4,1,2
+        says out '^shares 0.25 0.25 0.5$'; says out '^area 8$'
+        run 0 "$loft" decide shares --num $num --of 0,0,0,4,0,0,0,4,0,0,0,4,1,1,1
+        says out '^shares 0.25 0.25 0.25 0.25$'
+        run 0 "$loft" decide plane --num $num --of 0,0,3,4,5,0
+        says out '^equation -4 3 0$'; says out '^distance -4$'
+        run 0 "$loft" decide plane --num $num --of 0,0,1,1,0,1,0,1,1,5,5,3
+        says out '^normal 0 0 1$'; says out '^distance 2$'
+        run 0 "$loft" decide weights --num $num --of 2,0.25,0.25
+        says out '^1 1 0 0.25$'; says out '^0 0 2 0.0625$'
+        run 0 "$loft" decide weights --num $num --of 1,0.25,0.25,0.25; says out '^1 0 0 0 0.25$'
+        run 0 "$loft" decide solid --num $num --of 0.25,0.25,0.5,0,1,2,4
+        says out '^value 2.75$'; says out '^raised 0 0.5 1 2 1 1.5 2.5 2 3 4$'
+        run 0 "$loft" decide iterate --num $num --of 1,0.25,0.25,0,0,0,1,0,1
+        says out '^value 0.125$'
+        run 0 "$loft" decide iterate --num $num --of 0,0.25,0.25,0,0,0,1,0,1; says out '^value 0.5$'
+        run 0 "$loft" decide over --num $num --of 0,0,2,0,0,2,3,3,3; says out '^integral 6$'
+        run 0 "$loft" decide polar --num $num --of 1,1,0,0,1 "$tmp/tri.loft"; says out '^1 1 0$'
+    done
+    one_line 65 'on a line or in a plane' "$loft" decide shares --of 0,0,1,1,2,2,0,1
+    one_line 65 'give a degree 0 to 9' "$loft" decide weights --of 10,0,0
+}
 # a grid of points of z = x y / 8 needs one bicubic patch; of a wave more; a row that is short
 case_fit_surface() {
     awk 'BEGIN { for (i = 0; i <= 8; i++) { for (j = 0; j <= 9; j++) print i, j, i * j / 8
