@@ -13,7 +13,7 @@ for chip in cortex-m0 cortex-m4 atmega328p; do
     case $chip in
     atmega328p)
         avr-gcc -mmcu=atmega328p -Os $flags -DSWEPT=1000000u $sources -o "$dir/$chip.elf" &&
-        timeout 900 simavr -m atmega328p -f 16000000 "$dir/$chip.elf" >"$dir/$chip" 2>&1
+        timeout 3600 simavr -m atmega328p -f 16000000 "$dir/$chip.elf" >"$dir/$chip" 2>&1
         names=wrong_steps ;;
     *)
         arm-none-eabi-gcc -mthumb -mcpu=$chip -O2 -ffreestanding -nostdlib $flags \
