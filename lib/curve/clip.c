@@ -7,10 +7,10 @@
  * largest component is 1: |u| <= sqrt(axes) < (axes + 1) / 2. The hull of the points (k / degree,
  * <p_k, u>) of the other piece is in that strip only in a part of 0..1; the rest is cut off.
  *
- * Crossings. Let F = <a(s) - b(t), v> across the chord of b, and G = <a(s) - b(t), w> across that of
- * a. Let A be the least slope of <a, v> and c that of <b, v> at most, B the least slope of <b, w> and
- * d that of <a, w> at most. If F = G = 0 at s, t to g / 8, and both are at most g at s + x, t + y,
- * then
+ * Crossings. Let F = <a(s) - b(t), v> across the chord of b, and G = <a(s) - b(t), w> across that
+ * of a. Let A be the least slope of <a, v> and c that of <b, v> at most, B the least slope of <b,
+ * w> and d that of <a, w> at most. If F = G = 0 at s, t to g / 8, and both are at most g at s + x,
+ * t + y, then
  *
  *     A |x| <= 9/8 g + c |y|      B |y| <= 9/8 g + d |x|
  *
@@ -18,12 +18,12 @@
  *
  *     A |x| <= 9/8 g + 3/4 (9/8 g + 3/4 A |x|), so |x| <= 4 (9/8 g) / A, and |y| likewise.
  *
- * So all that is near is around s, t, which Newton's method finds: with X = Fs x, Y = Gt y, p = Gs /
- * Fs and q = Ft / Gt, |p|, |q| <= 3/4, it is X (1 - p q) = q G - F and Y = p X + G. The division is
- * 1 + p q + (p q)^2: then a step leaves a fifth of the error at worst.
+ * So all that is near is around s, t, which Newton's method finds: with X = Fs x, Y = Gt y, p = Gs
+ * / Fs and q = Ft / Gt, |p|, |q| <= 3/4, it is X (1 - p q) = q G - F and Y = p X + G. The division
+ * is 1 + p q + (p q)^2: then a step leaves a fifth of the error at worst.
  *
- * Rounding. A piece runs from one to another multiple of 2^-24. What is cut off is rounded inward by
- * 2 of them: 1/2 for the ratio, 1/2 for the product, the rest for that of <p_k, u>. */
+ * Rounding. A piece runs from one to another multiple of 2^-24. What is cut off is rounded inward
+ * by 2 of them: 1/2 for the ratio, 1/2 for the product, the rest for that of <p_k, u>. */
 #include "curve/clip.h"
 #include "basis/dyadic.h"   /* loft_bernstein_sub */
 
@@ -188,8 +188,8 @@ static void project_piece(const loft_piece *s, const loft_acc x[], const loft_un
     }
 }
 
-/* Bounds of the values of a polynomial. It is between its end values e[0] = 0 and e[degree], but for
- * the weights of the coefficients between them, 1 - (1 - t)^degree - t^degree <= 1 - 2^(1 -
+/* Bounds of the values of a polynomial. It is between its end values e[0] = 0 and e[degree], but
+ * for the weights of the coefficients between them, 1 - (1 - t)^degree - t^degree <= 1 - 2^(1 -
  * degree). */
 static void hull_range(const loft_acc e[], unsigned degree, loft_acc *low, loft_acc *high)
 {

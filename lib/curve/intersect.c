@@ -2,11 +2,11 @@
  * SPDX-License-Identifier: MIT
  *
  * The search examines pairs of pieces, one of each curve, starting with both whole curves. What is
- * not within 7/8 tol of the other piece is cut off (curve/clip.h). If neither piece loses a quarter,
- * the pair is dropped if its hulls are more than tol / 2 apart; otherwise one piece is halved. Both
- * go on until they are straight: all control points are within tol / 8 of the even steps along the
- * chord; then the curve is within tol / 8 of the chord at the same parameter. The chords decide:
- * they meet if their distance is at most tol / 2. So
+ * not within 7/8 tol of the other piece is cut off (curve/clip.h). If neither piece loses a
+ * quarter, the pair is dropped if its hulls are more than tol / 2 apart; otherwise one piece is
+ * halved. Both go on until they are straight: all control points are within tol / 8 of the even
+ * steps along the chord; then the curve is within tol / 8 of the chord at the same parameter. The
+ * chords decide: they meet if their distance is at most tol / 2. So
  *
  *     curves that meet    have chords within  tol / 4 < tol / 2       none is missed
  *     chords that meet    have curves within  tol / 2 + tol / 4       none is invented
@@ -14,11 +14,11 @@
  * and a quarter of tol is left on both sides for rounding. No part whose chords meet is cut off,
  * because 7/8 tol is more than 3/4 tol.
  *
- * Chords. The smallest distance (geom/chord_pair.h) may be wrong by sqrt(d L), with d = 4 ulp (2^-30
- * in q16; 2^-43 L in f32) and L the length. That is below tol / 8 for L <= tol^2 / (256 ulp) and L
- * <= 2^14 tol. A longer chord is halved first, unless the whole of it or of the other is within tol
- * / 2: then they meet all along, and no search is needed. L is always kept below 2^18 tol, because a
- * parameter on the chord is a loft_unit: 2^-24 L.
+ * Chords. The smallest distance (geom/chord_pair.h) may be wrong by sqrt(d L), with d = 4 ulp
+ * (2^-30 in q16; 2^-43 L in f32) and L the length. That is below tol / 8 for L <= tol^2 / (256 ulp)
+ * and L <= 2^14 tol. A longer chord is halved first, unless the whole of it or of the other is
+ * within tol / 2: then they meet all along, and no search is needed. L is always kept below 2^18
+ * tol, because a parameter on the chord is a loft_unit: 2^-24 L.
  *
  * The traversal. A piece of 2^-24 is straight: second differences are 2^-48 of 4 times the largest
  * coordinate, 2^-31 in q16. So each curve is halved at most 24 times, and at most 48 pairs wait.

@@ -47,8 +47,8 @@ typedef struct {
  *   cost    about 5 loft_piece_clip and 7 feet of chords for two cubics that cross once; about 4
  *           times loft_bezier_nearest and 150 clips more if both are pieces of one curve, for any
  *           length of overlap. If they touch, or overlap otherwise, about 100 * length /
- *           sqrt(radius * tol) clips, at worst length / tol for straight curves of different degree.
- *           4 KB of stack for three axes in q16; not for an ISR
+ *           sqrt(radius * tol) clips, at worst length / tol for straight curves of different
+ *           degree. 4 KB of stack for three axes in q16; not for an ISR
  *   see     curve/clip.h; Sederberg & Nishita, Curve intersection using Bezier clipping, CAD 22
  *           (1990); the separating plane: Ericson, Real-Time Collision Detection, ch. 5
  */

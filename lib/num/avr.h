@@ -85,9 +85,9 @@ void loft_avr_scale_wide(uint8_t a[12], const uint32_t inverse[3]);
 void loft_avr_start3(uint64_t d[4], const int32_t p[4], const uint32_t inverse[3][3],
                      uint8_t room[40]);
 
-/* One step of the cubic walks of a loft_walks: d[0] += d[1], d[1] += d[2], d[2] += d[3], each as they
- * were, and the upper half of d[0] in out[0]; then those of the next axis and out[1], and so on.
- * Returns whether any was left.
+/* One step of the cubic walks of a loft_walks: d[0] += d[1], d[1] += d[2], d[2] += d[3], each as
+ * they were, and the upper half of d[0] in out[0]; then those of the next axis and out[1], and so
+ * on. Returns whether any was left.
  *
  *   cost    150 cycles for each axis, and 20; 192 bytes for each axis */
 bool loft_avr_next3(void *walks, int32_t out[]);

@@ -271,8 +271,8 @@ static inline void loft_walk_step_axes(loft_walk w[], loft_real out[])
 
 #endif
 
-/* One step of all axes, if any is left and the walk is a cubic: 1; 0 if none is left, -1 if it is no
- * cubic. The last step gives the last control values. */
+/* One step of all axes, if any is left and the walk is a cubic: 1; 0 if none is left, -1 if it is
+ * no cubic. The last step gives the last control values. */
 static inline int8_t loft_walk_next3(loft_walks *w, loft_real out[])
 {
 #if defined(__AVR__)

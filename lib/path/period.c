@@ -7,9 +7,9 @@
  * more, jerk gets several periods to build up the acceleration: h = a / (8 j).
  *
  * Control values of spans are multiples of a grain, 2^-16 mm. With n0, n1 the second differences at
- * both ends of a span, in grains, acceleration is 6 n / h^2 and jerk 6 (n1 - n0) / h^3. So a machine
- * must be allowed 6 grains: h^3 >= 6 grains / j, and h^2 >= 6 grains / a. Parts of 6 grains may be
- * planned as well: thin.c holds them.
+ * both ends of a span, in grains, acceleration is 6 n / h^2 and jerk 6 (n1 - n0) / h^3. So a
+ * machine must be allowed 6 grains: h^3 >= 6 grains / j, and h^2 >= 6 grains / a. Parts of 6 grains
+ * may be planned as well: thin.c holds them.
  *
  * Where jerk is not limited, it is 2 tol: a h^2 = 2 tol, and acceleration takes a period to change.
  * Where not even a tick is that short, less of the limits is used.

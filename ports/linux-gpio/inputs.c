@@ -50,7 +50,8 @@ static void take_edges(struct inputs *in, int64_t now)
     }
 }
 
-/* What input number `i` is to the machine. Of two motors the first has the switch of the low end. */
+/* What input number `i` is to the machine. Of two motors the first has the switch of the low end.
+ * */
 static uint16_t bits_of(const struct inputs *in, unsigned i)
 {
     static const uint16_t button[LINE_LIMIT] = { LOFT_INPUT_STOP, LOFT_INPUT_HOLD,

@@ -1031,7 +1031,8 @@ PATTERN|tiles is left out|\
     <pattern id="p" width=".01" height=".01" patternUnits="userSpaceOnUse">\
     <path d="M0 0h1" stroke="red"/></pattern><path d="M0 0h40v40h-40z" fill="url(#p)"/>
 DASHES|more than [0-9]* dashes|<path d="M0 0h40" stroke="red" stroke-dasharray=".0001"/>
-BOX|transform-box: fill-box|<path d="M0 0h5" stroke="red" style="transform-box: fill-box; transform: rotate(9deg)"/>
+BOX|transform-box: fill-box|\
+    <path d="M0 0h5" stroke="red" style="transform-box: fill-box; transform: rotate(9deg)"/>
 UNSEEN|without fill and stroke|<path d="M0 0h5" fill="none"/>
 USE_NOTHING|<use> without href|<use/>
 USE_ELSEWHERE|is not in this file|<use href="b.svg#a"/>
@@ -1071,7 +1072,8 @@ case_strict_elsewhere() {
     printf 'G21 G90 F600\nG1 X5\nG1 Y5\n' >"$tmp/plain.nc"
     printf '0,0 1,1 2,2 9,9\n' >"$tmp/one.csv"
     warned 'it has no layers of Inkscape' "$loft" plan "$tmp/one.csv" --total --order layer
-    printf 'x.reversed = yes\nx.travel = 90\nkinematics = corexy\ntolerance = 0.01\n' >"$tmp/plan.txt"
+    printf 'x.reversed = yes\nx.travel = 90\nkinematics = corexy\ntolerance = 0.01\n' \
+        >"$tmp/plan.txt"
     machine strict --speed fast
     warned 'and what else is of firmware or plan, is not kept' \
         "$loft" set --machine "$tmp/plan.txt" --port "$tmp/strict"

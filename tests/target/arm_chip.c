@@ -168,8 +168,8 @@ static void x_pulse(void *context)
     c->closed = closed;
 }
 
-/* Of the switches; what is not pulled up reads as closed. A contact that bounces is first as it will
- * be, then changes each 64 us or later, by a pattern without a period. */
+/* Of the switches; what is not pulled up reads as closed. A contact that bounces is first as it
+ * will be, then changes each 64 us or later, by a pattern without a period. */
 uint32_t chip_inputs(const struct chip *c)
 {
     const uint64_t now = c->core.now, part = c->kind->hz / 1000000 * 64;

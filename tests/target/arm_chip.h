@@ -32,8 +32,9 @@ extern const struct family arm_stm32, arm_rp2040, arm_rp2350, arm_nrf51;
 struct arm_parts;
 extern const struct arm_parts arm_rp2040_parts, arm_rp2350_parts;
 
-/* What differs between the chips. Addresses: RCC's clock control; the pins of the slots, the port of
- * the switches, x and the probe in it; timer 1; its transfers; USART 1; the outputs; the flash. */
+/* What differs between the chips. Addresses: RCC's clock control; the pins of the slots, the port
+ * of the switches, x and the probe in it; timer 1; its transfers; USART 1; the outputs; the flash.
+ * */
 struct kind {
     const char *name;
     const struct family *family;

@@ -160,8 +160,8 @@ static void what_is_wrong_has_its_line(arb *a)
     FAILS("X1\n", "part.nc:1: X, Y or Z without a motion: ");
     FAILS("G0 G1 X1\n", "part.nc:1: G1: a second word of its kind in the line: ");
     FAILS("G0 X1\nG38.2 Z-9 F1\n", "part.nc:2: G38.2: a file cannot probe: ");
-    FAILS("G38.5 X1 F1\n", "part.nc:1: G38.5: a file cannot probe: what follows would depend on it: "
-                           "probe before, with `loft probe z- --at 0`, and leave G38 out");
+    FAILS("G38.5 X1 F1\n", "part.nc:1: G38.5: a file cannot probe: what follows would depend on "
+                           "it: probe before, with `loft probe z- --at 0`, and leave G38 out");
     FAILS("G37 X1\n", "part.nc:1: G37: is not known here: ");
     FAILS("M111\nM300\n", "part.nc:2: M300: is not known here: ");
     FAILS("G0 A90\n", "part.nc:1: A: this machine has the axes X, Y and Z: ");
