@@ -6,6 +6,7 @@ usage: energy.py RECORD [WAY]
 Prints `name value` lines. Energy is level times time, in full-power ms; the path is that of the
 steps, seen every 5 ms. Each window is WAY mm long (2), or the motion between two stops. It counts
 if the machine was faster than 1 mm/s all the time. A pause of 50 ms without a pulse is a stop.
+After the last pulse the path may go on for less than a step: what that takes does not count.
 
 SPDX-License-Identifier: MIT
 """
@@ -13,11 +14,11 @@ import math
 import sys
 
 SAMPLE, STOP, SLOW = 0.005, 0.05, 1.0       # s, s, mm/s
-EDGE = 0.04                                 # s: a ramp; within it the machine still moves
+EDGE = 0.02                                 # s: within a step of rest the machine still moves
 
 
 def read(name):
-    """The rate of slots, pulses (s, place in mm) and changes of output 1 (s, level 0..1)."""
+    """Pulses (s, place in mm), changes of output 1 (s, level 0..1), and steps/mm of each axis."""
     hz, per_mm, pulses, levels = 1.0, [], [], []
     for line in open(name, encoding="ascii"):
         word = line.split()
@@ -31,7 +32,7 @@ def read(name):
             cell = line.split(",")
             pulses.append((int(cell[0]) / hz,
                            [int(c) / s for c, s in zip(cell[1:], per_mm)]))
-    return pulses, levels
+    return pulses, levels, per_mm
 
 
 def energy_to(levels, times):
@@ -70,7 +71,7 @@ def stopped_at(pulses, times, edge):
 
 
 def main(name, least):
-    pulses, levels = read(name)
+    pulses, levels, per_mm = read(name)
     first, last = pulses[0][0], pulses[-1][0]
     times = [first + i * SAMPLE for i in range(int((last - first) / SAMPLE) + 1)]
     place, energy = places_at(pulses, times), energy_to(levels, times)
@@ -96,8 +97,8 @@ def main(name, least):
     worst = max((abs(w / mean - 1) for w in windows), default=1) if mean else 1
     print("worst %.2f" % (100 * worst))
     print("standing %.5f" % (1000 * standing))
-    print("after %.5f" % (1000 * (energy_to(levels, [last + EDGE, last + 3600])[1]
-                                  - energy_to(levels, [last + EDGE])[0])))
+    after = energy_to(levels, [last + EDGE, last + 3600])
+    print("after %.5f" % (1000 * max(after[1] - after[0] - mean / min(per_mm), 0)))
 
 
 if __name__ == "__main__":
