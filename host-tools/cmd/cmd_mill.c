@@ -253,6 +253,8 @@ static int run_mill(const tool_command *self, int argc, char **argv)
         TOOL_TEXT("along", "x|y|u|v", &along,
                   "direction of a raster's lines; u, v: over lines of the surface on which the "
                   "other parameter is constant, with --step of it, 0.001 to 1 (x)"),
+        TOOL_SWITCH("one-way", &w.o.one_way,
+                    "all lines of a raster along x or y in one direction, with ways back above"),
         TOOL_NUMBER("tol", "MM", &w.o.tol, 0.001, 10,
                     "how much higher than necessary the path may be (0.01)"),
         TOOL_LIST("area", "X,Y,X,Y", &area, -4096, 4096,
@@ -296,6 +298,8 @@ static int run_mill(const tool_command *self, int argc, char **argv)
                               "--along %s: is for --pattern raster and --step 0.001 to 1, of %s",
                               along, along[0] == 'u' ? "v" : "u");
     }
+    if (w.o.one_way && (w.o.parametric || strcmp(pattern, "raster") != 0))
+        return tool_error(EX_USAGE, "--one-way: is for --pattern raster along x or y");
     if (w.o.cusp == 0 && w.o.step == 0)
         *(ball ? &w.o.cusp : &w.o.step) = ball ? fmin(0.02, w.o.radius / 8) : w.o.radius;
     if (strlen(along) != 1 || strchr("xyuv", along[0]) == NULL)

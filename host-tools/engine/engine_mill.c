@@ -4,6 +4,7 @@
  */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "toolpath/raster.h"        /* loft_raster */
 
@@ -151,6 +152,8 @@ static int mill_raster(const loft_drop *d, const mill_order *o, const loft_box *
     const unsigned across = spiral ? 1 : 1 - o->axis;
     const double from = o->area[0][across], width = o->area[1][across] - from;
     loft_real cusp, step;
+    double last[ENGINE_AXES] = { 0 };
+    bool linked = false;
     loft_raster r;
     loft_vec tip;
 
@@ -161,11 +164,20 @@ static int mill_raster(const loft_drop *d, const mill_order *o, const loft_box *
     (void)mill_cuts_begin(cuts, 0);
     while (status == LOFT_OK && loft_raster_next(&r, &tip)) {
         double point[ENGINE_AXES];
+        if (o->one_way && !r.linking && linked) {       /* a line begins where the link ended */
+            (void)mill_cuts_begin(cuts, 0);
+            mill_cuts_add(cuts, last);
+        }
+        linked = r.linking;
         point_of(tip, point);
-        mill_cuts_add(cuts, point);
+        memcpy(last, point, sizeof last);
+        if (!o->one_way || !linked)
+            mill_cuts_add(cuts, point);
         o->tell(o->context, spiral ? 1 - double_of(r.area.max.axis[1] - r.area.min.axis[1]) / width
                                    : (point[across] - from) / width);
     }
+    if (o->one_way)
+        mill_cuts_one_way(cuts, o->axis);
     if (status == LOFT_OK) {
         out->lines = r.lines;
         out->cusp = double_of(r.cusp);

@@ -35,6 +35,7 @@ typedef struct {
     double cusp, step;          /* one of them is 0 */
     double tol;
     unsigned axis;              /* along which lines run: 0, x; 1, y */
+    bool one_way;               /* all lines in one direction, with ways back above */
     bool parametric;            /* 0, u; 1, v: then step is one of the other parameter */
     bool bounded, floored;      /* area, lowest are given; otherwise those of the surfaces */
     double area[2][2];          /* the smallest x and y, the largest */
@@ -75,6 +76,9 @@ typedef struct {
 mill_cut *mill_cuts_begin(mill_cuts *all, unsigned level);
 void mill_cuts_add(mill_cuts *all, const double point[ENGINE_AXES]);
 void mill_cuts_free(mill_cuts *all);
+
+/* Turn cuts about that run down along this axis. */
+void mill_cuts_one_way(mill_cuts *all, unsigned axis);
 
 /* Let a closed cut begin at one of its points. */
 void mill_cut_turn(mill_cut *c, size_t first);

@@ -32,6 +32,21 @@ void mill_cuts_add(mill_cuts *all, const double point[ENGINE_AXES])
     memcpy(c->point[c->count++], point, sizeof *c->point);
 }
 
+void mill_cuts_one_way(mill_cuts *all, unsigned axis)
+{
+    for (size_t i = 0; i < all->count; i++) {
+        mill_cut *const c = &all->cut[i];
+        if (c->count < 2 || !(c->point[c->count - 1][axis] < c->point[0][axis]))
+            continue;
+        for (size_t k = 0, last = c->count - 1; k < last; k++, last--) {
+            double kept[ENGINE_AXES];
+            memcpy(kept, c->point[k], sizeof kept);
+            memcpy(c->point[k], c->point[last], sizeof kept);
+            memcpy(c->point[last], kept, sizeof kept);
+        }
+    }
+}
+
 void mill_cuts_free(mill_cuts *all)
 {
     for (size_t i = 0; i < all->count; i++)

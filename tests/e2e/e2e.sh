@@ -1266,6 +1266,15 @@ case_mill() {
     done
     run 0 "$loft" mill --tool ball:4 --along v --step 0.25 --tol 0.1 "$tmp/plane.loft"
     says out '^# ball:4, 5 lines'; says out '^9 9 0.4'
+    for way in '' --one-way; do                 # back in one chord, or in many along a line
+        run 0 "$loft" mill --tool ball:4 --step 3 --tol 0.05 $way "$tmp/dome.loft"
+        awk -v way="$way" '/^[-0-9]/ { down = begun && $1 < x; if (down && back) twice++
+                                       back = down; begun = 1; x = $1 }
+             END { exit (way != "") == (twice > 0) }' "$tmp/out" || job_fails "mill $way"
+        says out '^# cuts below the surface: none, proved'
+    done
+    one_line 64 'is for --pattern raster along x' "$loft" mill --one-way --pattern spiral \
+        "$tmp/plane.loft"
     one_line 64 'is for --pattern raster and --step' "$loft" mill --along u "$tmp/plane.loft"
     run 0 "$loft" mill --tool ball:4 --step 3 --tol 0.1 --trim "$tmp/loop.loft" "$tmp/five.loft"
     says out '^# ball:4, 4 lines'
