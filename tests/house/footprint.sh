@@ -30,6 +30,10 @@ mkdir -p "$out"
 built() {       # built CHIP: each file of lib/ once
     local flags="-std=c99 -ffreestanding -Os -ffunction-sections -fdata-sections -Ilib $warnings"
     mkdir -p "$out/$1"
+    for o in "$out/$1"/*.o; do          # of a file that is gone, or has another name
+        c=${o##*/} c=${c%.o}
+        [ -e "${c//-//}.c" ] || rm -f "$o"
+    done
     for c in $(find lib/num lib/geom lib/basis lib/curve lib/path lib/motion lib/machine lib/wire \
                    -name '*.c' | LC_ALL=C sort) ports/bare/memory.c; do
         o=$out/$1/$(echo "${c%.c}" | tr / -).o
