@@ -221,7 +221,8 @@ loft_real loft_acc_sqrt(loft_acc x) { return (loft_real)loft_sci_sqrt(x); }
 
 loft_real loft_acc_quot(loft_acc x, loft_acc y) { return (loft_real)(x / y); }
 
-/* Where a square might overflow or underflow, the vector is scaled by its largest component. */
+/* Where a square might overflow or underflow, the vector is scaled, by a power of two: so its size
+ * does not matter to what is rounded. */
 loft_acc loft_acc_hypot(const loft_acc x[], int n)
 {
     loft_acc largest = 0, sum = 0;
@@ -232,16 +233,15 @@ loft_acc loft_acc_hypot(const loft_acc x[], int n)
             largest = size;
         sum += x[i] * x[i];
     }
-    if (!(largest > 0))
-        return 0;
     if (largest < 1e150 && largest > 1e-140)
         return loft_sci_sqrt(sum);
+    if (!(largest > 0))
+        return 0;
+    const loft_acc up = largest < 1 ? 0x1p600 : 0x1p-600;
     sum = 0;
-    for (int i = 0; i < n; i++) {
-        const loft_acc part = x[i] / largest;
-        sum += part * part;
-    }
-    return largest * loft_sci_sqrt(sum);
+    for (int i = 0; i < n; i++)
+        sum += x[i] * up * (x[i] * up);
+    return loft_sci_sqrt(sum) / up;
 }
 
 #endif
