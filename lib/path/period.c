@@ -4,7 +4,8 @@
  * Where jerk is limited, the period h is chosen so that the largest jerk makes a third difference
  * of 0.55 tol. Longer ones make motion slower, by 5 % at 1.3 tol, since less of the tolerance is
  * left for corners; shorter ones cost more time of planning. But, where the tolerance would allow
- * more, jerk gets several periods to build up the acceleration: h = a / (8 j).
+ * more, jerk gets several periods to build up the acceleration: h = a / (8 j), and 3/4 of what it
+ * allows at least. With little effort, where places are up to 7/4 apart, more of it is taken.
  *
  * Control values of spans are multiples of a grain, 2^-16 mm. With n0, n1 the second differences at
  * both ends of a span, in grains, acceleration is 6 n / h^2 and jerk 6 (n1 - n0) / h^3. So a
@@ -63,8 +64,9 @@ static uint32_t longest(const loft_limits *limits, uint32_t *fewest)
         } else
             eased = false;
     }
+    const uint32_t enough = LOFT_PLAN_EFFORT > 1 ? most / 4 * 3 : most - ease / 8;
     if (eased && ease < most)
-        most = ease > most / 4 * 3 ? ease : most / 4 * 3;
+        most = ease > enough ? ease : enough;
     return most;
 }
 /* (16 hz)^3 * tol / 65536 / j = hz^3 tol / (16 j); 6 grains * hz^3 / j */
