@@ -355,12 +355,32 @@ static loft_sci speed_of(loft_sci jet[LOFT_NET_JET][LOFT_AXES], const loft_net_c
     return loft_sci_sqrt(dot_of(sum, sum));
 }
 
+/* Are the hulls of the control points over their weights apart? If not, their legs are measured.
+ * Four nets are too much for one frame: 32 kB with six axes on an AVR. */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static bool
+points_are_apart(const loft_net_form part[2], loft_sci normal[2][3], loft_net_cell *out)
+{
+    loft_net_form points[2];
+
+    for (int k = 0; k < 2; k++) {
+        points[k] = part[k];
+        loft_net_form_points(&points[k]);
+    }
+    if (hulls_are_apart(points, normal))
+        return true;
+    measure_legs(points, out);
+    return false;
+}
+
 enum loft_net_known loft_net_cell_decide(const loft_net_form *a, const loft_net_form *b,
                                          const loft_net_pair *pair, loft_net_cell *out)
 {
     const loft_sci half = loft_sci_power2(-1);
     loft_sci jet[2][LOFT_NET_JET][LOFT_AXES], normal[2][3], inverse[3][3];
-    loft_net_form part[2], points[2];
+    loft_net_form part[2];
     loft_tensor_part at;
     system z;
 
@@ -368,14 +388,11 @@ enum loft_net_known loft_net_cell_decide(const loft_net_form *a, const loft_net_
         at.u = pair->n[2 * k];
         at.v = pair->n[2 * k + 1];
         loft_net_form_sub(k ? b : a, &at, &part[k]);
-        points[k] = part[k];
-        loft_net_form_points(&points[k]);
         loft_net_form_jet(&part[k], 1, half, half, jet[k]);
         cross_of(jet[k][LOFT_NET_BY_X], jet[k][LOFT_NET_BY_Y], normal[k]);
     }
-    if (hulls_are_apart(points, normal))
+    if (points_are_apart(part, normal, out))
         return LOFT_NET_APART;
-    measure_legs(points, out);
     for (int k = 0; k < 2; k++)
         see_from(&part[k], jet[0][LOFT_NET_POINT]);
     load_system(part, &z);
