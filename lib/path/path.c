@@ -15,6 +15,7 @@
 #define STEPS       12                              /* and more to the next corner */
 #define PART_ONE    (INT32_C(1) << 24)              /* a part */
 #define AHEAD       6                               /* places that are settled */
+#define SPARE       2
 #define ROUNDS      4                               /* towards the nearest place of a cubic */
 #define NEAR        (PART_ONE / 256)
 
@@ -474,13 +475,14 @@ static loft_coord coarse(loft_path *path, unsigned k)
 }
 
 /* A place that is put between two changes the cubic before them as well. Where there is no room for
- * it, there is when those before have been given. */
+ * it, there is when those before have been given. On the next two ways it may not wait so long:
+ * what the first one skips is given with it. SPARE places are kept for them. */
 static void settle(loft_path *path)
 {
     while (path->settled < AHEAD && path->settled + 2u < path->queued) {
         const unsigned k = path->settled + 1u;
         const loft_coord skip = coarse(path, k);
-        const bool full = path->queued == LOFT_PATH_QUEUE;
+        const bool full = path->queued >= LOFT_PATH_QUEUE - (k > 2 ? SPARE : 0);
         if (skip > 0 && full && k > 1)
             break;
         if (skip > 0 && !full && is_better_halved(path, k, skip))
