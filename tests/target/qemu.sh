@@ -94,8 +94,15 @@ board() {
     row "$what: steps told and steps counted at the pins" \
         "$(awk -F, '/^[0-9]/ { at = $2 " " $3 " " $4 } END { print at }' "$at/csv")" = \
         "$(told "$at/out")"
-    row "$what: every axis steps as on the simulated machine" \
-        "$(path_of "$at/csv")" = "$(path_of "$at/here.csv")"
+    if [ $plan = chip ]; then       # with less effort: an axis may turn a step later
+        path_rows "$at/csv" | tr ' ' '\n' > "$at/places"
+        row "$what: places of an axis that the simulated machine has not, or it alone" \
+            "$(path_rows "$at/here.csv" | tr ' ' '\n' | diff "$at/places" - | grep -c '^[<>]')" \
+            "<=" 4 "of $(wc -l < "$at/places")"
+    else
+        row "$what: every axis steps as on the simulated machine" \
+            "$(path_of "$at/csv")" = "$(path_of "$at/here.csv")"
+    fi
     case $fault in
     none)   ;;
     killed) row "$what: the second one goes on at this share of the job" \

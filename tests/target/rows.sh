@@ -18,12 +18,13 @@ row() {
 }
 
 # the sequence of steps of each axis, without their times
-path_of() {
+path_of() { path_rows "$1" | cksum; }
+path_rows() {
     awk -F, '!/^#/ && $1 != "slot" {
                  for (i = 2; i <= NF; i++)
                      if ($i != last[i]) { last[i] = $i; row[i] = row[i] " " $i }
              }
-             END { for (i = 2; i <= 4; i++) print row[i] }' "$1" | cksum
+             END { for (i = 2; i <= 4; i++) print row[i] }' "$1"
 }
 
 # told OUTPUT: the position that the command reports
