@@ -17,7 +17,6 @@
 #include "plan/grid_fit.h"
 #include "plan/point_fit.h"
 
-#define EACH_LINE 8     /* knots */
 #define GRID_MOST 1000  /* rows, columns */
 
 typedef struct {
@@ -51,12 +50,9 @@ static int print_fit(void *context, const spline_fit *f)
         printf("bspline %u\n", f->degree);
     for (size_t k = 0; k < points; k++)
         print_point(&x->p, f->c[k]);
-    for (size_t k = 0; k <= points + f->degree && f->intervals > 1; k++) {
-        fputs(k % EACH_LINE == 0 ? "knots " : " ", stdout);
-        print_number(f->e, spline_fit_knot(f, (long)k - (long)f->degree));
-        if (k % EACH_LINE == EACH_LINE - 1 || k == points + f->degree)
-            putchar('\n');
-    }
+    for (size_t k = 0; k <= points + f->degree && f->intervals > 1; k++)
+        print_knot(f->e, "knots", spline_fit_knot(f, (long)k - (long)f->degree), k,
+                   points + f->degree + 1);
     const double off = spline_fit_error(f);
     printf("# %zu control points for %zu points, within %.3g\n", points, f->count, off);
     x->failed = x->failed || !(off <= x->o.tol);
@@ -88,19 +84,6 @@ static int add_row(fitting *x)
     return 0;
 }
 
-static void print_knots(const fitting *x, int along)
-{
-    const grid_fit *g = &x->grid;
-    const unsigned count = g->points[along] + g->degree[along] + 1;
-
-    for (unsigned k = 0; k < count; k++) {
-        if (k % EACH_LINE == 0)
-            printf("knots %c ", along ? 'v' : 'u');
-        print_number(x->p.e, g->knot[along][k]);
-        putchar(k % EACH_LINE == EACH_LINE - 1 || k + 1 == count ? '\n' : ' ');
-    }
-}
-
 static int fit_surface(fitting *x)
 {
     grid_fit *g = &x->grid;
@@ -123,8 +106,11 @@ static int fit_surface(fitting *x)
     x->p.solid = true;
     for (size_t k = 0; k < (size_t)g->points[0] * g->points[1]; k++)
         print_point(&x->p, g->net[k]);
-    print_knots(x, 0);
-    print_knots(x, 1);
+    for (int along = 0; along < 2; along++) {
+        const unsigned knots = g->points[along] + g->degree[along] + 1;
+        for (unsigned k = 0; k < knots; k++)
+            print_knot(x->p.e, along ? "knots v" : "knots u", g->knot[along][k], k, knots);
+    }
     printf("# %u x %u control points for %u x %u points, within %.3g\n", g->points[0], g->points[1],
            g->count[0], g->count[1], g->off);
     return 0;

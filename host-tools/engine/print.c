@@ -8,6 +8,7 @@
 #include "engine/print.h"
 #include "base/tool.h"       /* tool_error, sysexits */
 
+#define EACH_LINE 8     /* knots */
 #define SAME 1e-6       /* mm; closer ends count as one point */
 
 void print_number(const engine *e, double x)
@@ -36,6 +37,16 @@ void print_point(void *context, const double point[ENGINE_AXES])
 {
     print_words(context, point);
     putchar('\n');
+}
+
+void print_knot(const engine *e, const char *head, double knot, size_t k, size_t count)
+{
+    if (k % EACH_LINE == 0)
+        fputs(head, stdout);
+    putchar(' ');
+    print_number(e, knot);
+    if (k % EACH_LINE == EACH_LINE - 1 || k + 1 == count)
+        putchar('\n');
 }
 
 static bool same(const double a[ENGINE_AXES], const double b[ENGINE_AXES])

@@ -17,7 +17,10 @@ typedef struct {
 void print_number(const engine *e, double x);
 void print_point(void *context, const double point[ENGINE_AXES]);
 
-/* The same without a newline. */
+/* Print knot k of `count`, in lines that begin with `head`. */
+void print_knot(const engine *e, const char *head, double knot, size_t k, size_t count);
+
+/* The same as print_point without a newline. */
 void print_words(const print_options *p, const double point[ENGINE_AXES]);
 
 /* Open each curve in the number type of `e` and pass it to `one`, which returns a status. Prints

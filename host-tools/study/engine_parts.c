@@ -19,12 +19,6 @@
 // Pieces
 // ------
 
-static int refuse(const decide_input *in, const char *why)
-{
-    snprintf(in->why, DECIDE_WHY, "%s", why);
-    return LOFT_ERR_ARG;
-}
-
 static int give_piece(void *context, const arc_piece *a, size_t number)
 {
     (void)number;
@@ -87,7 +81,8 @@ int ENGINE_OF(make_cut)(const decide_input *in)
             status = visit_curve(in, c, cut_piece, &x, &again);
     }
     return status == LOFT_OK && x.parts == 0
-               ? refuse(in, "no curve has that part: give two of its parameters, the lower first")
+               ? decide_refuse(
+                     in, "no curve has that part: give two of its parameters, the lower first")
                : status;
 }
 
@@ -119,7 +114,7 @@ static int lower_most(void *context, const arc_piece *a, size_t number)
 int ENGINE_OF(make_lowest)(const decide_input *in)
 {
     return in->of->value[0] > 0 ? visit_pieces(in, lower_most, (void *)in)
-                                : refuse(in, "a tolerance of 0: give one above 0");
+                                : decide_refuse(in, "a tolerance of 0: give one above 0");
 }
 
 
@@ -217,7 +212,7 @@ int ENGINE_OF(make_join)(const decide_input *in)
 
     x = (joining){ .in = in };
     status = in->of->value[0] > 0 ? visit_pieces(in, join_next, &x)
-                                  : refuse(in, "a tolerance of 0: give one above 0");
+                                  : decide_refuse(in, "a tolerance of 0: give one above 0");
     if (status == LOFT_OK && x.any)
         ENGINE_OF(write_piece)(in, &x.held);
     return status;
@@ -385,7 +380,7 @@ static int inflections_of(void *context, const arc_piece *a, size_t number)
                                    : loft_bezier_inflections(&a->b, flat, &count);
 
     if (status == LOFT_ERR_ARG)
-        return refuse(context, "a piece with weights has a degree above 7: give lower ones");
+        return decide_refuse(context, "a piece with weights has a degree above 7: give lower ones");
     if (status == LOFT_SINGULAR)
         printf("%zu straight\n", number);
     for (unsigned k = 0; k < count && status == LOFT_OK; k++)
@@ -419,14 +414,14 @@ int ENGINE_OF(answer_loops)(const decide_input *in)
     int status = real_of(in->of->value[0], &tol) && tol > 0 ? LOFT_OK : LOFT_ERR_ARG;
 
     if (status != LOFT_OK)
-        return refuse(in, "a tolerance of 0: give one above 0");
+        return decide_refuse(in, "a tolerance of 0: give one above 0");
     for (size_t c = 0; c < in->curves->count && status >= 0; c++) {
         const size_t first = number;
         all.count = 0;
         status = visit_curve(in, c, hold_piece, &all, &number);
         for (size_t i = 0; i < all.count && status >= 0; i++) {
             if (all.piece[i].rational)
-                return refuse(in, "a piece has weights: give curves without");
+                return decide_refuse(in, "a piece has weights: give curves without");
             status = loft_bezier_self_crossings(&all.piece[i].b, tol, found, 256, &count);
             print_crossings(in, first + i, first + i, found, count);
             for (size_t j = i + 1; j < all.count && status >= 0; j++) {
@@ -441,7 +436,8 @@ int ENGINE_OF(answer_loops)(const decide_input *in)
             }
         }
     }
-    return status == LOFT_ERR_RANGE ? refuse(in, "the tolerance is too fine: give a larger --of")
+    return status == LOFT_ERR_RANGE
+               ? decide_refuse(in, "the tolerance is too fine: give a larger --of")
            : status < 0             ? status
-                                    : LOFT_OK;
+                        : LOFT_OK;
 }

@@ -21,6 +21,13 @@
 
 static inline double double_of_unit(loft_unit t) { return (double)t / (double)LOFT_UNIT(1); }
 
+/* What is wrong, and the remedy. */
+static inline int decide_refuse(const decide_input *in, const char *why)
+{
+    snprintf(in->why, DECIDE_WHY, "%s", why);
+    return LOFT_ERR_ARG;
+}
+
 static inline int numbers_of(const decide_input *in, loft_real out[], size_t most)
 {
     if (in->of->count == 0 || in->of->count > most)

@@ -17,12 +17,6 @@
 
 #define NUMBERS (LOFT_TETRA_MAX + 16)
 
-static int refuse(const decide_input *in, const char *why)
-{
-    snprintf(in->why, DECIDE_WHY, "%s", why);
-    return LOFT_ERR_ARG;
-}
-
 static int take(const decide_input *in, loft_real out[NUMBERS])
 {
     return numbers_of(in, out, NUMBERS);
@@ -91,11 +85,11 @@ int ENGINE_OF(answer_shares)(const decide_input *in)
     if (status != LOFT_OK)
         return status;
     if (!solid && in->of->count != 8)
-        return refuse(in, "give 3 corners and a point, 8 numbers, or 4 in space, 15");
+        return decide_refuse(in, "give 3 corners and a point, 8 numbers, or 4 in space, 15");
     points_of(x, solid ? 5 : 4, solid ? 3 : 2, p);
     status = solid ? loft_volume_from_point(p, p[4], share) : loft_bary_from_point(p, p[3], share);
     if (status == LOFT_SINGULAR)
-        return refuse(in, "the corners are on a line or in a plane: give others");
+        return decide_refuse(in, "the corners are on a line or in a plane: give others");
     if (status != LOFT_OK)
         return status;
     print_wide("shares", share, solid ? 4 : 3);
@@ -124,7 +118,8 @@ int ENGINE_OF(answer_plane)(const decide_input *in)
     if (status != LOFT_OK)
         return status;
     if (!solid && in->of->count != 6)
-        return refuse(in, "give 2 points of a line and one more, 6 numbers, or 3 of a plane, 12");
+        return decide_refuse(
+            in, "give 2 points of a line and one more, 6 numbers, or 3 of a plane, 12");
     points_of(x, solid ? 4 : 3, solid ? 3 : 2, p);
     l = (loft_line){ { p[0], p[1] } };
     f = (loft_facet){ { p[0], p[1], p[2] } };
@@ -138,7 +133,7 @@ int ENGINE_OF(answer_plane)(const decide_input *in)
     if (status == LOFT_OK)
         status = solid ? loft_facet_normal(&f, &normal) : loft_line_normal(&l, &normal);
     if (status == LOFT_SINGULAR)
-        return refuse(in, "the points are on a line, or one: give others");
+        return decide_refuse(in, "the points are on a line, or one: give others");
     if (status == LOFT_OK)
         print_reals(in, "normal", normal.axis, solid ? 3 : 2);
     if (status == LOFT_OK)
@@ -163,8 +158,8 @@ int ENGINE_OF(answer_weights)(const decide_input *in)
 
     if (!whole_of(of[0], LOFT_DEGREE_MAX, &n) || !(of[1] >= 0) || !(of[2] >= 0) ||
         (solid && !(of[3] >= 0)) || !(of[1] + of[2] + (solid ? of[3] : 0) <= 1))
-        return refuse(in,
-                      "give a degree 0 to 9, and shares that are not below 0 or, summed, above 1");
+        return decide_refuse(
+            in, "give a degree 0 to 9, and shares that are not below 0 or, summed, above 1");
     const loft_bary u = { LOFT_UNIT(of[1]), LOFT_UNIT(of[2]) };
     if (solid) {
         const loft_volume v = { u.v, u.w, LOFT_UNIT(of[3]) };
@@ -194,9 +189,9 @@ int ENGINE_OF(answer_solid)(const decide_input *in)
     int status = take(in, x);
 
     if (status != LOFT_OK || !degree_of(in->of->count - 3, true, &n))
-        return status
-                   ? status
-                   : refuse(in, "give shares v,w,x, then 1, 4, 10, 20 .. coefficients, of a degree "
+        return status ? status
+                      : decide_refuse(
+                            in, "give shares v,w,x, then 1, 4, 10, 20 .. coefficients, of a degree "
                                 "up to 9");
     points_of(x + 3, LOFT_TETRA_POINTS(n), 1, net);
     status = loft_tetra_init(&t, net, n);
@@ -224,9 +219,9 @@ int ENGINE_OF(answer_triangle_operator)(const decide_input *in)
 
     if (status != LOFT_OK || !degree_of(in->of->count - 3, false, &n) || n == 0 ||
         !whole_of(in->of->value[0], 1e6, &times))
-        return status
-                   ? status
-                   : refuse(in, "give how many times (0: forever), v,w, then 3, 6, 10 .. samples, "
+        return status ? status
+                      : decide_refuse(
+                            in, "give how many times (0: forever), v,w, then 3, 6, 10 .. samples, "
                                 "of a degree up to 9");
     const loft_bary at = { loft_unit_from(x[1]), loft_unit_from(x[2]) };
     const uint32_t rounds = times ? times : LOFT_FOREVER;
@@ -247,9 +242,9 @@ int ENGINE_OF(answer_triangle_integral)(const decide_input *in)
     int status = take(in, x);
 
     if (status != LOFT_OK || !degree_of(in->of->count - 6, false, &n))
-        return status
-                   ? status
-                   : refuse(in, "give 3 corners x,y, then 1, 3, 6, 10 .. coefficients, of a degree "
+        return status ? status
+                      : decide_refuse(
+                            in, "give 3 corners x,y, then 1, 3, 6, 10 .. coefficients, of a degree "
                                 "up to 9");
     points_of(x, 3, 2, p);
     status = loft_triangle_integral(x + 6, n, p, &area, &integral);
@@ -272,8 +267,9 @@ int ENGINE_OF(answer_polar)(const decide_input *in)
         const surface *s = &in->surfaces->surface[k];
         loft_triangle t;
         if (s->kind != SURFACE_TRIANGLE || s->rational || !whole_of(of[0], s->m, &times))
-            return refuse(in, "give triangles without weights, and at most as many times as their "
-                              "degree");
+            return decide_refuse(
+                in, "give triangles without weights, and at most as many times as their "
+                    "degree");
         for (unsigned i = 0; i < s->count; i++)
             if (!vec_of(s->point[i].p, &net[i]))
                 return LOFT_ERR_RANGE;

@@ -10,20 +10,12 @@
 #include "base/tool.h"              /* tool_grow */
 #include "study/engine_parts.h"
 
-#define EACH_LINE 10                /* knots */
-
 /* A curve, and what it becomes without one knot: the last tried, the best. */
 typedef struct {
     loft_vec *p[3];
     loft_real *k[3];
     unsigned points, degree;
 } thinning;
-
-static int refuse(const decide_input *in, const char *why)
-{
-    snprintf(in->why, DECIDE_WHY, "%s", why);
-    return LOFT_ERR_ARG;
-}
 
 static void swap_sides(thinning *x, int a, int b)
 {
@@ -66,12 +58,8 @@ static void write_spline(const decide_input *in, const thinning *x, double far)
 
     printf("bspline %u\n", x->degree);
     write_points(in, x->p[0], x->points);
-    for (unsigned k = 0; k < knots; k++) {
-        fputs(k % EACH_LINE == 0 ? "knots " : " ", stdout);
-        print_number(in->e, double_of(x->k[0][k]));
-        if (k % EACH_LINE == EACH_LINE - 1 || k + 1 == knots)
-            putchar('\n');
-    }
+    for (unsigned k = 0; k < knots; k++)
+        print_knot(in->e, "knots", double_of(x->k[0][k]), k, knots);
     printf("# within %.9g\n", far);
 }
 
@@ -83,7 +71,7 @@ static int thin_curve(const decide_input *in, const curve *c)
     int status = LOFT_OK;
 
     if (c->kind != CURVE_BSPLINE)
-        return refuse(in, "a curve is no `bspline`: give B-splines without weights");
+        return decide_refuse(in, "a curve is no `bspline`: give B-splines without weights");
     for (int i = 0; i < 3; i++) {
         x.p[i] = tool_grow(NULL, c->count * sizeof *x.p[i]);
         x.k[i] = tool_grow(NULL, c->knot_count * sizeof *x.k[i]);
@@ -95,7 +83,7 @@ static int thin_curve(const decide_input *in, const curve *c)
         if (!real_of(c->knot[i], &x.k[0][i]))
             status = LOFT_ERR_RANGE;
     if (status == LOFT_OK && c->knot_count != c->count + c->degree + 1)
-        status = refuse(in, "a B-spline has no knots: give as many as points + degree + 1");
+        status = decide_refuse(in, "a B-spline has no knots: give as many as points + degree + 1");
     while (status == LOFT_OK && remove_least(&x, in->of->value[0] - sum, &far))
         sum += far;
     if (status == LOFT_OK)
@@ -109,7 +97,8 @@ static int thin_curve(const decide_input *in, const curve *c)
 
 int ENGINE_OF(make_thin)(const decide_input *in)
 {
-    int status = in->of->value[0] >= 0 ? LOFT_OK : refuse(in, "give a tolerance of 0 or more");
+    int status = in->of->value[0] >= 0 ? LOFT_OK
+                                       : decide_refuse(in, "give a tolerance of 0 or more");
 
     for (size_t c = 0; c < in->curves->count && status == LOFT_OK; c++)
         status = thin_curve(in, &in->curves->curve[c]);

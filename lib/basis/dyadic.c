@@ -54,3 +54,30 @@ void loft_bernstein_sub(const loft_acc c[], unsigned degree, loft_unit from, lof
         loft_bernstein_step(row, k, from);
     }
 }
+
+void loft_dyad_box_start(loft_dyad_box *box)
+{
+    for (unsigned k = 0; k < LOFT_DYAD_PARAMETERS; k++)
+        box->n[k].k = box->n[k].level = 0;
+    box->depth = 0;
+}
+
+void loft_dyad_box_halve(loft_dyad_box *box, unsigned along)
+{
+    box->by[box->depth++] = (uint8_t)along;
+    box->n[along] = loft_dyad_half(box->n[along], 0);
+}
+
+bool loft_dyad_box_next(loft_dyad_box *box)
+{
+    for (; box->depth; box->depth--) {
+        loft_dyad *n = &box->n[box->by[box->depth - 1]];
+        if (n->k % 2 == 0) {
+            n->k++;
+            return true;
+        }
+        n->k /= 2;
+        n->level--;
+    }
+    return false;
+}

@@ -53,6 +53,26 @@ static inline bool loft_dyad_next(loft_dyad *n)
     return n->level > 0;
 }
 
+/* A box of up to LOFT_DYAD_PARAMETERS of them, halved along one at a time. */
+#define LOFT_DYAD_PARAMETERS 4
+
+typedef struct {
+    loft_dyad n[LOFT_DYAD_PARAMETERS];
+    uint8_t   by[LOFT_DYAD_PARAMETERS * LOFT_DYAD_LEVELS];      /* in this order */
+    unsigned  depth;
+} loft_dyad_box;
+
+/* All parameters whole; to the first half along one; to the box after this one and its halves,
+ * false if there is none.
+ *
+ *   range   halve: below LOFT_DYAD_LEVELS halvings along that parameter
+ *   error   none
+ *   cost    next: one step per level
+ */
+void loft_dyad_box_start(loft_dyad_box *box);
+void loft_dyad_box_halve(loft_dyad_box *box, unsigned along);
+bool loft_dyad_box_next(loft_dyad_box *box);
+
 /* The parameter at t (0..1) of the piece.
  *
  *   error   q16: 2^-25   f32: 1/2 ulp   f64: 2 ulp of 1

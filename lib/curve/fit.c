@@ -51,11 +51,6 @@ static loft_sci *entry(const system_of *s, unsigned i, unsigned j)
 
 static loft_sci *right_of(const system_of *s, unsigned i) { return &s->right[i * LOFT_AXES]; }
 
-static loft_sci sub_product(loft_sci x, loft_sci a, loft_sci b)
-{
-    return loft_sci_sub(x, loft_sci_mul(a, b));
-}
-
 static void clear_system(const system_of *s)
 {
     for (unsigned i = 0; i < s->unknowns; i++) {
@@ -114,7 +109,7 @@ static void keep_end(const system_of *s, unsigned end, const loft_vec *p)
         for (int axis = 0; axis < LOFT_AXES; axis++) {
             const loft_sci at = loft_sci_from_real(p->axis[axis]);
             loft_sci *right = &right_of(s, i)[axis];
-            *right = i == end ? at : sub_product(*right, *a, at);
+            *right = i == end ? at : loft_sci_sub_product(*right, *a, at);
         }
         *a = i == end ? loft_sci_one() : loft_sci_zero();
     }
@@ -142,7 +137,7 @@ static bool factor_system(const system_of *s)
             const unsigned low = first_column(s, j) > from ? first_column(s, j) : from;
             loft_sci sum = *entry(s, i, j);
             for (unsigned k = low; k < j; k++)
-                sum = sub_product(sum, *entry(s, i, k), *entry(s, j, k));
+                sum = loft_sci_sub_product(sum, *entry(s, i, k), *entry(s, j, k));
             if (j < i)
                 *entry(s, i, j) = loft_sci_div(sum, *entry(s, j, j));
             else if (pivot_is_lost(sum, before))
@@ -159,14 +154,14 @@ static void solve_axis(const system_of *s, int axis)
     for (unsigned i = 0; i < s->unknowns; i++) {
         loft_sci *x = &right_of(s, i)[axis];
         for (unsigned j = first_column(s, i); j < i; j++)
-            *x = sub_product(*x, *entry(s, i, j), right_of(s, j)[axis]);
+            *x = loft_sci_sub_product(*x, *entry(s, i, j), right_of(s, j)[axis]);
         *x = loft_sci_div(*x, *entry(s, i, i));
     }
     for (unsigned i = s->unknowns; i-- > 0; ) {
         loft_sci *x = &right_of(s, i)[axis];
         *x = loft_sci_div(*x, *entry(s, i, i));
         for (unsigned j = first_column(s, i); j < i; j++)
-            right_of(s, j)[axis] = sub_product(right_of(s, j)[axis], *entry(s, i, j), *x);
+            right_of(s, j)[axis] = loft_sci_sub_product(right_of(s, j)[axis], *entry(s, i, j), *x);
     }
 }
 

@@ -72,8 +72,8 @@ static void solve(const gap *g, int axis, loft_sci q[MOST + 1])
     q[g->count] = high;
     for (; i < j; i++, j--) {
         const loft_sci left = loft_sci_sub(one, g->a[i]), right = loft_sci_sub(one, g->a[j]);
-        low = loft_sci_div(loft_sci_sub(value_of(g, i, axis), loft_sci_mul(left, low)), g->a[i]);
-        high = loft_sci_div(loft_sci_sub(value_of(g, j, axis), loft_sci_mul(g->a[j], high)), right);
+        low = loft_sci_div(loft_sci_sub_product(value_of(g, i, axis), left, low), g->a[i]);
+        high = loft_sci_div(loft_sci_sub_product(value_of(g, j, axis), g->a[j], high), right);
         q[i + 1] = low;
         q[j] = i + 1 == j ? loft_sci_mul(loft_sci_power2(-1), loft_sci_add(low, high)) : high;
     }
@@ -109,7 +109,7 @@ static bool distance_of(const gap *g, const loft_vec q[MOST + 1], loft_acc *out)
             const loft_sci off = loft_sci_sub(x, value_of(g, j, axis));
             sum = loft_sci_add(sum, loft_sci_mul(off, off));
         }
-        most = loft_sci_less(most, sum) ? sum : most;
+        most = loft_sci_larger(most, sum);
     }
     return loft_sci_to_acc(loft_sci_sqrt(most), out);
 }

@@ -113,11 +113,6 @@ static loft_sci pair_integral(unsigned m, unsigned i, unsigned n, unsigned j)
     return loft_sci_div(top, all);
 }
 
-static loft_sci sub_product(loft_sci x, loft_sci a, loft_sci b)
-{
-    return loft_sci_sub(x, loft_sci_mul(a, b));
-}
-
 /* Solve for x[1 .. m - 1], which holds the right sides. */
 static void solve_normal(unsigned m, loft_sci x[])
 {
@@ -130,12 +125,12 @@ static void solve_normal(unsigned m, loft_sci x[])
         for (unsigned i = k + 1; i < m; i++) {
             const loft_sci f = loft_sci_div(a[i][k], a[k][k]);
             for (unsigned j = k; j < m; j++)
-                a[i][j] = sub_product(a[i][j], f, a[k][j]);
-            x[i] = sub_product(x[i], f, x[k]);
+                a[i][j] = loft_sci_sub_product(a[i][j], f, a[k][j]);
+            x[i] = loft_sci_sub_product(x[i], f, x[k]);
         }
     for (unsigned i = m; i-- > 1; ) {
         for (unsigned j = i + 1; j < m; j++)
-            x[i] = sub_product(x[i], a[i][j], x[j]);
+            x[i] = loft_sci_sub_product(x[i], a[i][j], x[j]);
         x[i] = loft_sci_div(x[i], a[i][i]);
     }
 }
@@ -190,8 +185,6 @@ static void add_squares(const loft_bezier *b, unsigned m, int axis, const loft_s
     }
 }
 
-static loft_sci larger(loft_sci a, loft_sci b) { return loft_sci_less(a, b) ? b : a; }
-
 /* 1 + 2^-40: more than what rounding takes from a length. */
 static loft_sci slightly_more(loft_sci x)
 {
@@ -221,7 +214,7 @@ enum loft_status loft_bezier_reduce(const loft_bezier *b, unsigned times, loft_v
         add_squares(b, m, axis, q, sum[1]);
     }
     for (unsigned k = 0; k <= n; k++)
-        most = larger(most, larger(sum[0][k], sum[1][k]));
+        most = loft_sci_larger(most, loft_sci_larger(sum[0][k], sum[1][k]));
     if (!loft_sci_to_acc(slightly_more(loft_sci_sqrt(most)), &wide) ||
         !loft_acc_valid(wide + loft_real_ulp(wide)))
         return LOFT_ERR_RANGE;

@@ -56,11 +56,6 @@ static loft_sci secant_of(const loft_spline *s, uint32_t i, int axis)
 
 static loft_sci times_int(int32_t k, loft_sci x) { return loft_sci_mul(loft_sci_from_int(k), x); }
 
-static loft_sci sub_product(loft_sci x, loft_sci a, loft_sci b)
-{
-    return loft_sci_sub(x, loft_sci_mul(a, b));
-}
-
 /* w at point i; v is that of the other step. */
 static loft_sci share_of(loft_sci step, loft_sci other)
 {
@@ -128,9 +123,9 @@ static void eliminate_forward(const loft_spline *s, loft_spline_knot *knot, uint
         loft_sci den = loft_sci_from_int(2);
         loft_sci last = w, rest = right;
         if (i > 0) {
-            den = sub_product(den, w, knot[i-1].next);
+            den = loft_sci_sub_product(den, w, knot[i-1].next);
             last = loft_sci_neg(loft_sci_mul(w, knot[i-1].last));
-            rest = sub_product(right, w, knot[i-1].slope[axis]);
+            rest = loft_sci_sub_product(right, w, knot[i-1].slope[axis]);
         }
         knot[i].next = loft_sci_div(share_of(before, step), den);
         knot[i].last = loft_sci_div(last, den);
@@ -146,15 +141,15 @@ static loft_sci closing_slope(const loft_spline *s, const loft_spline_knot *knot
                    v = share_of(knot[end - 1].step, knot[end].step);
     loft_sci a = knot[end - 1].slope[axis];
     loft_sci b = loft_sci_add(knot[end - 1].next, knot[end - 1].last);
-    loft_sci right = sub_product(right_side(s, end, axis), w, a);
-    loft_sci den = sub_product(loft_sci_from_int(2), w, b);
+    loft_sci right = loft_sci_sub_product(right_side(s, end, axis), w, a);
+    loft_sci den = loft_sci_sub_product(loft_sci_from_int(2), w, b);
 
     for (uint32_t i = end - 1; i-- > 0; ) {
-        a = sub_product(knot[i].slope[axis], knot[i].next, a);
-        b = sub_product(knot[i].last, knot[i].next, b);
+        a = loft_sci_sub_product(knot[i].slope[axis], knot[i].next, a);
+        b = loft_sci_sub_product(knot[i].last, knot[i].next, b);
     }
-    right = sub_product(right, v, a);
-    den = sub_product(den, v, b);
+    right = loft_sci_sub_product(right, v, a);
+    den = loft_sci_sub_product(den, v, b);
     return loft_sci_div(right, den);
 }
 
@@ -164,9 +159,9 @@ static loft_sci ending_slope(const loft_spline *s, const loft_spline_knot *knot,
     const uint32_t end = s->count - 1;
     loft_sci right = knot[end].slope[axis];
     const loft_sci share = end_row(s, end - 1, end - 2, axis, &right);
-    const loft_sci den = sub_product(loft_sci_one(), share, knot[end - 1].next);
+    const loft_sci den = loft_sci_sub_product(loft_sci_one(), share, knot[end - 1].next);
 
-    return loft_sci_div(sub_product(right, share, knot[end - 1].slope[axis]), den);
+    return loft_sci_div(loft_sci_sub_product(right, share, knot[end - 1].slope[axis]), den);
 }
 
 /* Three points with not-a-knot ends, or two: a parabola, a line. */
@@ -196,11 +191,11 @@ static void solve_last_knot(const loft_spline *s, loft_spline_knot *knot, int ax
     const loft_sci h = knot[inner].step, before = knot[inner - 1].step;
     const loft_sci w = share_of(h, before), v = share_of(before, h);
     const loft_sci outer = outer_right_side(s, inner, inner - 1, axis);
-    const loft_sci rest = sub_product(sub_product(right_side(s, inner, axis), v, outer), w,
-                                      knot[inner - 1].slope[axis]);
+    const loft_sci rest = loft_sci_sub_product(
+        loft_sci_sub_product(right_side(s, inner, axis), v, outer), w, knot[inner - 1].slope[axis]);
 
-    knot[inner].slope[axis] = loft_sci_div(rest,
-                                           sub_product(loft_sci_one(), w, knot[inner - 1].next));
+    knot[inner].slope[axis] = loft_sci_div(
+        rest, loft_sci_sub_product(loft_sci_one(), w, knot[inner - 1].next));
     knot[end].slope[axis] = loft_sci_sub(
         outer,
         loft_sci_mul(loft_sci_div(loft_sci_add(before, h), before), knot[inner].slope[axis]));
@@ -222,9 +217,9 @@ static void solve_axis(const loft_spline *s, loft_spline_knot *knot, int axis)
                                                             : ending_slope(s, knot, axis);
     }
     while (i-- > 0)
-        knot[i].slope[axis] = sub_product(
-            sub_product(knot[i].slope[axis], knot[i].last, knot[end].slope[axis]), knot[i].next,
-            knot[i + 1].slope[axis]);
+        knot[i].slope[axis] = loft_sci_sub_product(
+            loft_sci_sub_product(knot[i].slope[axis], knot[i].last, knot[end].slope[axis]),
+            knot[i].next, knot[i + 1].slope[axis]);
 }
 
 static loft_sci chord_step(const loft_spline *s, uint32_t i)

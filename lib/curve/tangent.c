@@ -40,11 +40,6 @@ static loft_sci weighted_sum(const piece *s, const loft_sci basis[], int axis, l
     return sum;
 }
 
-static loft_sci sub_product(loft_sci x, loft_sci a, loft_sci b)
-{
-    return loft_sci_sub(x, loft_sci_mul(a, b));
-}
-
 static uint32_t weighted_residue(const piece *s, const loft_residue *r, const uint32_t basis[],
                                  int axis)
 {
@@ -121,11 +116,11 @@ static enum loft_status piece_tangent(const piece *s, loft_vec origin, loft_tang
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         const loft_sci y = loft_sci_div(weighted_sum(s, basis[0], axis, origin), w[0]);
         for (unsigned k = 1; k < 4; k++)
-            d[k] = sub_product(weighted_sum(s, basis[k], axis, origin), w[k], y);
+            d[k] = loft_sci_sub_product(weighted_sum(s, basis[k], axis, origin), w[k], y);
         d[1] = loft_sci_div(d[1], w[0]);
-        d[2] = loft_sci_div(sub_product(d[2], loft_sci_mul(two, w[1]), d[1]), w[0]);
-        d[3] = sub_product(d[3], loft_sci_mul(three, w[1]), d[2]);
-        d[3] = loft_sci_div(sub_product(d[3], loft_sci_mul(three, w[2]), d[1]), w[0]);
+        d[2] = loft_sci_div(loft_sci_sub_product(d[2], loft_sci_mul(two, w[1]), d[1]), w[0]);
+        d[3] = loft_sci_sub_product(d[3], loft_sci_mul(three, w[1]), d[2]);
+        d[3] = loft_sci_div(loft_sci_sub_product(d[3], loft_sci_mul(three, w[2]), d[1]), w[0]);
         out->first[axis] = d[1];
         out->second[axis] = d[2];
         out->third[axis] = d[3];
@@ -190,7 +185,8 @@ enum loft_status loft_tangent_deriv(const loft_tangent *at, unsigned k, loft_vec
 /* x'y'' - x''y' of two axes */
 static loft_sci turn_of(const loft_tangent *at, int i, int j)
 {
-    return sub_product(loft_sci_mul(at->first[i], at->second[j]), at->second[i], at->first[j]);
+    return loft_sci_sub_product(loft_sci_mul(at->first[i], at->second[j]), at->second[i],
+                                at->first[j]);
 }
 
 enum loft_status loft_tangent_curvature(const loft_tangent *at, bool plane, loft_acc *out)
@@ -216,21 +212,14 @@ enum loft_status loft_tangent_curvature(const loft_tangent *at, bool plane, loft
 
 #if LOFT_AXES >= 3
 
-static loft_sci dot_of(const loft_sci a[3], const loft_sci b[3])
-{
-    return loft_sci_add(loft_sci_mul(a[0], b[0]),
-                        loft_sci_add(loft_sci_mul(a[1], b[1]), loft_sci_mul(a[2], b[2])));
-}
-
 /* P' x P''; false where it vanishes. */
 static bool binormal_of(const loft_tangent *at, loft_sci out[3], loft_sci *square)
 {
-    const loft_sci size = loft_sci_mul(dot_of(at->first, at->first),
-                                       dot_of(at->second, at->second));
+    const loft_sci size = loft_sci_mul(loft_sci_dot3(at->first, at->first),
+                                       loft_sci_dot3(at->second, at->second));
 
-    for (int i = 0; i < 3; i++)
-        out[i] = turn_of(at, (i + 1) % 3, (i + 2) % 3);
-    *square = dot_of(out, out);
+    loft_sci_cross3(at->first, at->second, out);
+    *square = loft_sci_dot3(out, out);
     return !at->stops && loft_sci_sign(*square) > 0 &&
            !loft_sci_less(*square, loft_sci_mul(size, loft_sci_power2(-80)));
 }
@@ -241,13 +230,14 @@ enum loft_status loft_tangent_torsion(const loft_tangent *at, loft_acc *out)
 
     if (!binormal_of(at, across, &square))
         return LOFT_SINGULAR;
-    return loft_sci_to_acc(loft_sci_div(dot_of(across, at->third), square), out) ? LOFT_OK
-                                                                                 : LOFT_ERR_RANGE;
+    return loft_sci_to_acc(loft_sci_div(loft_sci_dot3(across, at->third), square), out)
+               ? LOFT_OK
+               : LOFT_ERR_RANGE;
 }
 
 enum loft_status loft_tangent_frenet(const loft_tangent *at, loft_vec frame[3])
 {
-    loft_sci across[3], along[3], square;
+    loft_sci across[3], along[3], inward[3], square;
     loft_acc x[3][LOFT_AXES] = { { 0 } };
     loft_vec unit[3];
     bool fits = true;
@@ -255,17 +245,15 @@ enum loft_status loft_tangent_frenet(const loft_tangent *at, loft_vec frame[3])
     if (!binormal_of(at, across, &square))
         return LOFT_SINGULAR;
     const loft_sci length = loft_sci_sqrt(square),
-                   speed = loft_sci_sqrt(dot_of(at->first, at->first));
+                   speed = loft_sci_sqrt(loft_sci_dot3(at->first, at->first));
     for (int i = 0; i < 3; i++) {
         across[i] = loft_sci_div(across[i], length);
         along[i] = loft_sci_div(at->first[i], speed);
     }
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const loft_sci inward = sub_product(loft_sci_mul(across[j], along[k]), across[k], along[j]);
-        fits = loft_sci_to_acc(along[i], &x[0][i]) && loft_sci_to_acc(inward, &x[1][i]) &&
+    loft_sci_cross3(across, along, inward);
+    for (int i = 0; i < 3; i++)
+        fits = loft_sci_to_acc(along[i], &x[0][i]) && loft_sci_to_acc(inward[i], &x[1][i]) &&
                loft_sci_to_acc(across[i], &x[2][i]) && fits;
-    }
     for (int k = 0; k < 3; k++)
         fits = loft_vec_round(x[k], &unit[k]) && fits;
     for (int k = 0; k < 3 && fits; k++)

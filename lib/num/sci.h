@@ -111,6 +111,39 @@ static inline bool loft_sci_less(loft_sci a, loft_sci b)
     return loft_sci_sign(loft_sci_sub(a, b)) < 0;
 }
 
+static inline loft_sci loft_sci_larger(loft_sci a, loft_sci b)
+{
+    return loft_sci_less(a, b) ? b : a;
+}
+static inline loft_sci loft_sci_smaller(loft_sci a, loft_sci b)
+{
+    return loft_sci_less(b, a) ? b : a;
+}
+
+/* x - a b.
+ *
+ *   error   2 roundings */
+static inline loft_sci loft_sci_sub_product(loft_sci x, loft_sci a, loft_sci b)
+{
+    return loft_sci_sub(x, loft_sci_mul(a, b));
+}
+
+/* The scalar product of vectors in space, and a x b, which is neither of them.
+ *
+ *   error   5 roundings of the sum of the sizes of the products; 3 for each component */
+static inline loft_sci loft_sci_dot3(const loft_sci a[3], const loft_sci b[3])
+{
+    return loft_sci_add(loft_sci_add(loft_sci_mul(a[0], b[0]), loft_sci_mul(a[1], b[1])),
+                        loft_sci_mul(a[2], b[2]));
+}
+static inline void loft_sci_cross3(const loft_sci a[3], const loft_sci b[3], loft_sci out[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        out[k] = loft_sci_sub_product(loft_sci_mul(a[i], b[j]), a[j], b[i]);
+    }
+}
+
 /* x + (y - x) t.
  *
  *   error   3 roundings */

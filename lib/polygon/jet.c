@@ -12,11 +12,6 @@
 
 static loft_sci mul(loft_sci a, loft_sci b)             { return loft_sci_mul(a, b); }
 static loft_sci twice(loft_sci a)                       { return loft_sci_add(a, a); }
-static loft_sci sub_product(loft_sci a, loft_sci b, loft_sci c)
-{
-    return loft_sci_sub(a, loft_sci_mul(b, c));
-}
-
 loft_jet loft_jet_of(loft_sci c)
 {
     const loft_sci none = loft_sci_zero();
@@ -71,12 +66,16 @@ loft_jet loft_jet_div(const loft_jet *a, const loft_jet *b)
     loft_jet q;
 
     q.f = loft_sci_div(a->f, b->f);
-    q.x = loft_sci_div(sub_product(a->x, q.f, b->x), b->f);
-    q.y = loft_sci_div(sub_product(a->y, q.f, b->y), b->f);
-    q.xx = loft_sci_div(sub_product(sub_product(a->xx, twice(q.x), b->x), q.f, b->xx), b->f);
+    q.x = loft_sci_div(loft_sci_sub_product(a->x, q.f, b->x), b->f);
+    q.y = loft_sci_div(loft_sci_sub_product(a->y, q.f, b->y), b->f);
+    q.xx = loft_sci_div(
+        loft_sci_sub_product(loft_sci_sub_product(a->xx, twice(q.x), b->x), q.f, b->xx), b->f);
     q.xy = loft_sci_div(
-        sub_product(sub_product(sub_product(a->xy, q.x, b->y), q.y, b->x), q.f, b->xy), b->f);
-    q.yy = loft_sci_div(sub_product(sub_product(a->yy, twice(q.y), b->y), q.f, b->yy), b->f);
+        loft_sci_sub_product(
+            loft_sci_sub_product(loft_sci_sub_product(a->xy, q.x, b->y), q.y, b->x), q.f, b->xy),
+        b->f);
+    q.yy = loft_sci_div(
+        loft_sci_sub_product(loft_sci_sub_product(a->yy, twice(q.y), b->y), q.f, b->yy), b->f);
     return q;
 }
 
@@ -88,9 +87,9 @@ loft_jet loft_jet_sqrt(const loft_jet *a)
     r.f = loft_sci_sqrt(a->f);
     r.x = loft_sci_div(mul(half, a->x), r.f);
     r.y = loft_sci_div(mul(half, a->y), r.f);
-    r.xx = loft_sci_div(sub_product(mul(half, a->xx), r.x, r.x), r.f);
-    r.xy = loft_sci_div(sub_product(mul(half, a->xy), r.x, r.y), r.f);
-    r.yy = loft_sci_div(sub_product(mul(half, a->yy), r.y, r.y), r.f);
+    r.xx = loft_sci_div(loft_sci_sub_product(mul(half, a->xx), r.x, r.x), r.f);
+    r.xy = loft_sci_div(loft_sci_sub_product(mul(half, a->xy), r.x, r.y), r.f);
+    r.yy = loft_sci_div(loft_sci_sub_product(mul(half, a->yy), r.y, r.y), r.f);
     return r;
 }
 

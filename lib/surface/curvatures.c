@@ -10,25 +10,11 @@
 
 #if LOFT_AXES >= 3
 
-static loft_sci sub_product(loft_sci x, loft_sci a, loft_sci b)
-{
-    return loft_sci_sub(x, loft_sci_mul(a, b));
-}
-
-static loft_sci sci_dot(const loft_sci x[], const loft_sci y[])
-{
-    return loft_sci_add(loft_sci_add(loft_sci_mul(x[0], y[0]), loft_sci_mul(x[1], y[1])),
-                        loft_sci_mul(x[2], y[2]));
-}
-
 /* P_u x P_v and its squared length. False when the length is at most 2^-30 of the widths. */
 static bool cross_tangents(const loft_differential *at, loft_sci n[3], loft_sci *square)
 {
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        n[i] = sub_product(loft_sci_mul(at->u[j], at->v[k]), at->u[k], at->v[j]);
-    }
-    *square = sci_dot(n, n);
+    loft_sci_cross3(at->u, at->v, n);
+    *square = loft_sci_dot3(n, n);
     const loft_sci least = loft_sci_div(loft_sci_mul(at->width_u, at->width_v),
                                         loft_sci_from_int((int32_t)1 << 30));
     return loft_sci_less(loft_sci_mul(least, least), *square);
@@ -71,23 +57,26 @@ static bool find_form(const loft_differential *at, form *out)
 
     if (!cross_tangents(at, n, &square))
         return false;
-    const bool swap = loft_sci_less(sci_dot(at->u, at->u), sci_dot(at->v, at->v));
+    const bool swap = loft_sci_less(loft_sci_dot3(at->u, at->u), loft_sci_dot3(at->v, at->v));
     const loft_sci *u = swap ? at->v : at->u, *v = swap ? at->u : at->v,
                    *uu = swap ? at->vv : at->uu, *vv = swap ? at->uu : at->vv;
-    const loft_sci length = loft_sci_sqrt(square), e = sci_dot(u, u),
-                   f = loft_sci_div(sci_dot(at->u, at->v), e);
+    const loft_sci length = loft_sci_sqrt(square), e = loft_sci_dot3(u, u),
+                   f = loft_sci_div(loft_sci_dot3(at->u, at->v), e);
     /* times the length */
-    const loft_sci n_uu = sci_dot(uu, n), n_uv = sci_dot(at->uv, n), n_vv = sci_dot(vv, n);
-    const loft_sci lean = sub_product(n_uv, f, n_uu);
+    const loft_sci n_uu = loft_sci_dot3(uu, n), n_uv = loft_sci_dot3(at->uv, n),
+                   n_vv = loft_sci_dot3(vv, n);
+    const loft_sci lean = loft_sci_sub_product(n_uv, f, n_uu);
 
     out->a = loft_sci_div(n_uu, loft_sci_mul(e, length));
     out->b = loft_sci_div(lean, square);
-    out->c = loft_sci_div(loft_sci_mul(sub_product(sub_product(n_vv, f, n_uv), f, lean), e),
-                          loft_sci_mul(square, length));
+    out->c = loft_sci_div(
+        loft_sci_mul(loft_sci_sub_product(loft_sci_sub_product(n_vv, f, n_uv), f, lean), e),
+        loft_sci_mul(square, length));
     const loft_sci root = loft_sci_sqrt(e);
     for (int i = 0; i < 3; i++) {
         out->along[i] = loft_sci_div(u[i], root);
-        out->across[i] = loft_sci_div(loft_sci_mul(sub_product(v[i], f, u[i]), root), length);
+        out->across[i] = loft_sci_div(loft_sci_mul(loft_sci_sub_product(v[i], f, u[i]), root),
+                                      length);
     }
     return true;
 }
@@ -108,7 +97,7 @@ enum loft_status loft_differential_curvatures(const loft_differential *at, loft_
         return LOFT_SINGULAR;
     const loft_sci spread = spread_of(&x, &apart),
                    mean = loft_sci_mul(loft_sci_power2(-1), loft_sci_add(x.a, x.c));
-    return set_curvatures(sub_product(loft_sci_mul(x.a, x.c), x.b, x.b), mean,
+    return set_curvatures(loft_sci_sub_product(loft_sci_mul(x.a, x.c), x.b, x.b), mean,
                           loft_sci_sub(mean, spread), loft_sci_add(mean, spread), out)
                ? LOFT_OK
                : LOFT_ERR_RANGE;
@@ -134,7 +123,8 @@ enum loft_status loft_differential_directions(const loft_differential *at, loft_
         loft_acc most = 0, least = 0;
         out[0].axis[i] = out[1].axis[i] = 0;
         if (i < 3 &&
-            loft_sci_to_acc(sub_product(loft_sci_mul(x, m.across[i]), y, m.along[i]), &least) &&
+            loft_sci_to_acc(loft_sci_sub_product(loft_sci_mul(x, m.across[i]), y, m.along[i]),
+                            &least) &&
             loft_sci_to_acc(loft_sci_add(loft_sci_mul(x, m.along[i]), loft_sci_mul(y, m.across[i])),
                             &most)) {
             out[0].axis[i] = loft_acc_round(least);

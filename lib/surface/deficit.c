@@ -18,12 +18,6 @@
 #include "geom/vec_exact.h"     /* loft_vec_exact_valid */
 #include "num/explog.h"         /* loft_sci_from_fine */
 
-static loft_sci sci_dot(const loft_sci a[3], const loft_sci b[3])
-{
-    return loft_sci_add(loft_sci_add(loft_sci_mul(a[0], b[0]), loft_sci_mul(a[1], b[1])),
-                        loft_sci_mul(a[2], b[2]));
-}
-
 static void offset(const loft_vec *from, const loft_vec *to, loft_sci out[3])
 {
     for (int k = 0; k < 3; k++)
@@ -43,7 +37,7 @@ static loft_sci cross_size(const loft_vec *vertex, const loft_vec *p, const loft
                         b[2] = { loft_vec_axis(q, i), loft_vec_axis(q, j) };
         c[k] = loft_sci_cross(o, a, o, b);
     }
-    return loft_sci_sqrt(sci_dot(c, c));
+    return loft_sci_sqrt(loft_sci_dot3(c, c));
 }
 
 /* The angle of (x, y), y >= 0. Both are scaled so that the larger is 2^29. */
@@ -62,16 +56,16 @@ static loft_fine angle_of(loft_sci y, loft_sci x)
 
 static loft_sci area_of(const loft_sci a[3], const loft_sci b[3], const loft_sci c[3], loft_sci d)
 {
-    const loft_sci ac = sci_dot(a, c), bc = sci_dot(b, c);
+    const loft_sci ac = loft_sci_dot3(a, c), bc = loft_sci_dot3(b, c);
 
     if (!loft_sci_sign(d))
         return d;
-    if (loft_sci_sign(sci_dot(a, b)) < 0)
+    if (loft_sci_sign(loft_sci_dot3(a, b)) < 0)
         return loft_sci_mul(d, loft_sci_from_unit(LOFT_UNIT(0.25)));
     if (loft_sci_sign(ac) > 0 || loft_sci_sign(bc) < 0)
         return loft_sci_mul(d, loft_sci_from_unit(LOFT_UNIT(0.125)));
-    const loft_sci sum = loft_sci_sub(loft_sci_mul(sci_dot(a, a), bc),
-                                      loft_sci_mul(sci_dot(b, b), ac));
+    const loft_sci sum = loft_sci_sub(loft_sci_mul(loft_sci_dot3(a, a), bc),
+                                      loft_sci_mul(loft_sci_dot3(b, b), ac));
     return loft_sci_div(loft_sci_mul(sum, loft_sci_from_unit(LOFT_UNIT(0.125))), d);
 }
 
@@ -90,10 +84,10 @@ enum loft_status loft_deficit_eval(const loft_vec *vertex, const loft_vec ring[]
         offset(vertex, &ring[i], a);
         offset(vertex, next, b);
         offset(&ring[i], next, c);
-        if (!loft_sci_sign(sci_dot(a, a)) || !loft_sci_sign(sci_dot(b, b)))
+        if (!loft_sci_sign(loft_sci_dot3(a, a)) || !loft_sci_sign(loft_sci_dot3(b, b)))
             return LOFT_SINGULAR;
         const loft_sci d = cross_size(vertex, &ring[i], next);
-        angles = loft_sci_add(angles, loft_sci_from_fine(angle_of(d, sci_dot(a, b))));
+        angles = loft_sci_add(angles, loft_sci_from_fine(angle_of(d, loft_sci_dot3(a, b))));
         area = loft_sci_add(area, area_of(a, b, c, d));
     }
     if (!loft_sci_sign(area))

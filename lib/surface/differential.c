@@ -236,23 +236,21 @@ enum loft_status loft_triangle_differential(const loft_triangle *t, loft_bary at
 
 /* Rational patches */
 
-static loft_sci sub_product(loft_sci x, loft_sci a, loft_sci b)
-{
-    return loft_sci_sub(x, loft_sci_mul(a, b));
-}
-
 /* Turn the derivatives of X, in place, into those of X / w. d holds the derivatives of w. */
 static void divide_by_weight(loft_differential *x, int i, loft_sci offset, loft_sci w,
                              const loft_sci d[5])
 {
     const loft_sci two = loft_sci_from_int(2);
 
-    x->u[i] = loft_sci_div(sub_product(x->u[i], offset, d[0]), w);
-    x->v[i] = loft_sci_div(sub_product(x->v[i], offset, d[1]), w);
-    x->uu[i] = sub_product(sub_product(x->uu[i], loft_sci_mul(two, x->u[i]), d[0]), offset, d[2]);
-    x->uv[i] = sub_product(sub_product(sub_product(x->uv[i], x->u[i], d[1]), x->v[i], d[0]), offset,
-                           d[3]);
-    x->vv[i] = sub_product(sub_product(x->vv[i], loft_sci_mul(two, x->v[i]), d[1]), offset, d[4]);
+    x->u[i] = loft_sci_div(loft_sci_sub_product(x->u[i], offset, d[0]), w);
+    x->v[i] = loft_sci_div(loft_sci_sub_product(x->v[i], offset, d[1]), w);
+    x->uu[i] = loft_sci_sub_product(
+        loft_sci_sub_product(x->uu[i], loft_sci_mul(two, x->u[i]), d[0]), offset, d[2]);
+    x->uv[i] = loft_sci_sub_product(
+        loft_sci_sub_product(loft_sci_sub_product(x->uv[i], x->u[i], d[1]), x->v[i], d[0]), offset,
+        d[3]);
+    x->vv[i] = loft_sci_sub_product(
+        loft_sci_sub_product(x->vv[i], loft_sci_mul(two, x->v[i]), d[1]), offset, d[4]);
     x->uu[i] = loft_sci_div(x->uu[i], w);
     x->uv[i] = loft_sci_div(x->uv[i], w);
     x->vv[i] = loft_sci_div(x->vv[i], w);

@@ -84,7 +84,7 @@ void loft_net_load(loft_net s, loft_vec origin, loft_net_form *out)
         load_axis(&s, &origin, LOFT_AXES, &out->w);
 }
 
-void loft_net_form_sub(const loft_net_form *x, const loft_tensor_part *part, loft_net_form *out)
+void loft_net_form_sub(const loft_net_form *x, const loft_dyad part[2], loft_net_form *out)
 {
     out->weighted = x->weighted;
     out->triangle = x->triangle;
@@ -98,11 +98,6 @@ void loft_net_form_sub(const loft_net_form *x, const loft_tensor_part *part, lof
 static const unsigned char by[LOFT_NET_JET][2] = { { 0, 0 }, { 1, 0 }, { 0, 1 },
                                                    { 2, 0 }, { 1, 1 }, { 0, 2 } };
 
-static loft_sci minus_product(loft_sci from, loft_sci a, loft_sci b)
-{
-    return loft_sci_sub(from, loft_sci_mul(a, b));
-}
-
 /* From N to P, in place. */
 static void divide_jet(loft_sci n[LOFT_NET_JET], const loft_sci w[LOFT_NET_JET], unsigned count)
 {
@@ -110,14 +105,14 @@ static void divide_jet(loft_sci n[LOFT_NET_JET], const loft_sci w[LOFT_NET_JET],
 
     n[0] = loft_sci_div(n[0], w[0]);
     for (unsigned k = 1; k < count; k++) {
-        n[k] = minus_product(n[k], n[0], w[k]);
+        n[k] = loft_sci_sub_product(n[k], n[0], w[k]);
         if (k == LOFT_NET_BY_XX || k == LOFT_NET_BY_YY) {
             const unsigned one = k == LOFT_NET_BY_XX ? LOFT_NET_BY_X : LOFT_NET_BY_Y;
-            n[k] = minus_product(n[k], loft_sci_mul(two, n[one]), w[one]);
+            n[k] = loft_sci_sub_product(n[k], loft_sci_mul(two, n[one]), w[one]);
         }
         if (k == LOFT_NET_BY_XY) {
-            n[k] = minus_product(n[k], n[LOFT_NET_BY_X], w[LOFT_NET_BY_Y]);
-            n[k] = minus_product(n[k], n[LOFT_NET_BY_Y], w[LOFT_NET_BY_X]);
+            n[k] = loft_sci_sub_product(n[k], n[LOFT_NET_BY_X], w[LOFT_NET_BY_Y]);
+            n[k] = loft_sci_sub_product(n[k], n[LOFT_NET_BY_Y], w[LOFT_NET_BY_X]);
         }
         n[k] = loft_sci_div(n[k], w[0]);
     }

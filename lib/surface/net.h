@@ -57,7 +57,7 @@ void loft_net_load(loft_net s, loft_vec origin, loft_net_form *out);
  *   error   as loft_sci_net_sub
  *   cost    LOFT_AXES times loft_sci_net_sub; with weights once more
  */
-void loft_net_form_sub(const loft_net_form *x, const loft_tensor_part *part, loft_net_form *out);
+void loft_net_form_sub(const loft_net_form *x, const loft_dyad part[2], loft_net_form *out);
 
 /* Which derivative by x and y. */
 enum loft_net_by {

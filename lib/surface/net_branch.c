@@ -17,19 +17,13 @@
 
 #define ROUNDS 24
 
-static loft_sci dot_of(const loft_sci a[3], const loft_sci b[3])
-{
-    return loft_sci_add(loft_sci_mul(a[0], b[0]),
-                        loft_sci_add(loft_sci_mul(a[1], b[1]), loft_sci_mul(a[2], b[2])));
-}
-
 static loft_sci distance_of(const loft_sci a[3], const loft_sci b[3])
 {
     loft_sci d[3];
 
     for (int axis = 0; axis < 3; axis++)
         d[axis] = loft_sci_sub(a[axis], b[axis]);
-    return loft_sci_sqrt(dot_of(d, d));
+    return loft_sci_sqrt(loft_sci_dot3(d, d));
 }
 
 /* b - a at s->x, and the derivatives of a - b. */
@@ -143,11 +137,8 @@ static bool direction_at(const loft_net_place *s, loft_sci k[4], unsigned *held)
         const loft_sci *p = s->column[i < 1 ? 1 : 0], *q = s->column[i < 2 ? 2 : 1],
                        *r = s->column[i < 3 ? 3 : 2];
         loft_sci n[3];
-        for (int axis = 0; axis < 3; axis++) {
-            const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-            n[axis] = loft_sci_sub(loft_sci_mul(q[a], r[b]), loft_sci_mul(q[b], r[a]));
-        }
-        k[i] = i % 2 ? loft_sci_neg(dot_of(p, n)) : dot_of(p, n);
+        loft_sci_cross3(q, r, n);
+        k[i] = i % 2 ? loft_sci_neg(loft_sci_dot3(p, n)) : loft_sci_dot3(p, n);
         if (loft_sci_less(most, loft_sci_abs(k[i]))) {
             most = loft_sci_abs(k[i]);
             *held = i;
@@ -170,8 +161,9 @@ static void velocity_of(const loft_net_place *s, const loft_sci k[4], loft_sci o
 static bool are_aligned(const loft_sci a[3], const loft_sci b[3])
 {
     const loft_sci cosine = loft_sci_from_unit(LOFT_UNIT(0.94));
-    const loft_sci size = loft_sci_mul(loft_sci_sqrt(dot_of(a, a)), loft_sci_sqrt(dot_of(b, b)));
-    return !loft_sci_less(dot_of(a, b), loft_sci_mul(size, cosine));
+    const loft_sci size = loft_sci_mul(loft_sci_sqrt(loft_sci_dot3(a, a)),
+                                       loft_sci_sqrt(loft_sci_dot3(b, b)));
+    return !loft_sci_less(loft_sci_dot3(a, b), loft_sci_mul(size, cosine));
 }
 
 static bool step_by(const loft_net_both *z, const loft_net_place *s, const loft_sci k[4],
@@ -204,7 +196,7 @@ static bool is_step_good(const loft_net_both *z, const loft_net_place *s, const 
     if (!direction_at(to, here, &other))
         return true;
     velocity_of(to, here, velocity);
-    if (loft_sci_sign(dot_of(velocity, chord)) < 0)
+    if (loft_sci_sign(loft_sci_dot3(velocity, chord)) < 0)
         for (int axis = 0; axis < 3; axis++)
             velocity[axis] = loft_sci_neg(velocity[axis]);
     return are_aligned(velocity, chord);
@@ -250,10 +242,10 @@ static enum loft_net_went step_on(const loft_net_both *z, loft_net_place *s, lof
     if (!direction_at(s, k, &held))
         return LOFT_NET_LOST;
     velocity_of(s, k, velocity);
-    if (loft_sci_sign(dot_of(velocity, ahead)) < 0)
+    if (loft_sci_sign(loft_sci_dot3(velocity, ahead)) < 0)
         for (int i = 0; i < 4; i++)
             k[i] = loft_sci_neg(k[i]);
-    const loft_sci speed = loft_sci_sqrt(dot_of(velocity, velocity));
+    const loft_sci speed = loft_sci_sqrt(loft_sci_dot3(velocity, velocity));
     while (!step_by(z, &from, k, held, *by, s) || !is_step_good(z, &from, k, held, *by, s)) {
         *by = loft_sci_mul(*by, half);
         if (loft_sci_less(loft_sci_mul(*by, speed), least)) {

@@ -25,16 +25,12 @@ typedef struct {
     loft_sci low, high;
 } extent;
 
-static loft_sci least_of(loft_sci a, loft_sci b) { return loft_sci_less(b, a) ? b : a; }
-
-static loft_sci most_of(loft_sci a, loft_sci b)  { return loft_sci_less(a, b) ? b : a; }
-
 static extent extent_times(extent a, extent b)
 {
     const loft_sci p = loft_sci_mul(a.low, b.low), q = loft_sci_mul(a.low, b.high),
                    r = loft_sci_mul(a.high, b.low), s = loft_sci_mul(a.high, b.high);
-    const extent out = { least_of(least_of(p, q), least_of(r, s)),
-                         most_of(most_of(p, q), most_of(r, s)) };
+    const extent out = { loft_sci_smaller(loft_sci_smaller(p, q), loft_sci_smaller(r, s)),
+                         loft_sci_larger(loft_sci_larger(p, q), loft_sci_larger(r, s)) };
     return out;
 }
 
@@ -44,7 +40,7 @@ static loft_sci off_by(extent a, extent b, extent c, extent d, loft_sci x)
     const extent p = extent_times(a, b), q = extent_times(c, d);
     const loft_sci low = loft_sci_sub(loft_sci_sub(p.low, q.high), x),
                    high = loft_sci_sub(loft_sci_sub(p.high, q.low), x);
-    return most_of(loft_sci_abs(low), loft_sci_abs(high));
+    return loft_sci_larger(loft_sci_abs(low), loft_sci_abs(high));
 }
 
 static extent extent_of(const loft_sci_net *x)
@@ -53,8 +49,8 @@ static extent extent_of(const loft_sci_net *x)
 
     for (unsigned i = 0; i <= x->m; i++)
         for (unsigned j = 0; j <= x->n; j++) {
-            out.low = least_of(out.low, x->c[i][j]);
-            out.high = most_of(out.high, x->c[i][j]);
+            out.low = loft_sci_smaller(out.low, x->c[i][j]);
+            out.high = loft_sci_larger(out.high, x->c[i][j]);
         }
     return out;
 }
@@ -71,8 +67,8 @@ static extent legs_of(const loft_sci_net *x, bool by_u)
             const loft_sci before = by_u ? x->c[i - 1][j] : x->c[i][j - 1],
                            leg = loft_sci_mul(factor, loft_sci_sub(x->c[i][j], before));
             const bool first = i == by_u && j == !by_u;
-            out.low = first ? leg : least_of(out.low, leg);
-            out.high = first ? leg : most_of(out.high, leg);
+            out.low = first ? leg : loft_sci_smaller(out.low, leg);
+            out.high = first ? leg : loft_sci_larger(out.high, leg);
         }
     return out;
 }
@@ -91,27 +87,13 @@ static void combine(const loft_net_form *f, const loft_sci m[3], loft_sci_net *o
         }
 }
 
-static void cross_of(const loft_sci a[3], const loft_sci b[3], loft_sci out[3])
-{
-    for (int k = 0; k < 3; k++) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        out[k] = loft_sci_sub(loft_sci_mul(a[i], b[j]), loft_sci_mul(a[j], b[i]));
-    }
-}
-
-static loft_sci dot_of(const loft_sci a[3], const loft_sci b[3])
-{
-    return loft_sci_add(loft_sci_mul(a[0], b[0]),
-                        loft_sci_add(loft_sci_mul(a[1], b[1]), loft_sci_mul(a[2], b[2])));
-}
-
 /* Is the determinant of three columns larger than 2^-30 of the product of their sizes? */
 static bool is_regular(loft_sci column[3][3], loft_sci det)
 {
     loft_sci size = loft_sci_power2(-30);
 
     for (int k = 0; k < 3; k++)
-        size = loft_sci_mul(size, loft_sci_sqrt(dot_of(column[k], column[k])));
+        size = loft_sci_mul(size, loft_sci_sqrt(loft_sci_dot3(column[k], column[k])));
     return loft_sci_less(size, loft_sci_abs(det));
 }
 
@@ -120,12 +102,12 @@ bool loft_sci_solve3(loft_sci column[3][3], const loft_sci d[3], loft_sci out[3]
     loft_sci n[3][3];
 
     for (int k = 0; k < 3; k++)
-        cross_of(column[(k + 1) % 3], column[(k + 2) % 3], n[k]);
-    const loft_sci det = dot_of(column[0], n[0]);
+        loft_sci_cross3(column[(k + 1) % 3], column[(k + 2) % 3], n[k]);
+    const loft_sci det = loft_sci_dot3(column[0], n[0]);
     if (!is_regular(column, det))
         return false;
     for (int k = 0; k < 3; k++)
-        out[k] = loft_sci_div(dot_of(d, n[k]), det);
+        out[k] = loft_sci_div(loft_sci_dot3(d, n[k]), det);
     return true;
 }
 
@@ -135,8 +117,9 @@ bool loft_sci_solve3(loft_sci column[3][3], const loft_sci d[3], loft_sci out[3]
 
 static bool are_apart(extent a, extent b)
 {
-    const loft_sci size = most_of(most_of(loft_sci_abs(a.low), loft_sci_abs(a.high)),
-                                  most_of(loft_sci_abs(b.low), loft_sci_abs(b.high)));
+    const loft_sci size = loft_sci_larger(
+        loft_sci_larger(loft_sci_abs(a.low), loft_sci_abs(a.high)),
+        loft_sci_larger(loft_sci_abs(b.low), loft_sci_abs(b.high)));
     const loft_sci noise = loft_sci_mul(size, loft_sci_power2(-44));
     return loft_sci_less(loft_sci_add(a.high, noise), b.low) ||
            loft_sci_less(loft_sci_add(b.high, noise), a.low);
@@ -169,13 +152,13 @@ static void measure_legs(const loft_net_form points[2], loft_net_cell *out)
         loft_sci leg = loft_sci_zero();
         for (int axis = 0; axis < 3; axis++) {
             const extent e = legs_of(&points[k / 2].axis[axis], k % 2 == 0);
-            leg = most_of(leg, most_of(loft_sci_abs(e.low), loft_sci_abs(e.high)));
+            leg = loft_sci_larger(leg, loft_sci_larger(loft_sci_abs(e.low), loft_sci_abs(e.high)));
         }
         if (loft_sci_less(most, leg)) {
             most = leg;
             out->longest = k;
         }
-        out->size = most_of(out->size, leg);
+        out->size = loft_sci_larger(out->size, leg);
     }
 }
 
@@ -246,8 +229,8 @@ static bool invert(const system *z, unsigned *loose, loft_sci inverse[3][3])
     *loose = 1;
     for (unsigned k = 0; k < 4 && !curve; k++) {
         loft_sci n[3];
-        cross_of(z->column[(k + 1) % 4], z->column[(k + 2) % 4], n);
-        const loft_sci det = loft_sci_abs(dot_of(n, z->column[(k + 3) % 4]));
+        loft_sci_cross3(z->column[(k + 1) % 4], z->column[(k + 2) % 4], n);
+        const loft_sci det = loft_sci_abs(loft_sci_dot3(n, z->column[(k + 3) % 4]));
         if (loft_sci_less(best, det)) {
             best = det;
             *loose = k;
@@ -259,8 +242,8 @@ static bool invert(const system *z, unsigned *loose, loft_sci inverse[3][3])
             i += axis == 2;
         }
     for (int k = 0; k < 3; k++)
-        cross_of(column[(k + 1) % 3], column[(k + 2) % 3], inverse[k]);
-    const loft_sci det = dot_of(column[0], inverse[0]);
+        loft_sci_cross3(column[(k + 1) % 3], column[(k + 2) % 3], inverse[k]);
+    const loft_sci det = loft_sci_dot3(column[0], inverse[0]);
     if (!is_regular(column, det))
         return false;
     for (int k = 0; k < 3; k++)
@@ -284,7 +267,7 @@ static loft_sci row_error(const system *z, unsigned loose, const loft_sci row[3]
     for (unsigned j = 0; j < 4; j++) {
         const unsigned k = j / 2;
         const extent legs = legs_of(&net[k], j % 2 == 0);
-        const loft_sci x = dot_of(row, z->column[j]);
+        const loft_sci x = loft_sci_dot3(row, z->column[j]);
         const loft_sci a = k == 0 ? off_by(legs, z->weight[1], value[1], z->by[j], x)
                                   : off_by(value[0], z->by[j], legs, z->weight[0], x);
         all = loft_sci_add(all, a);
@@ -292,8 +275,9 @@ static loft_sci row_error(const system *z, unsigned loose, const loft_sci row[3]
             three = loft_sci_add(three, a);
     }
     *once = *once && loft_sci_less(three, loft_sci_sub(loft_sci_one(), loft_sci_power2(-10)));
-    const loft_sci size = most_of(most_of(loft_sci_abs(value[0].low), loft_sci_abs(value[0].high)),
-                                  most_of(loft_sci_abs(value[1].low), loft_sci_abs(value[1].high)));
+    const loft_sci size = loft_sci_larger(
+        loft_sci_larger(loft_sci_abs(value[0].low), loft_sci_abs(value[0].high)),
+        loft_sci_larger(loft_sci_abs(value[1].low), loft_sci_abs(value[1].high)));
     return loft_sci_add(loft_sci_mul(all, half), loft_sci_mul(size, loft_sci_power2(-30)));
 }
 
@@ -310,8 +294,8 @@ static void limit(loft_sci start, loft_sci slope, loft_sci low, loft_sci high, l
         return;
     }
     const loft_sci x = loft_sci_div(a, slope), y = loft_sci_div(b, slope);
-    *from = most_of(*from, least_of(x, y));
-    *to = least_of(*to, most_of(x, y));
+    *from = loft_sci_larger(*from, loft_sci_smaller(x, y));
+    *to = loft_sci_smaller(*to, loft_sci_larger(x, y));
 }
 
 static enum loft_net_known limit_cell(const system *z, loft_sci inverse[3][3], loft_net_cell *out)
@@ -325,8 +309,8 @@ static enum loft_net_known limit_cell(const system *z, loft_sci inverse[3][3], l
         if (k == out->loose)
             continue;
         const loft_sci error = row_error(z, out->loose, inverse[i], &once);
-        const loft_sci slope = loft_sci_neg(dot_of(inverse[i], z->column[out->loose]));
-        const loft_sci middle = loft_sci_sub(half, dot_of(inverse[i], z->f));
+        const loft_sci slope = loft_sci_neg(loft_sci_dot3(inverse[i], z->column[out->loose]));
+        const loft_sci middle = loft_sci_sub(half, loft_sci_dot3(inverse[i], z->f));
         const loft_sci start = loft_sci_sub(middle, loft_sci_mul(slope, half));
         const loft_sci wide = loft_sci_add(error, slack), high = loft_sci_add(one, wide);
         out->start[k] = start;
@@ -352,7 +336,7 @@ static loft_sci speed_of(loft_sci jet[LOFT_NET_JET][LOFT_AXES], const loft_net_c
     for (int axis = 0; axis < 3; axis++)
         sum[axis] = loft_sci_add(loft_sci_mul(cell->slope[0], jet[LOFT_NET_BY_X][axis]),
                                  loft_sci_mul(cell->slope[1], jet[LOFT_NET_BY_Y][axis]));
-    return loft_sci_sqrt(dot_of(sum, sum));
+    return loft_sci_sqrt(loft_sci_dot3(sum, sum));
 }
 
 /* Are the hulls of the control points over their weights apart? If not, their legs are measured.
@@ -376,20 +360,17 @@ points_are_apart(const loft_net_form part[2], loft_sci normal[2][3], loft_net_ce
 }
 
 enum loft_net_known loft_net_cell_decide(const loft_net_form *a, const loft_net_form *b,
-                                         const loft_net_pair *pair, loft_net_cell *out)
+                                         const loft_dyad_box *pair, loft_net_cell *out)
 {
     const loft_sci half = loft_sci_power2(-1);
     loft_sci jet[2][LOFT_NET_JET][LOFT_AXES], normal[2][3], inverse[3][3];
     loft_net_form part[2];
-    loft_tensor_part at;
     system z;
 
     for (int k = 0; k < 2; k++) {
-        at.u = pair->n[2 * k];
-        at.v = pair->n[2 * k + 1];
-        loft_net_form_sub(k ? b : a, &at, &part[k]);
+        loft_net_form_sub(k ? b : a, &pair->n[2 * k], &part[k]);
         loft_net_form_jet(&part[k], 1, half, half, jet[k]);
-        cross_of(jet[k][LOFT_NET_BY_X], jet[k][LOFT_NET_BY_Y], normal[k]);
+        loft_sci_cross3(jet[k][LOFT_NET_BY_X], jet[k][LOFT_NET_BY_Y], normal[k]);
     }
     if (points_are_apart(part, normal, out))
         return LOFT_NET_APART;
@@ -404,30 +385,3 @@ enum loft_net_known loft_net_cell_decide(const loft_net_form *a, const loft_net_
 }
 
 #endif
-
-void loft_net_pair_start(loft_net_pair *pair)
-{
-    for (unsigned k = 0; k < 4; k++)
-        pair->n[k].k = pair->n[k].level = 0;
-    pair->depth = 0;
-}
-
-void loft_net_pair_halve(loft_net_pair *pair, unsigned along)
-{
-    pair->by[pair->depth++] = (uint8_t)along;
-    pair->n[along] = loft_dyad_half(pair->n[along], 0);
-}
-
-bool loft_net_pair_next(loft_net_pair *pair)
-{
-    for (; pair->depth; pair->depth--) {
-        loft_dyad *n = &pair->n[pair->by[pair->depth - 1]];
-        if (n->k % 2 == 0) {
-            n->k++;
-            return true;
-        }
-        n->k /= 2;
-        n->level--;
-    }
-    return false;
-}

@@ -11,23 +11,6 @@
 
 LOFT_BEGIN_C
 
-/* The four parameters in the order of halving, as loft_tensor_part for two. */
-typedef struct {
-    loft_dyad n[4];
-    uint8_t by[4 * LOFT_DYAD_LEVELS];
-    unsigned depth;
-} loft_net_pair;
-
-/* All of both; the first half along a parameter; the cell after this one and its halves.
- *
- *   range   halve: below LOFT_DYAD_LEVELS halvings along that parameter
- *   error   none
- *   cost    one step per level
- */
-void loft_net_pair_start(loft_net_pair *pair);
-void loft_net_pair_halve(loft_net_pair *pair, unsigned along);
-bool loft_net_pair_next(loft_net_pair *pair);
-
 /* What is known of a cell. */
 enum loft_net_known {
     LOFT_NET_APART,             /* the surfaces do not meet in it */
@@ -55,7 +38,7 @@ typedef struct {
  *   see     Krawczyk; Kearfott, Rigorous Global Search, ch. 1: preconditioned Jacobians
  */
 enum loft_net_known loft_net_cell_decide(const loft_net_form *a, const loft_net_form *b,
-                                         const loft_net_pair *pair, loft_net_cell *out);
+                                         const loft_dyad_box *pair, loft_net_cell *out);
 
 /* Solve p x + q y + r z = d. False if the columns depend on each other to 2^-30.
  *

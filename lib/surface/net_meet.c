@@ -105,7 +105,7 @@ static void trace(search *z, const loft_net_place *through)
 // Cells
 // -----
 
-static void place_in(const loft_net_pair *pair, const loft_net_cell *cell, loft_sci f,
+static void place_in(const loft_dyad_box *pair, const loft_net_cell *cell, loft_sci f,
                      loft_net_place *s)
 {
     for (unsigned k = 0; k < 4; k++)
@@ -114,7 +114,7 @@ static void place_in(const loft_net_pair *pair, const loft_net_cell *cell, loft_
 }
 
 /* Is the place for f within the cell? */
-static bool place_at(const search *z, const loft_net_pair *pair, const loft_net_cell *cell,
+static bool place_at(const search *z, const loft_dyad_box *pair, const loft_net_cell *cell,
                      loft_sci f, loft_net_place *s)
 {
     const loft_sci slack = loft_sci_power2(-20);
@@ -140,7 +140,7 @@ static void follow_from(search *z, const loft_net_place *s)
 }
 
 /* Is nothing left to do in a cell where they meet once for each f? */
-static bool is_once_done(search *z, const loft_net_pair *pair, const loft_net_cell *cell)
+static bool is_once_done(search *z, const loft_dyad_box *pair, const loft_net_cell *cell)
 {
     const loft_sci half = loft_sci_power2(-1), two = loft_sci_from_int(2);
     const bool sure = !loft_sci_less(cell->sure_to, cell->sure_from);
@@ -168,7 +168,7 @@ static bool is_once_done(search *z, const loft_net_pair *pair, const loft_net_ce
 }
 
 /* Nothing is decided at the size of tol. */
-static void add_touch(search *z, const loft_net_pair *pair)
+static void add_touch(search *z, const loft_dyad_box *pair)
 {
     const loft_sci half = loft_sci_power2(-1);
     loft_sci apart[3];
@@ -191,10 +191,10 @@ static void add_touch(search *z, const loft_net_pair *pair)
 static bool walk_cells(search *z)
 {
     uint32_t left = LOFT_NET_MEET_PARTS;
-    loft_net_pair pair;
+    loft_dyad_box pair;
     loft_net_cell cell;
 
-    loft_net_pair_start(&pair);
+    loft_dyad_box_start(&pair);
     do {
         for (;;) {
             const enum loft_net_known known = loft_net_cell_decide(&z->both.form[0],
@@ -209,9 +209,9 @@ static bool walk_cells(search *z)
                 add_touch(z, &pair);
                 break;
             }
-            loft_net_pair_halve(&pair, cell.longest);
+            loft_dyad_box_halve(&pair, cell.longest);
         }
-    } while (!z->full && loft_net_pair_next(&pair));
+    } while (!z->full && loft_dyad_box_next(&pair));
     return !z->full;
 }
 

@@ -182,7 +182,7 @@ static loft_sci plane_bound(const search *z, const loft_sci middle[LOFT_AXES], l
 }
 
 /* Can the part hold a point that is tol nearer than the best one? */
-static bool is_part_open(search *z, const loft_tensor_part *part)
+static bool is_part_open(search *z, const loft_dyad part[2])
 {
     const loft_sci half = loft_sci_power2(-1);
     const loft_sci limit = loft_sci_sub(z->best, z->tol);
@@ -195,7 +195,7 @@ static bool is_part_open(search *z, const loft_tensor_part *part)
         return false;
     const loft_sci far = length_of(middle[LOFT_NET_POINT]);
     if (loft_sci_less(far, z->best))
-        descend(z, loft_dyad_place(part->u, half), loft_dyad_place(part->v, half));
+        descend(z, loft_dyad_place(part[0], half), loft_dyad_place(part[1], half));
     return loft_sci_sign(far) <= 0 ||
            loft_sci_less(plane_bound(z, middle[LOFT_NET_POINT], far), limit);
 }
@@ -249,21 +249,21 @@ static void start_search(search *z)
 /* False if there are too many parts. */
 static bool walk_parts(search *z)
 {
-    loft_tensor_part part;
+    loft_dyad_box part;
     uint32_t left = LOFT_NET_NEAREST_PARTS;
 
-    loft_tensor_part_start(&part);
+    loft_dyad_box_start(&part);
     do {
         for (;;) {
             if (left-- == 0)
                 return false;
-            const bool last_u = part.u.level == LOFT_DYAD_LEVELS,
-                       last_v = part.v.level == LOFT_DYAD_LEVELS;
-            if (!is_part_open(z, &part) || (last_u && last_v))
+            const bool last_u = part.n[0].level == LOFT_DYAD_LEVELS,
+                       last_v = part.n[1].level == LOFT_DYAD_LEVELS;
+            if (!is_part_open(z, part.n) || (last_u && last_v))
                 break;
-            loft_tensor_part_halve(&part, !last_u && (last_v || is_longer_along_u(z)));
+            loft_dyad_box_halve(&part, !last_u && (last_v || is_longer_along_u(z)) ? 0 : 1);
         }
-    } while (loft_tensor_part_next(&part));
+    } while (loft_dyad_box_next(&part));
     return true;
 }
 

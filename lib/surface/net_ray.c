@@ -234,10 +234,10 @@ static bool is_on_edge(loft_sci x)
     return loft_sci_less(x, slack) || loft_sci_less(loft_sci_sub(one, slack), x);
 }
 
-static void add_place(search *z, const loft_tensor_part *part, const loft_sci x[2], bool touch)
+static void add_place(search *z, const loft_dyad part[2], const loft_sci x[2], bool touch)
 {
     const loft_sci zero = loft_sci_zero(), one = loft_sci_one();
-    loft_sci at[2] = { loft_dyad_place(part->u, x[0]), loft_dyad_place(part->v, x[1]) };
+    loft_sci at[2] = { loft_dyad_place(part[0], x[0]), loft_dyad_place(part[1], x[1]) };
     loft_unit place[2];
     loft_ray_hit hit;
 
@@ -253,7 +253,7 @@ static void add_place(search *z, const loft_tensor_part *part, const loft_sci x[
 }
 
 /* Is nothing left to do in this part? */
-static bool is_part_done(search *z, const loft_tensor_part *part)
+static bool is_part_done(search *z, const loft_dyad part[2])
 {
     const loft_sci half = loft_sci_power2(-1);
     const loft_sci rough = loft_sci_power2(-10);
@@ -294,23 +294,23 @@ static bool is_longer_along_u(const search *z)
 static bool walk_parts(search *z)
 {
     const loft_sci middle[2] = { loft_sci_power2(-1), loft_sci_power2(-1) };
-    loft_tensor_part part;
+    loft_dyad_box part;
     uint32_t left = LOFT_NET_RAY_PARTS;
 
-    loft_tensor_part_start(&part);
+    loft_dyad_box_start(&part);
     do {
-        while (!is_part_done(z, &part)) {
-            const bool last_u = part.u.level == LAST, last_v = part.v.level == LAST;
+        while (!is_part_done(z, part.n)) {
+            const bool last_u = part.n[0].level == LAST, last_v = part.n[1].level == LAST;
             if (left-- == 0)
                 return false;
-            const bool corner = z->s.triangle && last_u && part.u.k == 0;
+            const bool corner = z->s.triangle && last_u && part.n[0].k == 0;
             if (corner || (last_u && last_v)) {
-                add_place(z, &part, middle, true);
+                add_place(z, part.n, middle, true);
                 break;
             }
-            loft_tensor_part_halve(&part, !last_u && (last_v || is_longer_along_u(z)));
+            loft_dyad_box_halve(&part, !last_u && (last_v || is_longer_along_u(z)) ? 0 : 1);
         }
-    } while (!z->full && loft_tensor_part_next(&part));
+    } while (!z->full && loft_dyad_box_next(&part));
     return !z->full;
 }
 

@@ -280,8 +280,6 @@ typedef struct {
     loft_sci bend, turn, least;
 } bounds;
 
-static loft_sci larger(loft_sci a, loft_sci b) { return loft_sci_less(a, b) ? b : a; }
-
 static loft_sci second_of(const loft_jet size[3], const loft_jet *wide, bool triangle)
 {
     const loft_sci fine = loft_sci_power2(-36);
@@ -307,11 +305,11 @@ static bool take_bounds(const loft_jet_ball_sum *sum, const part *p, bool last, 
     }
     const loft_sci bend = second_of(all, &sum->wide, p->corners == 3),
                    least = second_of(middle, &sum->wide, p->corners == 3);
-    b->least = larger(b->least, least);
+    b->least = loft_sci_larger(b->least, least);
     if (!last && loft_sci_less(loft_sci_mul(loft_sci_from_int(3), b->least), bend))
         return false;
-    b->bend = larger(b->bend, bend);
-    b->turn = larger(b->turn, loft_sci_add(length_of(all, 1, 0), length_of(all, 0, 1)));
+    b->bend = loft_sci_larger(b->bend, bend);
+    b->turn = loft_sci_larger(b->turn, loft_sci_add(length_of(all, 1, 0), length_of(all, 0, 1)));
     return true;
 }
 

@@ -75,30 +75,28 @@ rates() {
     on_chip "$chip" "$elf" "$rate" "$tmp/port" "$2" "$3"
     row "$1: every step there" "$code" = 0
 }
-for axes in 1 3; do
-    rates "80 steps/ms, $axes axes" $axes 80
-    row "80 steps/ms, $axes axes: ticks that were slowed"   "$(said slowed)" = 0
-    row "80 steps/ms, $axes axes: slots missed"             "$(value slots_missed)" = 0
-    row "80 steps/ms, $axes axes: slots that found the ring empty" "$(value slots_empty)" = 0
-    row "80 steps/ms, $axes axes: all interrupts"           "$(value load)" "<=" 0.65 "of the time"
-    row "80 steps/ms, $axes axes: steps apart, at least"    "$(value between_least)" ">=" 100 cycles
-    row "80 steps/ms, $axes axes: shortest pulse (2 us)"    "$(value pulse_least)" ">=" 32 cycles
-done
+# each_slot STEPS_PER_TICK LOAD CYCLES US: a step in each slot; slots last so many cycles, pulses US
+each_slot() {
+    local name axes
+    for axes in 1 3; do
+        name="$1 steps/ms, $axes axes"
+        rates "$name" $axes "$1"
+        row "$name: ticks that were slowed"         "$(said slowed)" = 0
+        row "$name: slots missed"                   "$(value slots_missed)" = 0
+        row "$name: slots that found the ring empty" "$(value slots_empty)" = 0
+        row "$name: all interrupts"                 "$(value load)" "<=" "$2" "of the time"
+        row "$name: steps apart, at least"          "$(value between_least)" ">=" "$3" cycles
+        row "$name: shortest pulse ($4 us)"         "$(value pulse_least)" ">=" $(($4 * 16)) cycles
+    done
+}
+each_slot 80 0.65 100 2
 rates "120 steps/ms, 3 axes" 3 120
 row "120 steps/ms, 3 axes: it says how many ticks were slowed" "$(said slowed)" ">=" 1
 row "120 steps/ms, 3 axes: slots missed"                    "$(value slots_missed)" = 0
 
 echo "-- 100 slots in a ms, pulses of 1 us"
 slower=$elf elf=${elf%/*}-fast/${elf##*/}
-for axes in 1 3; do
-    rates "100 steps/ms, $axes axes" $axes 100
-    row "100 steps/ms, $axes axes: ticks that were slowed"  "$(said slowed)" = 0
-    row "100 steps/ms, $axes axes: slots missed"            "$(value slots_missed)" = 0
-    row "100 steps/ms, $axes axes: slots that found the ring empty" "$(value slots_empty)" = 0
-    row "100 steps/ms, $axes axes: all interrupts"          "$(value load)" "<=" 0.68 "of the time"
-    row "100 steps/ms, $axes axes: steps apart, at least"   "$(value between_least)" ">=" 80 cycles
-    row "100 steps/ms, $axes axes: shortest pulse (1 us)"   "$(value pulse_least)" ">=" 16 cycles
-done
+each_slot 100 0.68 80 1
 on_chip "$chip" "$elf" "$loft" stream "$drawing" --feed $feed --port "$tmp/port"
 row "100 slots, a drawing: the command ends well"           "$code" = 0
 row "100 slots, a drawing: steps told and steps counted at the pins" \

@@ -193,22 +193,20 @@ loft_surface loft_surface_from_nurbs(const loft_nurbs_surface *s)
     return made;
 }
 
-static loft_sci sub_product(loft_sci x, loft_sci a, loft_sci b)
-{
-    return loft_sci_sub(x, loft_sci_mul(a, b));
-}
-
 /* x = { value, u, v, uu, uv, vv } of X, in place to those of X / w. */
 static void divide_by_weight(loft_sci x[6], const loft_sci w[6])
 {
     const loft_sci two = loft_sci_from_int(2);
 
     x[0] = loft_sci_div(x[0], w[0]);
-    x[1] = loft_sci_div(sub_product(x[1], w[1], x[0]), w[0]);
-    x[2] = loft_sci_div(sub_product(x[2], w[2], x[0]), w[0]);
-    x[3] = sub_product(sub_product(x[3], loft_sci_mul(two, w[1]), x[1]), w[3], x[0]);
-    x[4] = sub_product(sub_product(sub_product(x[4], w[1], x[2]), w[2], x[1]), w[4], x[0]);
-    x[5] = sub_product(sub_product(x[5], loft_sci_mul(two, w[2]), x[2]), w[5], x[0]);
+    x[1] = loft_sci_div(loft_sci_sub_product(x[1], w[1], x[0]), w[0]);
+    x[2] = loft_sci_div(loft_sci_sub_product(x[2], w[2], x[0]), w[0]);
+    x[3] = loft_sci_sub_product(loft_sci_sub_product(x[3], loft_sci_mul(two, w[1]), x[1]), w[3],
+                                x[0]);
+    x[4] = loft_sci_sub_product(
+        loft_sci_sub_product(loft_sci_sub_product(x[4], w[1], x[2]), w[2], x[1]), w[4], x[0]);
+    x[5] = loft_sci_sub_product(loft_sci_sub_product(x[5], loft_sci_mul(two, w[2]), x[2]), w[5],
+                                x[0]);
     for (int i = 3; i < 6; i++)
         x[i] = loft_sci_div(x[i], w[0]);
 }

@@ -5,35 +5,6 @@
 
 #define SIDE (LOFT_DEGREE_MAX + 1)
 
-void loft_tensor_part_start(loft_tensor_part *part)
-{
-    part->u.k = part->v.k = 0;
-    part->u.level = part->v.level = 0;
-    part->depth = 0;
-}
-
-void loft_tensor_part_halve(loft_tensor_part *part, bool along_u)
-{
-    loft_dyad *n = along_u ? &part->u : &part->v;
-
-    part->halved_u[part->depth++] = along_u;
-    *n = loft_dyad_half(*n, 0);
-}
-
-bool loft_tensor_part_next(loft_tensor_part *part)
-{
-    for (; part->depth; part->depth--) {
-        loft_dyad *n = part->halved_u[part->depth - 1] ? &part->u : &part->v;
-        if (n->k % 2 == 0) {
-            n->k++;
-            return true;
-        }
-        n->k /= 2;
-        n->level--;
-    }
-    return false;
-}
-
 /* degree - k rows at `from`, then k rows at `to` in a copy; in place. */
 static void sub_row(loft_sci c[], unsigned degree, loft_sci from, loft_sci to)
 {
@@ -50,18 +21,18 @@ static void sub_row(loft_sci c[], unsigned degree, loft_sci from, loft_sci to)
     }
 }
 
-void loft_sci_net_sub(const loft_sci_net *x, const loft_tensor_part *part, loft_sci_net *out)
+void loft_sci_net_sub(const loft_sci_net *x, const loft_dyad part[2], loft_sci_net *out)
 {
-    const loft_sci u = loft_sci_from_unit(loft_dyad_from(part->u)),
-                   u_to = loft_sci_from_unit(loft_dyad_to(part->u)),
-                   v = loft_sci_from_unit(loft_dyad_from(part->v)),
-                   v_to = loft_sci_from_unit(loft_dyad_to(part->v));
+    const loft_sci u = loft_sci_from_unit(loft_dyad_from(part[0])),
+                   u_to = loft_sci_from_unit(loft_dyad_to(part[0])),
+                   v = loft_sci_from_unit(loft_dyad_from(part[1])),
+                   v_to = loft_sci_from_unit(loft_dyad_to(part[1]));
     loft_sci column[SIDE];
 
     *out = *x;
-    for (unsigned i = 0; i <= x->m && part->v.level > 0; i++)
+    for (unsigned i = 0; i <= x->m && part[1].level > 0; i++)
         sub_row(out->c[i], x->n, v, v_to);
-    for (unsigned j = 0; j <= x->n && part->u.level > 0; j++) {
+    for (unsigned j = 0; j <= x->n && part[0].level > 0; j++) {
         for (unsigned i = 0; i <= x->m; i++)
             column[i] = out->c[i][j];
         sub_row(column, x->m, u, u_to);

@@ -1,52 +1,24 @@
-/* lib/surface/tensor/tensor_part.h -- the dyadic parts of a tensor patch, for searches
+/* lib/surface/tensor/tensor_part.h -- polynomials of two parameters, and their dyadic parts
  * SPDX-License-Identifier: MIT
  *
- * A search examines a part of 0..1 x 0..1 and drops it, or halves it along u or v. The parts are
- * visited without a stack: one flag per level tells along which parameter it was halved.
+ * A search examines a part of 0..1 x 0..1 and drops it, or halves it along u (0) or v (1). The
+ * parts are visited without a stack (basis/dyadic.h).
  *
- *     loft_tensor_part part;
- *     loft_tensor_part_start(&part);
+ *     loft_dyad_box part;
+ *     loft_dyad_box_start(&part);
  *     do {
- *         while (!is_done(&part))
- *             loft_tensor_part_halve(&part, longer_along_u(&part));
- *     } while (loft_tensor_part_next(&part));
+ *         while (!is_done(part.n))
+ *             loft_dyad_box_halve(&part, longer_along_u(&part) ? 0 : 1);
+ *     } while (loft_dyad_box_next(&part));
  */
 #ifndef LOFT_SURFACE_TENSOR_TENSOR_PART_H
 #define LOFT_SURFACE_TENSOR_TENSOR_PART_H
 
-#include "basis/dyadic.h"           /* loft_dyad */
+#include "basis/dyadic.h"           /* loft_dyad_box */
 #include "num/sci.h"                /* loft_sci */
 #include "surface/tensor/tensor.h"  /* loft_tensor */
 
 LOFT_BEGIN_C
-
-typedef struct {
-    loft_dyad u, v;
-    bool      halved_u[2 * LOFT_DYAD_LEVELS];
-    unsigned  depth;
-} loft_tensor_part;
-
-/* The whole patch.
- *
- *   error   none
- *   cost    none
- */
-void loft_tensor_part_start(loft_tensor_part *part);
-
-/* To the first half along u, or along v.
- *
- *   range   below LOFT_DYAD_LEVELS halvings along that parameter
- *   error   none
- *   cost    none
- */
-void loft_tensor_part_halve(loft_tensor_part *part, bool along_u);
-
-/* To the part after this one and its halves; false if there is none.
- *
- *   error   none
- *   cost    one step per level
- */
-bool loft_tensor_part_next(loft_tensor_part *part);
 
 /* The Bernstein coefficients of one coordinate, or of any polynomial of both parameters. */
 typedef struct {
@@ -54,13 +26,13 @@ typedef struct {
     loft_sci c[LOFT_DEGREE_MAX + 1][LOFT_DEGREE_MAX + 1];
 } loft_sci_net;
 
-/* The coefficients of a part.
+/* The coefficients of a part, by u and by v.
  *
  *   error   (m + n) 3 roundings of num/sci.h, of the largest coefficient
  *   cost    (n + 1) m (m + 1) (m + 5) / 6 + (m + 1) n (n + 1) (n + 5) / 6 lerps
  *   see     Ramshaw, blossoming, as loft_bernstein_sub
  */
-void loft_sci_net_sub(const loft_sci_net *x, const loft_tensor_part *part, loft_sci_net *out);
+void loft_sci_net_sub(const loft_sci_net *x, const loft_dyad part[2], loft_sci_net *out);
 
 /* The derivative of order a by u and b by v.
  *

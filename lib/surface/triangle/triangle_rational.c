@@ -186,11 +186,6 @@ static loft_sci blossom_slope(const loft_triangle_rational *t, int axis, loft_re
     return loft_sci_mul(factor, c[0]);
 }
 
-static loft_sci sub_product(loft_sci x, loft_sci a, loft_sci b)
-{
-    return loft_sci_sub(x, loft_sci_mul(a, b));
-}
-
 enum loft_status loft_triangle_rational_deriv2(const loft_triangle_rational *t, loft_bary y,
                                                loft_bary z, loft_bary u, loft_vec *out)
 {
@@ -208,11 +203,11 @@ enum loft_status loft_triangle_rational_deriv2(const loft_triangle_rational *t, 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_sci p = loft_sci_div(blossom_slope(t, i, o.axis[i], NULL, NULL, &at), w);
         const loft_sci dy = loft_sci_div(
-            sub_product(blossom_slope(t, i, o.axis[i], &by, NULL, &at), wy, p), w);
+            loft_sci_sub_product(blossom_slope(t, i, o.axis[i], &by, NULL, &at), wy, p), w);
         const loft_sci dz = loft_sci_div(
-            sub_product(blossom_slope(t, i, o.axis[i], NULL, &bz, &at), wz, p), w);
-        loft_sci x = sub_product(blossom_slope(t, i, o.axis[i], &by, &bz, &at), wyz, p);
-        x = sub_product(sub_product(x, wy, dz), wz, dy);
+            loft_sci_sub_product(blossom_slope(t, i, o.axis[i], NULL, &bz, &at), wz, p), w);
+        loft_sci x = loft_sci_sub_product(blossom_slope(t, i, o.axis[i], &by, &bz, &at), wyz, p);
+        x = loft_sci_sub_product(loft_sci_sub_product(x, wy, dz), wz, dy);
         if (!loft_sci_to_acc(loft_sci_div(x, w), &d[i]))
             return LOFT_ERR_RANGE;
     }
