@@ -2,8 +2,9 @@
  * SPDX-License-Identifier: MIT
  *
  * Dashes are measured along the path in user units, before the transform. A curve is measured by
- * Gauss's rule on 1/PARTS of it; the end of a dash is found by bisection. The pieces are exact
- * pieces of the curves. What is filled too keeps its whole outline for that.
+ * Gauss's rule on 1/PARTS of it, a line at once; the end of a dash is found by Newton's steps, and
+ * by halving where these lead away. The pieces are exact pieces of the curves. What is filled too
+ * keeps its whole outline for that.
  *   see  SVG 2, 13.5.6: stroke-dasharray
  */
 #include <math.h>
@@ -16,8 +17,10 @@
 #define DASHES_MAX 200000u      /* of a drawing: more are a tone, not dashes */
 #define ROOM       256          /* numbers of a list */
 #define PARTS      32
-#define HALVINGS   45
+#define STEPS      60
+#define CLOSE      1e-14        /* of the parameter: the last step */
 #define LEAST      1e-12        /* of the parameter: less is rounding */
+#define EVEN       1e-9         /* of a line: its points may be so far from the thirds */
 
 typedef struct {
     svg_reader *r;
@@ -40,7 +43,19 @@ static double speed_at(const dashing *g, const drawing_curve *c, double t)
                  g->to_user[1] * v[0] + g->to_user[3] * v[1]);
 }
 
-/* From a to b, which are at most 1/PARTS apart: the five-point rule. */
+/* A line that is passed evenly is one part. */
+static int parts_of(const drawing_curve *c)
+{
+    const double size = fabs(c->p[3][0] - c->p[0][0]) + fabs(c->p[3][1] - c->p[0][1]);
+
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < 2; i++)
+            if (fabs(c->p[k][i] - 2 * c->p[k + 1][i] + c->p[k + 2][i]) > EVEN * size)
+                return PARTS;
+    return 1;
+}
+
+/* From a to b, which are at most one part apart: the five-point rule. */
 static double part_length(const dashing *g, const drawing_curve *c, double a, double b)
 {
     static const double at[3] = { 0, 0.53846931010568309104, 0.90617984593866399280 };
@@ -57,11 +72,29 @@ static double part_length(const dashing *g, const drawing_curve *c, double a, do
 
 static double whole_length(const dashing *g, const drawing_curve *c)
 {
-    double sum = 0;
+    const int parts = parts_of(c);
+    double sum      = 0;
 
-    for (int k = 0; k < PARTS; k++)
-        sum += part_length(g, c, (double)k / PARTS, (double)(k + 1) / PARTS);
+    for (int k = 0; k < parts; k++)
+        sum += part_length(g, c, (double)k / parts, (double)(k + 1) / parts);
     return sum;
+}
+
+/* Where `length` is passed from `from` on, which is before `to`. */
+static double end_of(const dashing *g, const drawing_curve *c, double from, double to,
+                     double length, double guess)
+{
+    double low = from, high = to, t = guess;
+
+    for (int i = 0; i < STEPS; i++) {
+        const double off = part_length(g, c, from, t) - length, speed = speed_at(g, c, t);
+        const double by = speed > 0 ? off / speed : 1;
+        if (fabs(by) <= CLOSE)
+            break;
+        *(off <= 0 ? &low : &high) = t;
+        t = t - by > low && t - by < high ? t - by : (low + high) / 2;
+    }
+    return t;
 }
 
 /* Where on the curve, from t on, `length` is passed; 1 if the curve ends before, and then *over is
@@ -69,20 +102,17 @@ static double whole_length(const dashing *g, const drawing_curve *c)
 static double go_along(const dashing *g, const drawing_curve *c, double t, double length,
                        double *over)
 {
-    for (int k = (int)(t * PARTS); k < PARTS; k++) {
-        const double from = fmax(t, (double)k / PARTS), to = (double)(k + 1) / PARTS;
+    const int parts = parts_of(c);
+
+    for (int k = (int)(t * parts); k < parts; k++) {
+        const double from = fmax(t, (double)k / parts), to = (double)(k + 1) / parts;
         const double part = part_length(g, c, from, to);
         if (part <= length) {
             length -= part;
             continue;
         }
-        double low = from, high = to;
-        for (int i = 0; i < HALVINGS; i++) {
-            const double middle = (low + high) / 2;
-            *(part_length(g, c, from, middle) <= length ? &low : &high) = middle;
-        }
         *over = 0;
-        return (low + high) / 2;
+        return end_of(g, c, from, to, length, from + length / part * (to - from));
     }
     *over = length;
     return 1;
