@@ -355,6 +355,7 @@ static int run_plan(const tool_command *self, int argc, char **argv)
         return code;
     o.file = argv[first];
     o.p.passes = !o.certify;
+    o.p.levels = true;
     code = planning_read(&o.p, &d, &smooth, o.file);
     if (code == 0)
         code = plan_drawing(&o, &smooth, &d);

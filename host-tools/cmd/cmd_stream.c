@@ -452,29 +452,49 @@ static int draw_gcode(stream_options *o, const parts *all)
     return code;
 }
 
+static int read_file(stream_options *o, const char *file, drawing *d, drawing *smooth, parts *all)
+{
+    keys_hasty(true);
+    o->p.passes = o->record == NULL;
+    o->p.levels = !o->grbl && !o->points && !o->chip;
+    int code = planning_read(&o->p, d, smooth, file);
+    keys_hasty(false);
+    if (code == 0 && o->chip && o->p.exact >= 0)
+        code = tool_error(
+            EX_CONFIG, "%s: G61: a machine that plans does not stop at corners: give --plan host",
+            file);
+    return code == 0 ? find_parts(o, file, d, smooth, all) : code;
+}
+
+/* The machine may say that its spindle is a laser. Then the rows of a raster are to be lines. */
+static int adopt(stream_options *o, const char *file, talk *t, drawing *d, drawing *smooth,
+                 parts *all)
+{
+    const bool laser = o->p.machine.laser > 0;
+    int code         = settings_adopt(&o->p.machine, t);
+
+    if (code == 0 && o->p.machine.laser > 0 && !laser && d->events > 0 && strcmp(file, "-") != 0) {
+        drawing_free(smooth);
+        drawing_free(d);
+        code = read_file(o, file, d, smooth, all);
+    }
+    return code;
+}
+
 static int draw_file(stream_options *o, const char *file)
 {
     drawing d = { 0 }, smooth = { 0 };
     parts all;
     talk t;
 
-    keys_hasty(true);
-    o->p.passes = o->record == NULL;
-    int code = planning_read(&o->p, &d, &smooth, file);
-    keys_hasty(false);
-    if (code == 0 && o->chip && o->p.exact >= 0)
-        code = tool_error(
-            EX_CONFIG, "%s: G61: a machine that plans does not stop at corners: give --plan host",
-            file);
-    if (code == 0)
-        code = find_parts(o, file, &d, &smooth, &all);
+    int code = read_file(o, file, &d, &smooth, &all);
     if (code == 0 && o->grbl)
         code = draw_gcode(o, &all);
     else if (code == 0 && o->dry)
         code = dry_run(o, &smooth, &all);
     else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait, o->log)) == 0) {
         if (o->p.file == NULL)
-            code = settings_adopt(&o->p.machine, &t);
+            code = adopt(o, file, &t, &d, &smooth, &all);
         if (code == 0)
             code = talk_certain(&t);
         if (code == 0)

@@ -148,19 +148,29 @@ static void add_action(job *j, const loft_action *action, size_t kept)
     add_timed(j, &item, kept);
 }
 
+/* Output 1 at a level from a tick on, in which the motors go to `to`. */
+static void add_level(job *j, double level, const int32_t to[ENGINE_AXES], size_t kept)
+{
+    loft_action action = { .output = SPINDLE, .level = (uint16_t)lround(level * FULL) };
+    loft_item item;
+
+    action.moving = j->of->path->laser;
+    action.feed   = (uint16_t)fmin(round(j->feed * 60), FULL);
+    loft_action_item(&item, &action, to);
+    add_timed(j, &item, kept);
+    j->levels.given = level;
+}
+
 static void add_spindle(job *j, const toolpath_event *t, size_t kept)
 {
-    const double part  = isnan(t->e.amount) ? 1 : fmin(t->e.amount / j->does.s_max, 1);
-    loft_action action = { .output = SPINDLE };
+    const double level = levels_of(&t->e, j->does.s_max);
 
-    if (t->e.way != 0)
-        action.level = (uint16_t)lround(part * FULL);
-    action.moving = j->of->path->laser;
-    action.feed   = (uint16_t)fmin(round(t->feed * 60), FULL);
-    add_action(j, &action, kept);
-    if (!action.moving && action.level > 0 && !j->spins)
+    j->feed      = t->feed;
+    j->levels.is = level;
+    add_level(j, level, j->end, kept);
+    if (!j->of->path->laser && level > 0 && !j->spins)
         add_wait(j, j->does.spin_up, kept);
-    j->spins = action.level > 0;
+    j->spins = level > 0;
 }
 
 static void add_event(job *j, const toolpath_event *t, size_t kept)
@@ -182,27 +192,76 @@ static void add_event(job *j, const toolpath_event *t, size_t kept)
     }
 }
 
-/* The events before move n. */
+/* The events before move n; those in it come with its spans. */
 static void add_events(job *j, size_t n, size_t kept)
 {
     const toolpath *path = j->of->path;
 
-    while (j->head.kind == LOFT_SPANS && j->event < path->events &&
-           joints_from(j->of, path->event[j->event].move) <= n)
-        add_event(j, &path->event[j->event++], kept);
+    if (levels_wait(&j->levels))
+        add_level(j, j->levels.is, j->end, kept);
+    for (; j->head.kind == LOFT_SPANS && j->event < path->events; j->event++) {
+        const toolpath_event *t = &path->event[j->event];
+        const size_t at         = joints_from(j->of, t->move);
+        if (at > n || (at == n && t->e.along > 0))
+            break;
+        add_event(j, t, kept);
+    }
 }
 
-/* The move before which the plan stops next, after move n. */
+/* The move before which the plan stops next, after move n. A line in which something changes is
+ * planned by itself. */
 static size_t next_stop(const job *j, size_t n)
 {
     const toolpath *path = j->of->path;
 
     for (size_t k = j->event; k < path->events && j->head.kind == LOFT_SPANS; k++) {
-        const size_t at = joints_from(j->of, path->event[k].move);
-        if (at > n && job_can(&j->does, &path->event[k].e))
-            return at;
+        const toolpath_event *t = &path->event[k];
+        if (!job_can(&j->does, &t->e))
+            continue;
+        if (joints_from(j->of, t->move) > n)
+            return joints_from(j->of, t->move);
+        if (t->e.along > 0 && joints_from(j->of, t->move + 1) > n)
+            return joints_from(j->of, t->move + 1);
     }
     return j->of->count;
+}
+
+/* The events in the line that is planned from move n on. */
+static void find_levels(job *j, size_t n)
+{
+    const toolpath *path = j->of->path;
+    levels *l            = &j->levels;
+
+    l->k     = j->k;
+    l->s_max = j->does.s_max;
+    l->event = &path->event[j->event];
+    l->left  = 0;
+    for (size_t k = j->event;
+         k < path->events && path->event[k].e.along > 0 &&
+         joints_from(j->of, path->event[k].move) == n && job_can(&j->does, &path->event[k].e);
+         k++)
+        l->left++;
+    if (l->left > 0)
+        l->line = &path->move[l->event->move];
+}
+
+/* A span of that line, cut where its level changes. */
+static void add_levels(job *j, const engine_span *span, size_t kept)
+{
+    const size_t left = j->levels.left;
+    levels_piece piece;
+    loft_item item;
+
+    levels_begin(&j->levels, span);
+    while (levels_next(&j->levels, &piece)) {
+        levels_cut(span, &piece, item.p);
+        item.ticks = (uint16_t)(piece.to - piece.from);
+        if (isnan(piece.level))
+            add_timed(j, &item, kept);
+        else
+            add_level(j, piece.level, item.p[2], kept);
+    }
+    j->event += left - j->levels.left;
 }
 
 const char *job_pause(const job *j, size_t executed)
@@ -320,11 +379,17 @@ static int take_span(job *j, const engine_span *span, size_t kept)
 
     if (j->count == 0)
         begin_job_at(j, span->p[0]);
-    add_events(j, j->plan.first, kept);
+    if (!j->begun) {
+        add_events(j, j->plan.first, kept);
+        find_levels(j, j->plan.first);
+        j->begun = true;
+    }
     memcpy(item.p, span->p[1], sizeof item.p);
     memcpy(from, j->end, sizeof from);
     memcpy(j->end, span->p[3], sizeof j->end);
-    if (j->head.kind == LOFT_SPANS)
+    if (j->levels.left > 0 || levels_wait(&j->levels))
+        add_levels(j, span, kept);
+    else if (j->head.kind == LOFT_SPANS)
         add_timed(j, &item, kept);
     else if (j->head.kind == LOFT_POINTS)
         status = add_points(j, &item, from, kept);
@@ -349,6 +414,7 @@ static int plan_on(job *j)
     const size_t first = j->stop;
 
     joints_end(&j->plan);
+    j->begun         = false;
     j->stop          = next_stop(j, first);
     const int status = joints_plan(&j->plan, j->of, first, j->stop, j->e, &j->motors);
     return status < 0 ? status : ENGINE_PLAN_BUSY;
@@ -432,7 +498,7 @@ static uint32_t events_crc(uint32_t crc, const toolpath *path, const struct job_
         const drawing_event *e = &path->event[n].e;
         crc = loft_crc32(loft_crc32(crc, (uint32_t)path->event[n].move),
                          (uint32_t)e->doing * 256 + (uint32_t)e->way * 2 + job_can(does, e));
-        crc = crc_of(crc_of(crc, e->amount), path->event[n].feed);
+        crc = crc_of(crc_of(crc_of(crc, e->amount), path->event[n].feed), e->along);
     }
     return path->events > 0 ? crc_of(crc_of(crc, does->s_max), does->spin_up) : crc;
 }

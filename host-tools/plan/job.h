@@ -15,6 +15,7 @@
 
 #include "engine/engine.h"  /* engine, engine_limits */
 #include "plan/joints.h"    /* joints */
+#include "plan/levels.h"    /* levels */
 
 /* What a machine does beside motion. */
 struct job_does {
@@ -49,6 +50,9 @@ typedef struct {
     size_t stop, event;         /* the next event */
     struct job_does does;
     bool spins;
+    bool begun;                 /* the plan up to `stop` has given spans */
+    levels levels;              /* of the line that is planned */
+    double feed;                /* of a laser, at its level; as in toolpath_event */
     struct {
         size_t item;
         const char *text;

@@ -112,6 +112,13 @@ typedef struct {
     bool begun;
 } passing;
 
+static passing start_passing(const planning *p, drawing *smooth, const char *file)
+{
+    return (passing){
+        .p = p, .file = file, .smooth = smooth, .how.laser = p->levels && p->machine.laser > 0
+    };
+}
+
 static int pass_curves(passing *s, drawing *d, bool last)
 {
     const int code = within_reach(s->p, d, s->checked, s->file);
@@ -170,7 +177,7 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
     d->text      = p->sheet.text;
     d->tools     = p->machine.tools.count > 0 ? &p->machine.tools : NULL;
     const drawing asked = *d;       /* without a taker */
-    passing s           = { .p = p, .file = file, .smooth = smooth };
+    passing s           = start_passing(p, smooth, file);
 
     int code = smooth_within(p, &within);
     if (code == 0)
@@ -184,7 +191,7 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
         drawing_free(smooth);
         drawing_free(d);
         *d   = asked;
-        s    = (passing){ .p = p, .file = file, .smooth = smooth };
+        s    = start_passing(p, smooth, file);
         code = drawing_read(d, file);
     }
     s.how.within = within;

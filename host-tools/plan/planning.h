@@ -28,6 +28,7 @@ typedef struct {
     double smoothed;                /* mm of tol that smoothing used up */
     bool passes;                    /* of a drawing that is not smoothed, only its page is needed
                                      * afterwards; set before planning_read */
+    bool levels;                    /* the job sets a laser in motion; set before planning_read */
     bool park;
     page_options sheet;
     order_options order;

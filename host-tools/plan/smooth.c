@@ -76,8 +76,8 @@ static bool vertex_is_smooth(const drawing_curve *a, const drawing_curve *b, dou
     }
     const double length = space_distance(p, q) * space_distance(q, r),
                  across = hypot(hypot(cross[0], cross[1]), cross[2]);
-    const bool alike = a->path == b->path && a->tool == b->tool && a->loose[1] == b->loose[0] &&
-                       !(a->feed < b->feed) && !(a->feed > b->feed);
+    const bool alike = a->tool == b->tool && a->loose[1] == b->loose[0] && !(a->feed < b->feed) &&
+                       !(a->feed > b->feed);
     return alike && length > 0 && along > TURN * length &&
            across <= 4 * within * space_distance(p, r);
 }
@@ -188,13 +188,6 @@ static size_t smooth_chain(drawing *to, const drawing *d, fit *f, size_t from, s
     return replaced;
 }
 
-/* Copy the events that come before curve i: chains do not lead past one. */
-static void copy_events(smoothing *s, drawing *to, const drawing *from, size_t i)
-{
-    while (s->events < from->events && from->event[s->events].before <= from->taken + i)
-        drawing_add_event(to, &from->event[s->events++]);
-}
-
 /* The end of the chain that begins at i; `open`: it may go on beyond the drawing. */
 static size_t chain_end(const drawing *d, size_t i, double within, bool *open)
 {
@@ -204,10 +197,152 @@ static size_t chain_end(const drawing *d, size_t i, double within, bool *open)
     if (!(within > 0) || !is_line(&d->curve[i]))
         return end;
     while (end < d->count && end - i < CHAIN && is_line(&d->curve[end]) &&
+           d->curve[end].path == d->curve[end - 1].path &&
            vertex_is_smooth(&d->curve[end - 1], &d->curve[end], within))
         end++;
     *open = end == d->count && end - i < CHAIN;
     return end;
+}
+
+
+// Rows of a raster
+// ----------------
+
+/* The way from the start of line i to that of line `end`, or the end of the last one. */
+typedef struct {
+    double from[3], unit[3], length;
+} row_line;
+
+static row_line line_of(const drawing *d, size_t i, size_t end)
+{
+    row_line l;
+    double to[3];
+
+    place_of(&d->curve[i], 0, l.from);
+    place_of(&d->curve[end - 1], 3, to);
+    l.length = space_distance(l.from, to);
+    for (int k = 0; k < 3; k++)
+        l.unit[k] = l.length > 0 ? (to[k] - l.from[k]) / l.length : 0;
+    return l;
+}
+
+/* How far along the line a place is, and how far from it. */
+static double along_line(const row_line *l, const double at[3], double *off)
+{
+    double along = 0, square = 0;
+
+    for (int k = 0; k < 3; k++)
+        along += (at[k] - l->from[k]) * l->unit[k];
+    for (int k = 0; k < 3; k++) {
+        const double by = at[k] - l->from[k] - along * l->unit[k];
+        square += by * by;
+    }
+    *off = sqrt(square);
+    return along;
+}
+
+/* The line before whose start the row i .. end - 1 must be cut; `end`: it is straight, and goes on
+ * along it. */
+static size_t bent_at(const drawing *d, size_t i, size_t end, double within)
+{
+    const row_line l = line_of(d, i, end);
+    double worst = within, before = 0;
+    size_t where = end;
+
+    for (size_t j = i + 1; j < end; j++) {
+        double at[3], off;
+        place_of(&d->curve[j], 0, at);
+        const double along = along_line(&l, at, &off);
+        if (off > worst || along <= before) {
+            worst = along <= before ? HUGE_VAL : off;
+            where = j;
+        }
+        before = along;
+    }
+    return where;
+}
+
+/* Does only the level change before line `end`? *k: the first event there or later. */
+static bool only_levels(const smoothing *s, const drawing *d, size_t end, size_t *k)
+{
+    for (; *k < d->events && d->event[*k].before == d->taken + end; ++*k)
+        if (d->event[*k].doing != DRAWING_SPINS || d->event[*k].way != s->way)
+            return false;
+    return true;
+}
+
+static bool lines_meet(const drawing_curve *a, const drawing_curve *b)
+{
+    double p[3], q[3];
+
+    place_of(a, 3, p);
+    place_of(b, 0, q);
+    return space_distance(p, q) < STRAIGHT;
+}
+
+/* The end of the straight row that begins at i, if the level changes in it; i: it does not. The
+ * events before i are copied. */
+static size_t row_end(const smoothing *s, const drawing *d, size_t i, bool *open)
+{
+    const double within = fmax(s->within, STRAIGHT);
+    size_t end = i + 1, k = s->events;
+
+    *open = false;
+    if (!s->laser || s->way == 0 || !is_line(&d->curve[i]))
+        return i;
+    while (end < d->count && end - i < CHAIN && is_line(&d->curve[end]) &&
+           lines_meet(&d->curve[end - 1], &d->curve[end]) &&
+           vertex_is_smooth(&d->curve[end - 1], &d->curve[end], within) &&
+           only_levels(s, d, end, &k))
+        end++;
+    *open = end == d->count && end - i < CHAIN;
+    for (size_t cut = 0; cut != end;) {
+        cut = end;
+        end = bent_at(d, i, end, within);
+    }
+    return s->events < d->events && d->event[s->events].before < d->taken + end ? end : i;
+}
+
+static void give_row(smoothing *s, drawing *to, const drawing *from, size_t i, size_t end)
+{
+    const row_line l = line_of(from, i, end);
+    double p[4][3], at[3], off;
+
+    for (; s->events < from->events && from->event[s->events].before < from->taken + end;
+         s->events++) {
+        place_of(&from->curve[from->event[s->events].before - from->taken], 0, at);
+        drawing_add_event(to, &from->event[s->events]);
+        to->event[to->events - 1].along = along_line(&l, at, &off);
+    }
+    copy_curve(to, from, i);
+    drawing_curve *c = &to->curve[to->count - 1];
+    place_of(&from->curve[i], 0, p[0]);
+    place_of(&from->curve[end - 1], 3, p[3]);
+    for (int n = 0; n < 3; n++) {
+        p[1][n] = p[0][n] + (p[3][n] - p[0][n]) / 3;
+        p[2][n] = p[3][n] - (p[3][n] - p[0][n]) / 3;
+    }
+    for (int k = 0; k < 4; k++) {
+        c->p[k][0] = p[k][0];
+        c->p[k][1] = p[k][1];
+        c->z[k]    = p[k][2];
+    }
+    s->replaced += end - i;
+}
+
+
+// All of it
+// ---------
+
+/* Copy the events that come before curve i: chains do not lead past one. */
+static void copy_events(smoothing *s, drawing *to, const drawing *from, size_t i)
+{
+    for (; s->events < from->events && from->event[s->events].before <= from->taken + i;
+         s->events++) {
+        if (from->event[s->events].doing == DRAWING_SPINS)
+            s->way = from->event[s->events].way;
+        drawing_add_event(to, &from->event[s->events]);
+    }
 }
 
 void smooth_more(smoothing *s, drawing *to, drawing *from, bool last)
@@ -219,11 +354,17 @@ void smooth_more(smoothing *s, drawing *to, drawing *from, bool last)
         *(s->fit = tool_grow(NULL, sizeof *s->fit)) =
             (fit){ .s = { .e = &engine_f64, .degree = 3, .between = true, .by_length = true } };
     for (size_t end; i < from->count; i = end) {
-        end = chain_end(from, i, s->within, &open);
+        copy_events(s, to, from, i);
+        end = row_end(s, from, i, &open);
+        const bool row = end > i;
+        if (!row && (!open || last))
+            end = chain_end(from, i, s->within, &open);
         if (open && !last)
             break;
-        copy_events(s, to, from, i);
-        s->replaced += smooth_chain(to, from, s->fit, i, end, s->within);
+        if (row)
+            give_row(s, to, from, i, end);
+        else
+            s->replaced += smooth_chain(to, from, s->fit, i, end, s->within);
     }
     if (last)
         copy_events(s, to, from, from->count);

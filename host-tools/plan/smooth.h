@@ -21,9 +21,14 @@
 size_t drawing_smooth(drawing *to, drawing *from, double within);
 
 /* The same for a drawing that is still being read: curves that may belong to a chain that goes on
- * wait for the next call, except for the `last` one. */
+ * wait for the next call, except for the `last` one.
+ *
+ * With a laser, a straight row of lines in which only S changes, as rasters have, is one line. Its
+ * events say how far `along` they are. No vertex of it is farther than `within` from that line. */
 typedef struct {
     double within;
+    bool laser;             /* set before the first call */
+    int way;                /* of the last event that switched it: 3, 4 (M3, M4) or 0 */
     size_t given;           /* curves of `from` that are done */
     size_t events;          /* of `from` that are copied */
     size_t replaced;        /* lines */

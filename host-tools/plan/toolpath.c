@@ -131,7 +131,7 @@ static void go_to_curve(making *m, const drawing *d, size_t i)
         travel_to(m, to[0], to[1], to[2], m->o->travel);
 }
 
-static void add_event(making *m, const drawing_event *e, double feed)
+static void add_event(making *m, const drawing_event *e, double feed, size_t move)
 {
     toolpath *t = m->t;
 
@@ -140,7 +140,7 @@ static void add_event(making *m, const drawing_event *e, double feed)
         t->event      = spool_grow(t->event, t->event_room * sizeof *t->event);
     }
     spool_passed(t->events);
-    t->event[t->events++] = (toolpath_event){ t->count, *e, feed };
+    t->event[t->events++] = (toolpath_event){ move, *e, feed };
 }
 
 /* A laser is off in travels, and with M4 its power is that of each feed. */
@@ -156,7 +156,7 @@ static void light(making *m, const drawing_curve *c)
     e.way     = on ? e.way : 0;
     m->lit    = on;
     m->lit_at = feed;
-    add_event(m, &e, feed);
+    add_event(m, &e, feed, m->t->count);
 }
 
 /* The events of the drawing before curve i. */
@@ -164,8 +164,10 @@ static void add_events(making *m, const drawing *d, size_t i)
 {
     for (; m->events < d->events && d->event[m->events].before <= d->taken + i; m->events++) {
         const drawing_event *e = &d->event[m->events];
+        if (e->along > 0 && e->before == d->taken + i)
+            break;
         if (!m->o->laser || e->doing != DRAWING_SPINS) {
-            add_event(m, e, 0);
+            add_event(m, e, 0, m->t->count);
             continue;
         }
         m->beam = *e;               /* the next curve says how */
@@ -176,6 +178,18 @@ static void add_events(making *m, const drawing *d, size_t i)
     }
     if (m->o->laser && i < d->count)
         light(m, &d->curve[i]);
+}
+
+/* The levels of a laser in the move of curve i; without one all are done before the next move. */
+static void add_levels(making *m, const drawing *d, size_t i, size_t move)
+{
+    for (; move < m->t->count && m->events < d->events && d->event[m->events].along > 0 &&
+           d->event[m->events].before == d->taken + i;
+         m->events++) {
+        m->beam = d->event[m->events];
+        add_event(m, &m->beam, m->lit_at, move);
+        m->beam.along = 0;
+    }
 }
 
 void toolpath_make(toolpath *t, const drawing *d, const toolpath_options *o)
@@ -190,7 +204,9 @@ void toolpath_make(toolpath *t, const drawing *d, const toolpath_options *o)
     for (size_t i = 0; i < d->count; spool_passed(i++)) {
         add_events(&m, d, i);
         go_to_curve(&m, d, i);
+        const size_t move = t->count;
         draw_path(&m, d, i);
+        add_levels(&m, d, i, move);
     }
     add_events(&m, d, d->count);
     if (t->count > 0 && o->park)

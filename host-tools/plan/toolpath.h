@@ -23,7 +23,8 @@ typedef struct {
                                      * lifted */
 } toolpath_options;
 
-/* What is done before a move; `move` == count: at the end. */
+/* What is done before a move; `move` == count: at the end; e.along not 0: in it, a line, after so
+ * many mm. */
 typedef struct {
     size_t move;
     drawing_event e;

@@ -52,6 +52,7 @@ typedef struct {
     unsigned line;
     int way;
     double amount;
+    double along;               /* not 0: SPINS, in that curve, a line, so many mm from its start */
     char text[80];              /* PAUSES: what to tell */
 } drawing_event;
 

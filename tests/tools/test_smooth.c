@@ -284,6 +284,100 @@ static void parts_become_the_same_curves(arb *a)
     drawing_free(&some);
 }
 
+/* A line of pixels from `at` in a direction, each with an event; vertices are `off` the line. */
+static void add_pixels(drawing *d, arb *a, double at[2], double way, int count, double off)
+{
+    const double from[2] = { at[0], at[1] };
+    double along = 0;
+
+    for (int i = 0; i < count; i++) {
+        const double by = i + 1 == count ? 0 : off * (2 * random_unit(a) - 1);
+        drawing_add_event(
+            d, &(drawing_event){
+                   .doing = DRAWING_SPINS, .way = 4, .amount = (double)i, .line = (unsigned)i });
+        along += 0.05 + 0.1 * random_unit(a);
+        line_to(d, at, from[0] + along * cos(way) - by * sin(way),
+                from[1] + along * sin(way) + by * cos(way), i == 0 || arb_below(a, 2));
+    }
+}
+
+/* Rows of a raster are a line each; their events are where the vertices are. Without a laser, with
+ * another event or at a corner they are not joined. */
+static void rows_become_lines(arb *a)
+{
+    drawing lines = { .program = true }, d = { .count = 0 };
+    smoothing s   = { .within = 0.001, .laser = true };
+    double at[2] = { 0, 0 }, way = 6 * random_unit(a);
+    const int rows = 4, count = 3 + (int)arb_below(a, 400);
+
+    for (int n = 0; n < rows; n++, way += 0.3 + 2 * random_unit(a))
+        add_pixels(&lines, a, at, way, count, 0.00045);
+    drawing_add_event(&lines, &(drawing_event){ .doing = DRAWING_WAITS, .amount = 1 });
+    add_pixels(&lines, a, at, way, count, 0.00045);
+    smooth_more(&s, &d, &lines, true);
+    smooth_end(&s);
+    CHECK(d.count == (size_t)rows + 1 && d.events == lines.events);
+    CHECK(s.replaced == lines.count);
+    for (size_t k = 0; k < d.events && d.count == (size_t)rows + 1; k++) {
+        const drawing_event *e = &d.event[k], *from = &lines.event[k];
+        const drawing_curve *c = &d.curve[e->before], *is = &lines.curve[from->before];
+        const double length    = hypot(c->p[3][0] - c->p[0][0], c->p[3][1] - c->p[0][1]);
+        CHECK(e->line == from->line && e->doing == from->doing);
+        CHECK((e->along > 0) == (from->before % (size_t)count != 0));
+        for (int i = 0; i < 2; i++)
+            CHECK_NEAR(c->p[0][i] + e->along / length * (c->p[3][i] - c->p[0][i]), is->p[0][i],
+                       0.001);
+    }
+    drawing_free(&d);
+    s = (smoothing){ .within = 0.001 };
+    smooth_more(&s, &d, &lines, true);
+    smooth_end(&s);
+    CHECK(d.count > lines.count / 4 && d.events == lines.events);
+    for (size_t k = 0; k < d.events; k++)
+        CHECK(!(d.event[k].along > 0));
+    drawing_free(&d);
+    drawing_free(&lines);
+}
+
+/* The same when it is read in parts. */
+static void rows_in_parts_are_the_same(arb *a)
+{
+    drawing lines = { .program = true }, some = { .program = true }, whole = { .count = 0 },
+            parts = { .count = 0 };
+    smoothing s = { .within = 0.001, .laser = true }, t = s;
+    double at[2] = { 0, 0 }, way = 0;
+
+    for (int n = 0; n < 12; n++, way += 1 + random_unit(a))
+        add_pixels(&lines, a, at, way, 1 + (int)arb_below(a, 200), arb_below(a, 3) ? 0.0004 : 0.1);
+    smooth_more(&s, &whole, &lines, true);
+    smooth_end(&s);
+    for (size_t i = 0; i < lines.count; i++) {
+        while (some.events < lines.events && lines.event[some.events].before == i)
+            drawing_add_event(&some, &lines.event[some.events]);
+        drawing_add_like(&some, &lines.curve[i],
+                         i > 0 && lines.curve[i].path != lines.curve[i - 1].path);
+        if (arb_below(a, 30) && i + 1 < lines.count)
+            continue;
+        smooth_more(&t, &parts, &some, i + 1 == lines.count);
+        if (t.given > 1) {
+            drawing_forget(&some, t.given - 1);
+            t.given = 1;
+        }
+    }
+    smooth_end(&t);
+    CHECK(s.replaced == t.replaced && parts.count == whole.count && parts.events == whole.events);
+    for (size_t k = 0; k < whole.count && k < parts.count; k++)
+        CHECK(memcmp(parts.curve[k].p, whole.curve[k].p, sizeof whole.curve[k].p) == 0);
+    for (size_t k = 0; k < whole.events && k < parts.events; k++)
+        CHECK(parts.event[k].before == whole.event[k].before &&
+              !(parts.event[k].along < whole.event[k].along) &&
+              !(parts.event[k].along > whole.event[k].along));
+    drawing_free(&lines);
+    drawing_free(&some);
+    drawing_free(&whole);
+    drawing_free(&parts);
+}
+
 int main(void)
 {
     PROPERTY(curves_stay_within, 20);
@@ -292,5 +386,7 @@ int main(void)
     PROPERTY(corners_stay, 100);
     PROPERTY(what_is_no_chain_is_copied, 20);
     PROPERTY(parts_become_the_same_curves, 10);
+    PROPERTY(rows_become_lines, 40);
+    PROPERTY(rows_in_parts_are_the_same, 20);
     return check_failures();
 }
