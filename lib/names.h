@@ -419,6 +419,7 @@
 #define loft_jet_ball_of           LOFT_NAME(loft_jet_ball_of)
 #define loft_jet_ball_pow          LOFT_NAME(loft_jet_ball_pow)
 #define loft_jet_ball_scale        LOFT_NAME(loft_jet_ball_scale)
+#define loft_jet_ball_sqrt         LOFT_NAME(loft_jet_ball_sqrt)
 #define loft_jet_ball_sub          LOFT_NAME(loft_jet_ball_sub)
 #define loft_jet_ball_sum_add      LOFT_NAME(loft_jet_ball_sum_add)
 #define loft_jet_ball_sum_project  LOFT_NAME(loft_jet_ball_sum_project)
@@ -987,7 +988,9 @@
 #define loft_zheng_ball_lift       LOFT_NAME(loft_zheng_ball_lift)
 #define loft_zheng_ball_lift_jet   LOFT_NAME(loft_zheng_ball_lift_jet)
 #define loft_zheng_ball_params     LOFT_NAME(loft_zheng_ball_params)
+#define loft_zheng_ball_params_ball LOFT_NAME(loft_zheng_ball_params_ball)
 #define loft_zheng_ball_params_jet LOFT_NAME(loft_zheng_ball_params_jet)
+#define loft_zheng_ball_range      LOFT_NAME(loft_zheng_ball_range)
 #define loft_zheng_ball_weights    LOFT_NAME(loft_zheng_ball_weights)
 
 #endif

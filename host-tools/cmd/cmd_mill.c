@@ -135,7 +135,7 @@ static int refuse(const char *file, const surfaces *all, const mill_report *r, i
         if (status == LOFT_ERR_ARG)
             return tool_error(EX_DATAERR,
                               "%s:%u: %s: cannot be milled: give tensor, bicubic, coons, triangle, "
-                              "pn, octant, spatch, toric, basepoint or gb",
+                              "pn, octant, spatch, toric, basepoint, ring or gb",
                               file, s->line, surface_name(s->kind));
         return tool_error(EX_DATAERR, "%s:%u: %s: %s", file, s->line, surface_name(s->kind),
                           surface_status(s, status));
@@ -336,8 +336,8 @@ const tool_command command_mill = {
     "mill", "[--tool ball:6] [--cusp MM|--step MM] FILE|-",
     "the path of a mill's tool over surfaces, as a curve in space",
     "FILE has surfaces in the format of host-tools/LOFT.md: tensor, bicubic, coons, triangle,\n"
-    "pn, octant, and spatch, toric, basepoint, gb with Wachspress coordinates. Prints the\n"
-    "path of the tip as one `line` in .loft, which `loft stream` mills with z: lines there\n"
+    "pn, octant, toric, basepoint, ring, and spatch, gb with Wachspress coordinates. Prints\n"
+    "the path of the tip as one `line` in .loft, which `loft stream` mills with z: lines there\n"
     "and back, their distance from the cusps that a ball leaves, in chords within --tol. Each\n"
     "chord is proved not to cut below any surface; beside walls the path goes up and down on\n"
     "the spot. --pattern spiral goes around the area and inward without a lift, one side to\n"

@@ -9,6 +9,11 @@
  *
  * With b = f + n, n without a constant, 1 / b is the sum of (-n)^k / f^(k+1), no coefficient of
  * which exceeds that of 1 / (least f - |n|).
+ *
+ *     sqrt b - sqrt B = (b - B) / (sqrt b + sqrt B)
+ *
+ * All coefficients of -sqrt(1 - n) but the first are positive: no coefficient of that quotient is
+ * larger than in |b - B| / (2 sqrt(least f - |n|)).
  */
 #include "polygon/jet_ball.h"
 
@@ -71,13 +76,21 @@ loft_jet_ball loft_jet_ball_pow(const loft_jet_ball *a, unsigned k)
     return r;
 }
 
-/* No coefficient of 1 / b is larger. */
-static loft_jet inverse_of(const loft_jet_ball *b, loft_sci least)
+/* The least value, minus the largest coefficients of all else. */
+static loft_jet least_of(const loft_jet_ball *b, loft_sci least)
 {
-    const loft_jet one = loft_jet_of(loft_sci_one()), most = loft_jet_ball_most(b);
+    const loft_jet most = loft_jet_ball_most(b);
     loft_jet below = loft_jet_scale(&most, loft_sci_from_int(-1));
 
     below.f = least;
+    return below;
+}
+
+/* No coefficient of 1 / b is larger. */
+static loft_jet inverse_of(const loft_jet_ball *b, loft_sci least)
+{
+    const loft_jet one = loft_jet_of(loft_sci_one()), below = least_of(b, least);
+
     return loft_jet_div(&one, &below);
 }
 
@@ -92,5 +105,18 @@ bool loft_jet_ball_div(const loft_jet_ball *a, const loft_jet_ball *b, loft_jet_
                    off = loft_jet_add(&a->off, &moved);
     out->mid = mid;
     out->off = loft_jet_mul(&off, &inverse);
+    return true;
+}
+
+bool loft_jet_ball_sqrt(const loft_jet_ball *a, loft_jet_ball *out)
+{
+    const loft_sci least = loft_sci_sub(a->mid.f, a->off.f);
+
+    if (!(loft_sci_sign(least) > 0))
+        return false;
+    const loft_jet below = least_of(a, least), root = loft_jet_sqrt(&below),
+                   twice = loft_jet_scale(&root, loft_sci_from_int(2)), off = a->off;
+    out->mid = loft_jet_sqrt(&a->mid);
+    out->off = loft_jet_div(&off, &twice);
     return true;
 }

@@ -50,6 +50,13 @@ loft_jet_ball loft_jet_ball_pow(const loft_jet_ball *a, unsigned k);
 bool loft_jet_ball_div(const loft_jet_ball *a, const loft_jet_ball *b,
                        loft_jet_ball *out) LOFT_CHECKED;
 
+/* The root of a. Returns false, and leaves *out untouched, when a may be 0 or negative.
+ *
+ *   error   as mul
+ *   cost    two roots, a quotient and a product of loft_jet
+ */
+bool loft_jet_ball_sqrt(const loft_jet_ball *a, loft_jet_ball *out) LOFT_CHECKED;
+
 /* The largest absolute value of each component.
  *
  *   error   none

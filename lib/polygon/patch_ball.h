@@ -13,6 +13,7 @@
 #include "polygon/jet_ball_sum.h"   /* loft_jet_ball_sum */
 #include "polygon/spatch.h"         /* loft_spatch */
 #include "polygon/toric.h"          /* loft_toric */
+#include "polygon/zheng_ball.h"     /* loft_zheng_ball */
 
 LOFT_BEGIN_C
 
@@ -52,6 +53,26 @@ bool loft_basepoint_ball(const loft_basepoint *b, unsigned corner, const loft_je
  */
 bool loft_gb_ball(const loft_gb *g, const loft_domain *d, const loft_jet_ball area[],
                   const loft_jet_ball phi[], bool point, loft_jet_ball_sum *out) LOFT_CHECKED;
+
+/* The parameters of a Zheng-Ball patch from u_1 and u_2, as loft_zheng_ball_params. Returns false
+ * where they have no bounds: u is then undefined.
+ *
+ *   shape   u[sides]
+ *   range   as loft_zheng_ball_params; bounds are near where u_1 and u_2 are not both near 1
+ *   error   as above
+ *   cost    5 sides 1 product and 2 quotients; 6: 28 products, 4 roots and 4 quotients
+ */
+bool loft_zheng_ball_params_ball(unsigned sides, const loft_jet_ball *u1, const loft_jet_ball *u2,
+                                 loft_jet_ball u[]) LOFT_CHECKED;
+
+/* The point of a Zheng-Ball patch; u[sides] its parameters, in the order of its sides.
+ *
+ *   error   as above
+ *   cost    per control point about 4 products and one loft_jet_ball_sum_add; 6 degree products
+ *           before; 16 kB of stack in q16
+ */
+void loft_zheng_ball_range(const loft_zheng_ball *r, const loft_jet_ball u[],
+                           loft_jet_ball_sum *out);
 
 LOFT_END_C
 

@@ -7,18 +7,29 @@
  *
  * A basepoint patch has three sectors where a corner of the triangle has the largest share, so at
  * least 1/3: v of loft_basepoint_corner is at most 2/3, away from the other corners.
+ *
+ * A Zheng-Ball patch with 5 or 6 sides has a sector for each corner: the parameters of its two
+ * sides are at most those of the middle, 0.618 and 0.707. Of 5 parameters two neighbours always
+ * are, for u_i = 1 - u_(i+2) u_(i+3). Of 6 as well: u_(i-1) and u_(i+1) are both 0.707 only in the
+ * middle. With 3 sides u_1 and u_2 are used everywhere.
  */
 #include "toolpath/sector.h"
 #include "polygon/patch_ball.h"     /* loft_spatch_ball */
 #include "polygon/wachspress.h"     /* loft_wachspress_eval */
 
 #define CORNER_SHARE 0.66666666666666674
+#define RING_SHARE(sides) ((sides) == 5 ? LOFT_UNIT(0.625) : LOFT_UNIT(0.71875))
 #define FINER 3                 /* levels of pieces of a part */
 #define ROUNDED LOFT_UNIT(0x1p-22)      /* parameters err by less, in every number type */
 
 static unsigned next_of(unsigned i, unsigned n) { return i + 1 < n ? i + 1 : 0; }
 
-static bool is_triangular(const loft_sector *c) { return c->disk->of != LOFT_DISK_OF_BASEPOINT; }
+static bool is_ring(const loft_sector *c) { return c->disk->of == LOFT_DISK_OF_ZHENG_BALL; }
+
+static bool is_triangular(const loft_sector *c)
+{
+    return c->disk->of != LOFT_DISK_OF_BASEPOINT && (!is_ring(c) || c->disk->sides == 3);
+}
 
 unsigned loft_sector_count(const loft_disk *d)
 {
@@ -30,6 +41,7 @@ unsigned loft_sector_count(const loft_disk *d)
                    : 0;
     case LOFT_DISK_OF_TORIC:     return d->sides;
     case LOFT_DISK_OF_BASEPOINT: return 3;
+    case LOFT_DISK_OF_ZHENG_BALL: return d->sides == 3 ? 1 : d->sides;
     default:                     return 0;
     }
 }
@@ -37,11 +49,38 @@ unsigned loft_sector_count(const loft_disk *d)
 
 /* The surface */
 
+/* The sides whose parameters are those of the sector: the one before its corner, the one after. */
+static unsigned first_side(const loft_sector *c)
+{
+    return c->disk->sides == 3 ? 0 : (c->number + c->disk->sides - 1u) % c->disk->sides;
+}
+
+static enum loft_status ring_at(const loft_sector *c, loft_unit u, loft_unit v, loft_vec *out)
+{
+    const unsigned n = c->disk->sides;
+    const loft_unit share = RING_SHARE(n);
+    loft_sci turned[LOFT_ZHENG_BALL_SIDES], at[LOFT_ZHENG_BALL_SIDES];
+
+    const enum loft_status status =
+        n == 3
+            ? loft_zheng_ball_params(n, u, v, turned)
+            : loft_zheng_ball_params(n, loft_unit_round(loft_acc_scale(loft_unit_to_acc(share), u)),
+                                     loft_unit_round(loft_acc_scale(loft_unit_to_acc(share), v)),
+                                     turned);
+    if (status != LOFT_OK)
+        return status;
+    for (unsigned i = 0; i < n; i++)
+        at[(first_side(c) + i) % n] = turned[i];
+    return loft_zheng_ball_eval((const loft_zheng_ball *)c->disk->patch, at, out);
+}
+
 static enum loft_status sector_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
 {
     const loft_sector *c = (const loft_sector *)surface;
     const loft_unit one = LOFT_UNIT(1), both = u + v;
 
+    if (is_ring(c))
+        return ring_at(c, u, v, out);
     if (!is_triangular(c)) {
         const loft_acc share = loft_acc_scale(loft_unit_to_acc(LOFT_UNIT(CORNER_SHARE)), v);
         return loft_basepoint_corner((const loft_basepoint *)c->disk->patch, c->number, u,
@@ -225,11 +264,29 @@ static bool sum_basepoint(const loft_sector *c, const part *p, loft_jet_ball_sum
     return loft_basepoint_ball((const loft_basepoint *)c->disk->patch, c->number, factor, sum);
 }
 
+static bool sum_ring(const loft_sector *c, const part *p, loft_jet_ball_sum *sum)
+{
+    const unsigned n = c->disk->sides;
+    const loft_sci none = loft_sci_zero(),
+                   share = n == 3 ? loft_sci_one() : loft_sci_from_unit(RING_SHARE(n));
+    const loft_jet_ball a = linear_ball(p, none, share, none),
+                        b = linear_ball(p, none, none, share);
+    loft_jet_ball turned[LOFT_ZHENG_BALL_SIDES], u[LOFT_ZHENG_BALL_SIDES];
+
+    if (!loft_zheng_ball_params_ball(n, &a, &b, turned))
+        return false;
+    for (unsigned i = 0; i < n; i++)
+        u[(first_side(c) + i) % n] = turned[i];
+    loft_zheng_ball_range((const loft_zheng_ball *)c->disk->patch, u, sum);
+    return true;
+}
+
 static bool sum_of(const loft_sector *c, const part *p, loft_jet_ball_sum *sum)
 {
     switch (c->disk->of) {
     case LOFT_DISK_OF_TORIC:     return sum_toric(c, p, sum);
     case LOFT_DISK_OF_BASEPOINT: return sum_basepoint(c, p, sum);
+    case LOFT_DISK_OF_ZHENG_BALL: return sum_ring(c, p, sum);
     default:                     return sum_polygon(c, p, sum);
     }
 }
@@ -260,7 +317,7 @@ static loft_sci moved_of(const loft_sector *c)
     const loft_sci rounded = loft_sci_from_unit(ROUNDED);
     loft_acc most = 0, reach = 0;
 
-    if (!is_triangular(c))
+    if (!is_triangular(c) || is_ring(c))
         return rounded;
     const loft_spot m = spot_of_sector(c, 0), a = spot_of_sector(c, 1), b = spot_of_sector(c, 2);
     for (int i = 0; i < 2; i++)
@@ -386,7 +443,7 @@ static enum loft_status finish_sheet(loft_sheet *s, loft_acc moved)
         most = x > most ? x : most;
         most = y > most ? y : most;
     }
-    s->fuzz = moved + 4 * loft_real_ulp(loft_to_acc(most)) + 512 * loft_acc_ulp(loft_to_acc(most));
+    s->fuzz = moved + 4 * loft_real_ulp(loft_to_acc(most)) + 8192 * loft_acc_ulp(loft_to_acc(most));
     return LOFT_OK;
 }
 

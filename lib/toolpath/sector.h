@@ -13,8 +13,9 @@
  *     spatch, gb, toric           sides        triangles: middle, vertex k, vertex k + 1
  *     basepoint                   3            squares: a corner of the triangle, share 1/3 to 1
  *     zheng_ball of 5, 6 sides    sides        squares: a corner, to the parameters of the middle
+ *     zheng_ball of 3 sides       1            triangles of u_1 and u_2
  *
- * The last two kinds overlap, which does no harm to a search.
+ * Those of basepoint and zheng_ball overlap, which does no harm to a search.
  */
 #ifndef LOFT_TOOLPATH_SECTOR_H
 #define LOFT_TOOLPATH_SECTOR_H
@@ -33,7 +34,7 @@ typedef struct {
 /* The number of sectors of a patch; 0: it has no bounds.
  *
  *   range   no bounds: coordinates other than Wachspress ones, since second derivatives of those
- *           grow without bound at vertices; Zheng-Ball patches
+ *           grow without bound at vertices
  *   error   none
  *   cost    some comparisons
  */
@@ -42,7 +43,8 @@ unsigned loft_sector_count(const loft_disk *d);
 /* Make a loft_surface of a sector, which must outlive it.
  *
  *   range   number < loft_sector_count
- *   error   a point: that of loft_disk, or of loft_basepoint_corner at parameters rounded once
+ *   error   a point: that of loft_disk, or of loft_basepoint_corner or loft_zheng_ball_eval at
+ *           parameters rounded once
  *   cost    two pointers copied; a point: that of the patch's eval
  */
 loft_surface loft_surface_from_sector(const loft_sector *c);

@@ -1327,6 +1327,9 @@ case_mill() {
         run 0 "$loft" mill --num $num --tool ball:4 --step 3 --tol 0.1 "$tmp/five.loft"
         says out '^# ball:4, 8 lines'; says out '^# cuts below the surface: none, proved'
     done
+    awk '/^ring/ { on = 1 } /^gb/ { on = 0 } on' tests/drawings/sided.loft >"$tmp/ring.loft"
+    run 0 "$loft" mill --tool ball:20 --step 15 --tol 0.1 "$tmp/ring.loft"
+    says out '^# ball:20, .* lines'; says out '^# cuts below the surface: none, proved'
     run 0 "$loft" mill --tool ball:4 --along v --step 0.25 --tol 0.1 "$tmp/plane.loft"
     says out '^# ball:4, 5 lines'; says out '^9 9 0.4'
     for way in '' --one-way; do                 # back in one chord, or in many along a line

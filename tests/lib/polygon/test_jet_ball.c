@@ -102,6 +102,20 @@ static void quotients_contain_theirs(arb *a)
     CHECK(!loft_jet_ball_div(&p, &q, &quotient));
 }
 
+static void roots_contain_theirs(arb *a)
+{
+    loft_jet_ball p = arb_ball(a), root;
+
+    p.mid.f = loft_sci_add(loft_sci_abs(p.mid.f), loft_sci_one());      /* at least 1/2 */
+    CHECK(loft_jet_ball_sqrt(&p, &root));
+    for (int n = 0; n < 20; n++) {
+        const loft_jet x = arb_in(a, &p), r = loft_jet_sqrt(&x);
+        check_in(&root, &r);
+    }
+    p.mid.f = p.off.f;
+    CHECK(!loft_jet_ball_sqrt(&p, &root));
+}
+
 /* As small as it can be for a product of constants. */
 static void ranges_of_values_are_near(arb *a)
 {
@@ -153,6 +167,7 @@ int main(void)
 {
     PROPERTY(sums_products_and_powers_contain_theirs, 100);
     PROPERTY(quotients_contain_theirs, 100);
+    PROPERTY(roots_contain_theirs, 100);
     PROPERTY(sums_of_points_contain_theirs, 50);
     PROPERTY(ranges_of_values_are_near, 1);
     return check_failures();

@@ -8,7 +8,7 @@
 #define PARTS 1024
 
 /* The kinds of support/sided.h that have bounds. */
-static const unsigned bounded[4] = { 0, 2, 4, 5 };
+static const unsigned bounded[5] = { 0, 2, 4, 5, 6 };
 
 /* A part of a surface by its corners, and a place in it: k, l of 16 steps. */
 typedef struct {
@@ -64,7 +64,7 @@ static bool arb_part(arb *a, const loft_sector *c, unsigned level, loft_sheet *s
 
 static void parts_are_as_flat_as_the_bend_says(arb *a)
 {
-    const scene *x = arb_kind(a, bounded[arb_below(a, 4)], arb_below(a, 2) ? 4 : 0);
+    const scene *x = arb_kind(a, bounded[arb_below(a, 5)], arb_below(a, 2) ? 4 : 0);
     const loft_sector c = { &x->round, (uint8_t)arb_below(a, loft_sector_count(&x->round)) };
     const unsigned level = arb_below(a, 7);
     loft_sheet s;
@@ -87,7 +87,7 @@ static void parts_are_as_flat_as_the_bend_says(arb *a)
  * that they need. */
 static void bends_of_fine_parts_are_near(arb *a)
 {
-    const scene *x = arb_kind(a, bounded[arb_below(a, 4)], 0);
+    const scene *x = arb_kind(a, bounded[arb_below(a, 5)], 0);
     const loft_sector c = { &x->round, 0 };
     const piece p = { 10, 9, 32, loft_surface_from_sector(&c).over == LOFT_SURFACE_TRIANGLE,
                       false };
@@ -127,7 +127,7 @@ static uint32_t add_parts(const loft_sector *c, unsigned level, unsigned i, unsi
 static void a_tip_cuts_no_point_of_a_patch(arb *a)
 {
     static loft_sheet sheet[PARTS];
-    const scene *x = arb_kind(a, bounded[arb_below(a, 4)], 3);
+    const scene *x = arb_kind(a, bounded[arb_below(a, 5)], 3);
     const loft_cutter c = arb_cutter(a, LOFT_REAL(4));
     loft_sector sector[LOFT_SIDES_MAX];
     uint32_t count = 0;
@@ -161,7 +161,7 @@ static void what_has_no_bounds_is_refused(arb *a)
     for (unsigned kind = 0; kind < KINDS; kind++) {
         const scene *x = arb_kind(a, kind, 0);
         const loft_sector c = { &x->round, 0 };
-        const bool any = kind == 0 || kind == 2 || kind == 4 || kind == 5;
+        const bool any = kind == 0 || kind == 2 || kind >= 4;
         CHECK((loft_sector_count(&x->round) > 0) == any);
         if (!any)
             CHECK(loft_sheet_from_sector(&s, &c, 3, 0, 0, false) == LOFT_ERR_ARG);
