@@ -2,6 +2,7 @@
  * C for lib/curve/drawing.h
  * SPDX-License-Identifier: MIT
  */
+#include <errno.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -9,6 +10,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/create.h"      /* create_refused */
 #include "base/c_name.h"
 #include "base/source.h"        /* source_name */
 #include "base/spool.h"         /* spool_passed */
@@ -226,8 +228,7 @@ static int write_file(const export_wishes *w, enum form form, const drawing *d,
     FILE *out = w->output ? fopen(w->output, "w") : stdout;
 
     if (out == NULL)
-        return tool_error(EX_CANTCREAT,
-                          "%s: cannot be written: name a file in a folder that exists", w->output);
+        return create_refused(w->output, errno);
     const int code = write_form(w, form, d, smooth, out);
     const bool bad = ferror(out) != 0;
     if (out != stdout && (fclose(out) != 0 || bad) && code == 0)

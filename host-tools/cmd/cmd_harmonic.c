@@ -2,12 +2,14 @@
  * lib/polygon/harmonic.h
  * SPDX-License-Identifier: MIT
  */
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "engine/engine_harmonic.h"    /* harmonic_solve; the domain that judges polygons */
+#include "base/create.h"      /* create_refused */
 #include "base/c_name.h"
 #include "base/lines.h"
 #include "base/source.h"
@@ -162,8 +164,7 @@ static int write_table(const harmonic_series *s, const engine *e, const char *ou
                           output);
     FILE *out = fopen(output, "w");
     if (out == NULL)
-        return tool_error(EX_CANTCREAT,
-                          "%s: cannot be written: name a file in a folder that exists", output);
+        return create_refused(output, errno);
     c_name_of(output, name);
     if (output[length - 1] == 'h')
         write_header(out, s, e, name);
@@ -195,6 +196,8 @@ static int run(const tool_command *self, int argc, char **argv)
         return code == TOOL_HELP ? EX_OK : code;
     if (at.count != 0 && at.count != 2)
         return tool_error(EX_USAGE, "--at: %zu numbers: give X,Y", at.count);
+    if ((code = create_check(output)) != 0)
+        return code;
     code = read_polygon(&r, file);
     round_vertices(&r, e);
     if (code == 0)

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/create.h"      /* create_check */
 #include "base/progress.h"
 #include "base/source.h"        /* source_name */
 #include "base/tool.h"
@@ -327,8 +328,10 @@ static int run_mill(const tool_command *self, int argc, char **argv)
         if (!(w.o.area[0][k] < w.o.area[1][k]))
             return tool_error(EX_USAGE, "--area: is empty: give two corners apart");
     }
-    if (record_file != NULL)
-        return plot_left(&w, argv[first], record_file, output);
+    if (record_file != NULL) {
+        const int refused = create_check(output);
+        return refused ? refused : plot_left(&w, argv[first], record_file, output);
+    }
     return mill_trimmed(e, &w, trim, argv[first]);
 }
 

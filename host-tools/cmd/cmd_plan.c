@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/create.h"      /* create_refused */
 #include "base/source.h"         /* source_name */
 #include "draw/plan_plot.h"      /* plan_plot */
 #include "plan/certify.h"        /* certify_make */
@@ -164,9 +165,7 @@ static int open_rows(report *r)
     if (!(r->o->rate > 0) && !r->o->spans)
         return 0;
     r->rows = name == NULL ? stdout : fopen(name, "w");
-    return r->rows != NULL
-               ? 0
-               : tool_error(EX_CANTCREAT, "%s: cannot be written: %s", name, strerror(errno));
+    return r->rows != NULL ? 0 : create_refused(name, errno);
 }
 
 static int close_rows(const report *r)
@@ -351,7 +350,8 @@ static int run_plan(const tool_command *self, int argc, char **argv)
         return tool_error(EX_USAGE, "%s: see `loft plan --help`",
                           first < argc ? "more than one drawing"
                                        : "no drawing: name an SVG, CSV or .loft file, or -");
-    if ((code = check_options(&o)) != 0)
+    if ((code = check_options(&o)) != 0 || (code = create_check(o.picture)) != 0 ||
+        (code = create_check(o.output)) != 0)
         return code;
     o.file = argv[first];
     o.p.passes = !o.certify;

@@ -10,6 +10,7 @@
 #include "draw/plot.h"
 #include "draw/surface_plot.h"
 #include "plan/page.h"
+#include "base/create.h"      /* create_check */
 #include "base/tool.h"
 
 static int print_result(const plot_options *o, const plot_result *found)
@@ -196,7 +197,7 @@ static int run_plot(const tool_command *self, int argc, char **argv)
                           "--error: give --record FILE as well: errors are those of a machine");
     else if (code == 0 && o.tol > 0 && record_file == NULL)
         code = tool_error(EX_USAGE, "--tol: give --record FILE as well: it shows what was drawn");
-    else if (code == 0) {
+    else if (code == 0 && (code = create_check(o.output)) == 0) {
         if (part.count == 4)
             memcpy(o.part, part.value, sizeof o.part);
         o.name = argv[first];

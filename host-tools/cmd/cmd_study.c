@@ -11,6 +11,7 @@
 
 #include "study/chapter.h"
 #include "study/study_pictures.h"
+#include "base/create.h"      /* create_check */
 #include "base/tool.h"
 
 #define EXPECTED "tests/vectors/ch4_numbers.csv"
@@ -135,6 +136,8 @@ static int run_study(const tool_command *self, int argc, char **argv)
     const engine_chapters *e = num == &engine_q16   ? &engine_chapters_q16
                                : num == &engine_f32 ? &engine_chapters_f32
                                                     : &engine_chapters_f64;
+    if ((code = create_check(folder)) != 0)
+        return code;
     t.num = num->name;
     if (!pictures_only)
         code = read_expected(&t, file ? file : EXPECTED, file != NULL);

@@ -5,6 +5,7 @@
 
 #include "draw/mesh.h"
 #include "draw/refine.h"
+#include "base/create.h"      /* create_check */
 #include "base/source.h"     /* source_name */
 #include "engine/surface.h"
 #include "base/tool.h"
@@ -73,7 +74,9 @@ static int run_surface(const tool_command *self, int argc, char **argv)
     if (n > 0 && tol > 0)
         return tool_error(EX_USAGE, "--n and --tol: give one of them");
     n = n ? n : 32;
-    code = surfaces_read_only(&all, argv[first]);
+    code = create_check(output);
+    if (code == 0)
+        code = surfaces_read_only(&all, argv[first]);
     if (code == 0 && tol > 0) {
         code = refine(&all, source_name(argv[first]), e, tol, &m, output);
         mesh_free(&m);

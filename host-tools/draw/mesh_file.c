@@ -13,6 +13,7 @@
 #include <strings.h>
 
 #include "draw/mesh.h"
+#include "base/create.h"      /* create_refused */
 #include "base/tool.h"       /* tool_error, sysexits */
 
 static void put32(FILE *file, uint32_t x)
@@ -130,11 +131,12 @@ int mesh_write(const mesh *m, const char *output, size_t *triangles)
         return tool_error(EX_USAGE, "%s: give a name that ends with .stl or .ply", output);
     FILE *file = fopen(output, "wb");
     if (file == NULL)
-        return tool_error(EX_CANTCREAT, "%s: cannot be written: %s", output, strerror(errno));
+        return create_refused(output, errno);
     *triangles = every_triangle(m, NULL, NULL);
     (stl ? write_stl : write_ply)(file, m, *triangles);
     const bool good = !ferror(file);
     if (fclose(file) != 0 || !good)
-        return tool_error(EX_IOERR, "%s: cannot be written: %s", output, strerror(errno));
+        return tool_error(EX_IOERR, "%s: cannot be written: %s: is the disk full?", output,
+                          strerror(errno));
     return 0;
 }

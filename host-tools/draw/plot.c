@@ -10,6 +10,7 @@
 #include <strings.h>
 
 #include "draw/plot.h"
+#include "base/create.h"      /* create_refused */
 #include "base/tool.h"       /* tool_error, tool_grow, sysexits */
 
 #define PT_PER_MM   (72 / 25.4)
@@ -366,9 +367,11 @@ int plot_end(plot_view *v, cairo_surface_t *canvas, const char *output)
     cairo_surface_destroy(canvas);
     if (v->file != NULL && fclose(v->file) != 0 && v->failed == 0)
         v->failed = errno;
-    if (v->failed != 0 || status != CAIRO_STATUS_SUCCESS)
-        return tool_error(EX_CANTCREAT, "%s: the picture cannot be written: %s", output,
-                          v->failed ? strerror(v->failed) : cairo_status_to_string(status));
+    if (v->failed != 0)
+        return create_refused(output, v->failed);
+    if (status != CAIRO_STATUS_SUCCESS)
+        return tool_error(EX_CANTCREAT, "%s: the picture cannot be drawn: %s: try another --size",
+                          output, cairo_status_to_string(status));
     return 0;
 }
 

@@ -91,7 +91,7 @@ static void add_join(pieces *to, const double at[2], const double in[2], const d
                  end[2] = { -side * out[1], side * out[0] };
 
     if (to->s->join == REGION_JOIN_ROUND) {
-        add_fan(to, at, from, atan2(cross, dot));
+        add_fan(to, at, from, -side * atan2(fabs(cross), dot));    /* ahead, if it turns back */
         return;
     }
     memcpy(to->at[0], at, sizeof to->at[0]);

@@ -16,7 +16,7 @@
 #include "plan/region.h"
 
 #define CHORDS_MAX 2000000u     /* of one shape */
-#define PIECED_MOST 5000u       /* chords: the union of their pieces takes seconds */
+#define PIECED_MOST 200000u     /* chords: the union of their pieces takes a minute and a half */
 
 struct region {
     GEOSContextHandle_t h;
@@ -317,8 +317,13 @@ region *region_of_stroke(const drawing *d, size_t first, size_t last, const regi
         for (size_t i = 0; i < p.count && s->pen[0] > 0; i++)
             shape_point(back, p.point[i]);
         const int quarter   = quarter_chords(s->width / 2 * stretch_of(r->pen));
-        const bool pieced   = p.count <= PIECED_MOST && is_hard(&p, s);
+        const bool hard = is_hard(&p, s), pieced = hard && p.count <= PIECED_MOST;
         GEOSGeometry *lines = pieced ? NULL : lines_of(r->h, &p);
+        if (hard && !pieced)
+            (void)tool_error(EX_OK,
+                             "%s:%u: a stroke of more than %u chords: where it bends more tightly "
+                             "than it is wide it may have false holes: split the path",
+                             source_name(file), d->curve[first].line, PIECED_MOST);
         if (pieced)
             r->g = put_together(r->h, &p, s, quarter);
         else if (lines != NULL)

@@ -85,8 +85,9 @@ static int make_link(const char *link, const char *name, int slave)
         if (fcntl(slave, F_OFD_SETLK, &lock) == 0)
             return 0;
     }
-    fprintf(stderr, "loft: %s: %s%s\n", link,
-            there ? there : "cannot make this link: ", there ? "" : strerror(errno));
+    fprintf(stderr, "loft: %s: %s%s%s\n", link,
+            there ? there : "cannot make this link: ", there ? "" : strerror(errno),
+            there ? "" : ": name a place in a folder that exists");
     return EX_CANTCREAT;
 }
 

@@ -9,7 +9,8 @@
 
 static int report_error(const struct loft_host_options *o)
 {
-    fprintf(stderr, "loft: %s: cannot write the record: %s\n", o->record, strerror(errno));
+    fprintf(stderr, "loft: %s: cannot write the record: %s: name a file that can be written\n",
+            o->record, strerror(errno));
     return EX_CANTCREAT;
 }
 

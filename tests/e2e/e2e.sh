@@ -1226,6 +1226,38 @@ SVG
     one_line 65 'nothing in it is filled' "$loft" plan "$tmp/small.csv" --fill hatch
     one_line 64 'give hatch:ANGLE,MM' "$loft" plan "$tmp/box.svg" --fill wave
 }
+# A folder that is not there is told before anything is computed, in one line with the remedy.
+case_bad_places_for_files() {
+    local none=$tmp/none/x
+    awk 'BEGIN { print "bspline 3"; for (i = 0; i < 20000; i++) print i % 170, i * 7 % 190 }' \
+        >"$tmp/long.loft"
+    printf '0,0\n4,0\n4,3\n2,1\n0,3\n' >"$tmp/polygon.csv"
+    echo '# slot_hz = 1' >"$tmp/record.csv"
+    for job in "plan $tmp/long.loft --plot $none.png" "plan $tmp/long.loft --spans -o $none.csv" \
+        "export $tmp/small.csv -o $none.nc" "plot $tmp/small.csv -o $none.png" \
+        "surface tests/drawings/surfaces.loft --tol 0.0001 -o $none.stl" \
+        "harmonic $tmp/polygon.csv -o $none.h" "study gb -o $none/y" \
+        "mill tests/drawings/patch.loft --record $tmp/record.csv -o $none.png"; do
+        # shellcheck disable=SC2086
+        one_line 73 'none/x.*: No such file or directory: name a place in a folder that exists' \
+            timeout 10 "$loft" $job
+    done
+    one_line 73 'folder' "$loft" figures family -o "$none"
+    one_line 73 'name a log' "$loft" stream "$tmp/small.csv" --port "$tmp/no" --log "$none"
+    one_line 73 'name a file that can be written' "$loft" simulate --record "$none" --link "$tmp/l"
+    one_line 73 'name a place in a folder that exists' "$loft" simulate --link "$none"
+    one_line 73 'name a file that can be written' "$loft" simulate --link "$tmp/l" --keep "$none"
+    mkdir "$tmp/folder"
+    one_line 73 'Is a directory' "$loft" export "$tmp/small.csv" -o "$tmp/folder" --as nc
+    # pieces of other files in the place of a machine file, and of what a machine keeps
+    tail -c 400 tests/corpus/svg.tar.gz >"$tmp/settings"
+    one_line 65 'settings: is not text' "$loft" plan "$tmp/small.csv" --machine "$tmp/settings"
+    machine strange --speed fast --keep "$tmp/settings"
+    run 0 "$loft" settings --port "$tmp/strange"; says out 'those of its firmware'
+    run 0 "$loft" set x.travel=9 --port "$tmp/strange"
+    run 0 "$loft" settings --port "$tmp/strange"; says out '^x.travel = 9$'
+    kill "$machine"
+}
 case_bad_ports() {
     one_line 69 'No such file'      "$loft" stream "$tmp/small.csv" --port /dev/ttyNONE
     one_line 69 'not a serial port' "$loft" stream "$tmp/small.csv" --port /dev/null

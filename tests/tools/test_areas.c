@@ -10,7 +10,7 @@
 
 static bool areas_of(const char *inner, bool strokes, bool fills, drawing *d)
 {
-    char text[4000];
+    static char text[160000];
 
     snprintf(text, sizeof text, PAGE("%s"), inner);
     caught[0]    = '\0';
@@ -201,6 +201,38 @@ static void wide_strokes_keep_their_distance(arb *a)
     drawing_free(&d);
 }
 
+/* A scribble of so many lines that are shorter than it is wide. */
+static void long_wide_strokes_have_no_false_holes(arb *a)
+{
+    enum { PLACES = 6001 };
+    static double chain[PLACES][2];
+    static char inner[PLACES * 24];
+    const double width = 3;
+    double way = 0;
+    drawing d;
+    int used = snprintf(inner, sizeof inner,
+                        "<path fill='none' stroke='red' stroke-width='%g' stroke-linejoin='round' "
+                        "stroke-linecap='round' d='M",
+                        width);
+
+    for (int n = 0; n < PLACES; n++) {
+        const double *last = chain[n > 0 ? n - 1 : 0];
+        way += arb_below(a, 2401) / 1000.0 - 1.2;
+        for (int i = 0; i < 2; i++) {
+            const double to = n == 0 ? 50 : last[i] + 0.5 * (i ? sin(way) : cos(way));
+            chain[n][i]     = floor(1000 * fmin(fmax(to, 10), 90)) / 1000;
+        }
+        used += snprintf(inner + used, sizeof inner - (size_t)used, " %.3f %.3f", chain[n][0],
+                         100 - chain[n][1]);
+    }
+    snprintf(inner + used, sizeof inner - (size_t)used, "'/>");
+    CHECK(areas_of(inner, true, true, &d) && d.count > 100);
+    for (size_t i = 0; i < d.count; i++)
+        CHECK(fabs(far_from((const double (*)[2])chain, PLACES, d.curve[i].p[0]) - width / 2) <
+              0.0025);
+    drawing_free(&d);
+}
+
 /* Bends that are tighter than the stroke is wide: no false holes, each place of the outline is at
  * half of the width. */
 static void wide_strokes_fill_tight_bends(arb *a)
@@ -311,6 +343,7 @@ int main(void)
     PROPERTY(strokes_become_areas, 60);
     PROPERTY(dots_have_the_width_of_their_stroke, 100);
     PROPERTY(wide_strokes_fill_tight_bends, 15);
+    PROPERTY(long_wide_strokes_have_no_false_holes, 1);
     PROPERTY(wide_strokes_keep_their_distance, 100);
     PROPERTY(painted_areas_are_clipped, 60);
     PROPERTY(clip_paths_add_up, 1);
