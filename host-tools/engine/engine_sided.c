@@ -405,12 +405,14 @@ static int sided_disk(const engine_sided *e, loft_disk *out)
     return status;
 }
 
+/* The bounds of a gb patch come near only over smaller parts: it has four times as many. */
 static int sided_sheets(engine_sided *e, unsigned level, engine_sheet_list *out)
 {
+    const unsigned finer = level && e->s->kind == SURFACE_GB ? 1 : 0;
     const int status = sided_disk(e, &e->round);
 
     return status ? status
-                  : ENGINE_OF(engine_sectors)(&e->round, e->sector, level ? level : 2, out);
+                  : ENGINE_OF(engine_sectors)(&e->round, e->sector, level ? level + finer : 2, out);
 }
 
 /* The first vertex at which a polygon does not turn left. */

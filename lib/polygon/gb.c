@@ -121,10 +121,12 @@ static void bernstein_values(loft_sci out[], unsigned degree, unsigned count, lo
                              loft_sci y)
 {
     loft_sci power = loft_sci_one();
+    int32_t ways = 1;
 
     for (unsigned k = 0; k < count; k++) {
-        out[k] = loft_sci_mul(power, loft_sci_from_int(loft_binomial(degree, k)));
+        out[k] = loft_sci_mul(power, loft_sci_from_int(ways));
         power = loft_sci_mul(power, x);
+        ways = ways * (int32_t)(degree - k) / (int32_t)(k + 1);
     }
     power = loft_sci_pow(y, degree + 1 - count);
     for (unsigned k = count; k-- > 0; ) {
