@@ -9,6 +9,7 @@
 #include "machine/pace.h"
 #include "motion/scurve.h"
 #include "motion/span.h"
+#include "surface/tensor/grid.h"
 #include "machine/step.h"
 
 #include "say.h"            /* say_line */
@@ -30,6 +31,7 @@ int main(void);
 
 #  define WRAPS true
 #  define LONG  20           /* of loft_forward_run: the memory that there is */
+#  define ROWS  8            /* lines of a patch, and steps of a line */
 static volatile uint16_t wraps;
 ISR(TIMER1_OVF_vect) { wraps++; }
 
@@ -70,6 +72,7 @@ static void stop(void)
 
 #  define WRAPS false
 #  define LONG  64
+#  define ROWS  16
 void debugger_put(char c);
 static uint32_t now(void)   { return meter_now(); }
 static void put(char c)     { debugger_put(c); }
@@ -77,12 +80,29 @@ static void start(void)     { meter_start(); }
 static void stop(void)      {}
 #endif
 
-enum { SLOT, TAKE, GIVE, LOAD, PACE, TICK, STEPS, POSITION, WALK, MOVE, PLACE, TURN, RUN, CALLS };
+enum {
+    SLOT,
+    TAKE,
+    GIVE,
+    LOAD,
+    PACE,
+    TICK,
+    STEPS,
+    POSITION,
+    WALK,
+    MOVE,
+    PLACE,
+    TURN,
+    RUN,
+    LINE,
+    ROW,
+    CALLS
+};
 static const char names[CALLS][24] = {
     "loft_step_next", "loft_step_take",    "loft_step_give",   "loft_step_load",
     "loft_pace_next", "loft_forward_next", "loft_steps_of",    "loft_step_position",
     "loft_span_walk", "loft_scurve_init",  "loft_scurve_eval", "loft_scurve_retarget",
-    "loft_forward_run"
+    "loft_forward_run", "loft_grid_next",    "loft_grid_run"
 };
 static uint32_t worst[CALLS], empty;
 
@@ -201,6 +221,32 @@ __attribute__((noinline)) static void runs(void)
     }
 }
 
+/* Lines of a bicubic patch: points one by one, at the start of a line as well, and 16 at once. */
+__attribute__((noinline)) static void rows(void)
+{
+    loft_state memory[LOFT_GRID_STATES(3, 3)];
+    loft_vec net[16], at[ROWS];
+    loft_tensor patch;
+    loft_grid grid;
+
+    for (int k = 0; k < 16; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            net[k].axis[i] = (loft_real)any();
+    for (unsigned run = 0; run < 2; run++) {
+        if (loft_tensor_init(&patch, net, 3, 3) != LOFT_OK ||
+            loft_grid_init(&grid, &patch, ROWS, ROWS, memory, LOFT_GRID_STATES(3, 3)) != LOFT_OK)
+            return;
+        for (unsigned n = 0; n < ROWS * (run ? 1u : ROWS + 1u); n++) {
+            const uint32_t begin = now();
+            if (run)
+                (void)loft_grid_run(&grid, at, ROWS);
+            else
+                (void)loft_grid_next(&grid, at);
+            took(run ? ROW : LINE, now(), begin);
+        }
+    }
+}
+
 /* Each begins as one move, and becomes two. */
 static void moves(void)
 {
@@ -238,12 +284,22 @@ int main(void)
     const uint32_t begin = now();
     empty = now() - begin;
     random_state = 12345;
+#ifdef LINES                /* of patches, which an ATmega328P has no room for beside the others */
+    rows();
+    say_line(put, "loft_grid_next", worst[LINE]);
+    say_line(put, "loft_grid_run", worst[ROW]);
+    stop();
+    return 0;
+#else
     if (loft_pace_init(&pace, SLOTS, 100) != LOFT_OK || loft_step_init(&step, origin) != LOFT_OK)
         return 1;
     ticks();
     spans();
     moves();
     runs();
+#  if !defined(__AVR__)
+    rows();
+#  endif
     put('\n');
     for (int k = 0; k < CALLS; k++)
         say_line(put, names[k], worst[k]);
@@ -255,4 +311,5 @@ int main(void)
     say_line(put, "bytes loft_scurve", sizeof(loft_scurve));
     stop();
     return 0;
+#endif
 }
