@@ -10,9 +10,12 @@
 #include "base/tool.h"              /* tool_grow */
 #include "study/engine_parts.h"
 
-/* A curve, and what it becomes without one knot: the last tried, the best. */
+/* A curve, and what it becomes without one knot: the last tried, the best. Points, with weights or
+ * without. */
 typedef struct {
+    bool weighted;
     loft_vec *p[3];
+    loft_weighted *w[3];
     loft_real *k[3];
     unsigned points, degree;
 } thinning;
@@ -20,25 +23,38 @@ typedef struct {
 static void swap_sides(thinning *x, int a, int b)
 {
     loft_vec *const p = x->p[a];
+    loft_weighted *const w = x->w[a];
     loft_real *const k = x->k[a];
 
     x->p[a] = x->p[b];
+    x->w[a] = x->w[b];
     x->k[a] = x->k[b];
     x->p[b] = p;
+    x->w[b] = w;
     x->k[b] = k;
+}
+
+static int without_knot(thinning *x, unsigned knot, loft_acc *distance)
+{
+    loft_bspline b;
+    loft_nurbs n;
+    int status = x->weighted ? loft_nurbs_init(&n, x->w[0], x->points, x->k[0], x->degree)
+                             : loft_bspline_init(&b, x->p[0], x->points, x->k[0], x->degree);
+
+    if (status == LOFT_OK)
+        status = x->weighted ? loft_nurbs_remove(&n, knot, x->w[1], x->k[1], distance)
+                             : loft_bspline_remove(&b, knot, x->p[1], x->k[1], distance);
+    return status;
 }
 
 /* Remove the knot that moves the curve least, if by no more than `left`; *far is how much. */
 static bool remove_least(thinning *x, double left, double *far)
 {
-    loft_bspline b;
     bool found = false;
 
-    if (loft_bspline_init(&b, x->p[0], x->points, x->k[0], x->degree) != LOFT_OK)
-        return false;
     for (unsigned knot = x->degree + 1; knot < x->points; knot++) {
         loft_acc distance;
-        if (loft_bspline_remove(&b, knot, x->p[1], x->k[1], &distance) != LOFT_OK ||
+        if (without_knot(x, knot, &distance) != LOFT_OK ||
             double_of_acc(distance) > (found ? *far : left))
             continue;
         *far = double_of_acc(distance);
@@ -54,42 +70,62 @@ static bool remove_least(thinning *x, double left, double *far)
 
 static void write_spline(const decide_input *in, const thinning *x, double far)
 {
+    const print_options options = { in->e, in->curves->solid };
     const unsigned knots = x->points + x->degree + 1;
 
-    printf("bspline %u\n", x->degree);
-    write_points(in, x->p[0], x->points);
+    printf("%s %u\n", x->weighted ? "nurbs" : "bspline", x->degree);
+    for (unsigned k = 0; k < x->points; k++) {
+        double point[ENGINE_AXES];
+        point_of(x->weighted ? x->w[0][k].p : x->p[0][k], point);
+        print_words(&options, point);
+        if (x->weighted) {
+            fputs(" : ", stdout);
+            print_number(in->e, double_of(x->w[0][k].w));
+        }
+        putchar('\n');
+    }
     for (unsigned k = 0; k < knots; k++)
         print_knot(in->e, "knots", double_of(x->k[0][k]), k, knots);
     printf("# within %.9g\n", far);
 }
 
+static int read_spline(const curve *c, thinning *x)
+{
+    for (unsigned i = 0; i < c->count; i++) {
+        if (!vec_of(c->point[i].p, &x->p[0][i]) ||
+            (x->weighted && !real_of(c->point[i].w, &x->w[0][i].w)))
+            return LOFT_ERR_RANGE;
+        x->w[0][i].p = x->p[0][i];
+    }
+    for (unsigned i = 0; i < c->knot_count; i++)
+        if (!real_of(c->knot[i], &x->k[0][i]))
+            return LOFT_ERR_RANGE;
+    return LOFT_OK;
+}
+
 /* Knots go one by one, as long as the sum of their distances is within the tolerance. */
 static int thin_curve(const decide_input *in, const curve *c)
 {
-    thinning x = { .points = c->count, .degree = c->degree };
+    thinning x = { .weighted = c->kind == CURVE_NURBS, .points = c->count, .degree = c->degree };
     double sum = 0, far = 0;
-    int status = LOFT_OK;
 
-    if (c->kind != CURVE_BSPLINE)
-        return decide_refuse(in, "a curve is no `bspline`: give B-splines without weights");
+    if (c->kind != CURVE_BSPLINE && c->kind != CURVE_NURBS)
+        return decide_refuse(in, "a curve is no `bspline` and no `nurbs`: give curves with knots");
+    if (c->knot_count != c->count + c->degree + 1)
+        return decide_refuse(in, "a B-spline has no knots: give as many as points + degree + 1");
     for (int i = 0; i < 3; i++) {
         x.p[i] = tool_grow(NULL, c->count * sizeof *x.p[i]);
+        x.w[i] = tool_grow(NULL, c->count * sizeof *x.w[i]);
         x.k[i] = tool_grow(NULL, c->knot_count * sizeof *x.k[i]);
     }
-    for (unsigned i = 0; i < c->count; i++)
-        if (!vec_of(c->point[i].p, &x.p[0][i]))
-            status = LOFT_ERR_RANGE;
-    for (unsigned i = 0; i < c->knot_count; i++)
-        if (!real_of(c->knot[i], &x.k[0][i]))
-            status = LOFT_ERR_RANGE;
-    if (status == LOFT_OK && c->knot_count != c->count + c->degree + 1)
-        status = decide_refuse(in, "a B-spline has no knots: give as many as points + degree + 1");
+    const int status = read_spline(c, &x);
     while (status == LOFT_OK && remove_least(&x, in->of->value[0] - sum, &far))
         sum += far;
     if (status == LOFT_OK)
         write_spline(in, &x, sum);
     for (int i = 0; i < 3; i++) {
         free(x.p[i]);
+        free(x.w[i]);
         free(x.k[i]);
     }
     return status;

@@ -1,4 +1,4 @@
-/* lib/curve/knot_removal.h -- B-splines with fewer knots, near the given ones
+/* lib/curve/knot_removal.h -- B-splines and NURBS with fewer knots, near the given ones
  * SPDX-License-Identifier: MIT
  *
  *     loft_acc far;
@@ -12,6 +12,7 @@
 #define LOFT_CURVE_KNOT_REMOVAL_H
 
 #include "curve/bspline.h"      /* loft_bspline */
+#include "curve/nurbs.h"        /* loft_nurbs */
 
 LOFT_BEGIN_C
 
@@ -31,6 +32,18 @@ LOFT_BEGIN_C
  */
 enum loft_status loft_bspline_remove(const loft_bspline *b, unsigned knot, loft_vec p[],
                                      loft_real knots[], loft_acc *far) LOFT_CHECKED;
+
+/* The same with weights.
+ *
+ *   range   as above; LOFT_ERR_RANGE also if a weight is outside 1/256..256
+ *   error   far: not smaller than the distance at any parameter, less q16: 2^-28   f32, f64: 2^-44
+ *           of the largest coordinate. Larger than that of the points once the knot is inserted
+ *           again by no more than the change of a weight, relative to it, times the largest
+ *           distance of the points that count there. q16: a rounded weight w adds 2^-17 / w of it
+ *   cost    as above with one axis more; 2 degree + 2 distances of points for each changed one
+ */
+enum loft_status loft_nurbs_remove(const loft_nurbs *n, unsigned knot, loft_weighted p[],
+                                   loft_real knots[], loft_acc *far) LOFT_CHECKED;
 
 LOFT_END_C
 
