@@ -178,6 +178,7 @@
 #include "polygon/patch_ball.h"
 #include "polygon/zheng_ball.h"
 #include "polygon/disk.h"
+#include "polygon/disk_part.h"
 #include "polygon/spatch.h"
 #include "polygon/toric.h"
 #include "polygon/wachspress.h"

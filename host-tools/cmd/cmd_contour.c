@@ -89,12 +89,6 @@ static int one_surface(contouring *c, const surface *s)
         }
         make->close(held);
     }
-    if (status == LOFT_ERR_ARG && c->level.of == ENGINE_LEVEL_ANGLE &&
-        (s->kind == SURFACE_SPHERE || surface_is_sided(s)))
-        return tool_error(EX_DATAERR,
-                          "%s:%u: %s: no angles of this kind: give octants for a sphere, or leave "
-                          "patches with n sides out",
-                          c->file, s->line, surface_name(s->kind));
     return status == 0 ? EX_OK
                        : tool_error(EX_DATAERR, "%s:%u: %s: %s", c->file, s->line,
                                     surface_name(s->kind), surface_status(s, status));

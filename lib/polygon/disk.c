@@ -9,22 +9,11 @@
  * depends only on its ends. So the triangles fit together, none is turned over, and together they
  * cover the polygon once. A convex polygon is one piece, and its map keeps the shares in each
  * triangle, so the paths are straight again.
- *
- * Other patches are divided into kites, one for each corner k. s runs along side k and t along side
- * k - 1, each from 0 to 1 at the middle of the side. s = t = 1 is the middle of the patch. In a
- * kite the path is straight. Kites meet where two parameters are equal.
  */
 #include "polygon/disk.h"
-
-static unsigned next_side(unsigned i, unsigned n) { return i + 1 < n ? i + 1 : 0; }
-
-static loft_unit one_minus(loft_unit t) { return LOFT_UNIT(1) - t; }
-
-static loft_unit unit_product(loft_unit a, loft_unit b)
-{
-    return loft_unit_round(loft_acc_scale(loft_unit_to_acc(a), b));
-}
-
+#include "polygon/disk_part.h"
+#include "polygon/meanvalue.h"      /* loft_meanvalue_jet */
+#include "polygon/wachspress.h"     /* loft_wachspress_jet */
 
 /* Over polygons */
 
@@ -32,7 +21,7 @@ static void phi_of_side(unsigned n, unsigned side, loft_unit share, loft_sci phi
 {
     for (unsigned i = 0; i < n; i++)
         phi[i] = loft_sci_zero();
-    phi[next_side(side, n)] = loft_sci_from_unit(share);
+    phi[loft_disk_next(side, n)] = loft_sci_from_unit(share);
     phi[side] = loft_sci_sub(loft_sci_one(), loft_sci_from_unit(share));
 }
 
@@ -81,7 +70,7 @@ static void model_point(const loft_disk *r, unsigned side, loft_unit share, loft
     int32_t a[2], b[2], sum[2];
 
     model_vertex(r->sides, side, a);
-    model_vertex(r->sides, next_side(side, r->sides), b);
+    model_vertex(r->sides, loft_disk_next(side, r->sides), b);
     model_sum(r, 0, sum);
     for (int i = 0; i < 2; i++) {
         const loft_acc on = times * (a[i] * one + (b[i] - a[i]) * loft_unit_to_acc(share));
@@ -110,7 +99,7 @@ static fan_triangle triangle_of(const loft_disk *r, unsigned part, unsigned corn
     const loft_acc one = loft_unit_to_acc(LOFT_UNIT(1));
     fan_triangle t = { part,
                        r->cut.vertex[part][corner],
-                       r->cut.vertex[part][next_side(corner, r->cut.sides[part])],
+                       r->cut.vertex[part][loft_disk_next(corner, r->cut.sides[part])],
                        { 0, 0, 0 } };
     int32_t a[2], b[2], m[2];
     loft_acc from_a[2], from_b[2];
@@ -197,22 +186,44 @@ static enum loft_status coordinates_at(const loft_disk *r, unsigned side, loft_u
     return status;
 }
 
-static enum loft_status spatch_at(const loft_disk *r, unsigned side, loft_unit share, loft_unit u,
-                                  loft_vec *out)
+/* The coordinates with their derivatives by the point. */
+static enum loft_status jets_at(const loft_disk *r, unsigned side, loft_unit share, loft_unit u,
+                                loft_jet phi[])
 {
-    loft_sci phi[LOFT_SIDES_MAX];
-    const enum loft_status status = coordinates_at(r, side, share, u, phi);
+    const loft_spot p = spot_in(r, side, share, u);
 
-    return status ? status : loft_spatch_eval((const loft_spatch *)r->patch, phi, out);
+    return r->harmonic                                 ? loft_harmonic_jet(r->harmonic, p, phi)
+           : r->coordinates == loft_wachspress_eval    ? loft_wachspress_jet(r->domain, p, phi)
+           : r->coordinates == loft_meanvalue_eval     ? loft_meanvalue_jet(r->domain, p, phi)
+                                                    : LOFT_ERR_ARG;
+}
+
+static enum loft_status spatch_at(const loft_disk *r, unsigned side, loft_unit share, loft_unit u,
+                                  loft_vec *out, loft_differential *slopes)
+{
+    const loft_spatch *s = (const loft_spatch *)r->patch;
+    loft_sci phi[LOFT_SIDES_MAX];
+    loft_jet jet[LOFT_SIDES_MAX];
+    const enum loft_status status = slopes ? jets_at(r, side, share, u, jet)
+                                           : coordinates_at(r, side, share, u, phi);
+
+    return status   ? status
+           : slopes ? loft_spatch_differential(s, jet, slopes)
+                    : loft_spatch_eval(s, phi, out);
 }
 
 static enum loft_status gb_at(const loft_disk *r, unsigned side, loft_unit share, loft_unit u,
-                              loft_vec *out)
+                              loft_vec *out, loft_differential *slopes)
 {
+    const loft_gb *g = (const loft_gb *)r->patch;
     loft_sci phi[LOFT_SIDES_MAX];
-    const enum loft_status status = coordinates_at(r, side, share, u, phi);
+    loft_jet jet[LOFT_SIDES_MAX];
+    const enum loft_status status = slopes ? jets_at(r, side, share, u, jet)
+                                           : coordinates_at(r, side, share, u, phi);
 
-    return status ? status : loft_gb_eval((const loft_gb *)r->patch, phi, out);
+    return status   ? status
+           : slopes ? loft_gb_differential(g, jet, slopes)
+                    : loft_gb_eval(g, phi, out);
 }
 
 static loft_spot corner_of(const loft_toric *t, unsigned k)
@@ -240,11 +251,14 @@ static loft_spot mean_of_corners(const loft_toric *t)
 
 /* A point that is rounded to one outside is moved toward the middle. */
 static enum loft_status toric_at(const loft_disk *r, unsigned side, loft_unit share, loft_unit u,
-                                 loft_vec *out)
+                                 loft_vec *out, loft_differential *slopes)
 {
     const loft_toric *patch = (const loft_toric *)r->patch;
-    const loft_spot a = corner_of(patch, side), b = corner_of(patch, next_side(side, r->sides)),
+    const loft_spot a = corner_of(patch, side),
+                    b = corner_of(patch, loft_disk_next(side, r->sides)),
                     middle = mean_of_corners(patch);
+    if (slopes)
+        return loft_toric_differential(patch, spot_of(middle, a, b, share, u), slopes);
     enum loft_status status = loft_toric_eval(patch, spot_of(middle, a, b, share, u), out);
 
     for (loft_unit less = LOFT_UNIT(0x1p-22); status == LOFT_ERR_RANGE && less < LOFT_UNIT(0x1p-8);
@@ -265,15 +279,6 @@ static enum loft_status init_over_polygon(loft_disk *r, const loft_domain *d,
     loft_partition_init(&r->cut, d);
     r->sides = (uint8_t)sides;
     return LOFT_OK;
-}
-
-static void init_without_polygon(loft_disk *r, unsigned sides)
-{
-    r->domain = NULL;
-    r->coordinates = NULL;
-    r->harmonic = NULL;
-    r->cut.count = 0;
-    r->sides = (uint8_t)sides;
 }
 
 enum loft_status loft_disk_harmonic(loft_disk *r, const loft_harmonic *h)
@@ -312,161 +317,15 @@ enum loft_status loft_disk_from_gb(loft_disk *r, const loft_gb *g, const loft_do
 
 void loft_disk_from_toric(loft_disk *r, const loft_toric *t)
 {
-    init_without_polygon(r, t->lattice->sides);
-    r->at = toric_at;
-    r->of = LOFT_DISK_OF_TORIC;
-    r->patch = t;
-}
-
-
-/* Kites */
-
-typedef struct {
-    unsigned corner;
-    loft_unit s, t;
-} kite;
-
-/* The place at u on the path from the middle to `share` of a side. */
-static kite kite_of(const loft_disk *r, unsigned side, loft_unit share, loft_unit u)
-{
-    const bool first = share <= LOFT_UNIT(0.5);
-    /* 1 - s or 1 - t on the side */
-    const loft_unit far = one_minus(2 * (first ? share : one_minus(share)));
-    const loft_unit on = one_minus(unit_product(u, far)), off = one_minus(u);
-    const kite k = { first ? side : next_side(side, r->sides), first ? on : off, first ? off : on };
-
-    return k;
-}
-
-/* Three kinds of corners: a side of a cut corner of the triangle begins or ends there, or the
- * corner is not cut. v is 1 minus the share of the corner itself. w and 1 - w are the parts of v
- * that belong to the next and the last corner of the triangle. The kite ends at the lines where two
- * of the three shares are equal,
- *
- *     begins: w = s/2, v = t / (2 - w)      ends: w = 1 - t/2, v = s / (1 + w)
- *     not cut: shares s/2 (1 - t/2) and t/2 (1 - s/2), over 1 - s t / 4 */
-static enum loft_status basepoint_at(const loft_disk *r, unsigned side, loft_unit share,
-                                     loft_unit u, loft_vec *out)
-{
-    const kite k = kite_of(r, side, share, u);
-    const loft_basepoint *b = (const loft_basepoint *)r->patch;
-    const loft_basepoint_side here = loft_basepoint_side_of(b, k.corner);
-    const loft_acc one = loft_unit_to_acc(LOFT_UNIT(1)), s = loft_unit_to_acc(k.s),
-                   t = loft_unit_to_acc(k.t);
-    loft_unit w = 0, v = 0;
-
-    if (here.cut) {
-        w = loft_unit_ratio(s, 2 * one);
-        v = loft_unit_ratio(t, 2 * one - loft_unit_to_acc(w));
-    } else if (b->cut[here.corner]) {
-        w = one_minus(loft_unit_ratio(t, 2 * one));
-        v = loft_unit_ratio(s, one + loft_unit_to_acc(w));
-    } else {
-        const loft_acc both = loft_unit_to_acc(unit_product(k.s, k.t)), next = 2 * s - both,
-                       last = 2 * t - both;
-        v = loft_unit_ratio(next + last, 4 * one - both);
-        w = next + last > 0 ? loft_unit_ratio(next, next + last) : 0;
-    }
-    return loft_basepoint_corner(b, here.corner, one_minus(w), v, out);
-}
-
-void loft_disk_from_basepoint(loft_disk *r, const loft_basepoint *b)
-{
-    init_without_polygon(r, loft_basepoint_sides(b));
-    r->at = basepoint_at;
-    r->of = LOFT_DISK_OF_BASEPOINT;
-    r->patch = b;
-}
-
-/* The parameter a that sides i - 1 and i + 1 have in common when side i has b:
- *
- *     5 sides   b a^2 - 2 a + 1 = 0,  a = 1 / (1 + sqrt(1 - b))
- *     6 sides   2 b a^3 - 4 a^2 + b a + 1 = 0, by Newton's method from 1/2 + 0.29 b, which
- *               is within 0.02 */
-static loft_sci balanced_param(unsigned sides, loft_sci b)
-{
-    const loft_sci one = loft_sci_one(), two = loft_sci_from_int(2), four = loft_sci_from_int(4);
-    loft_sci a;
-
-    if (sides == 5)
-        return loft_sci_div(one, loft_sci_add(one, loft_sci_sqrt(loft_sci_sub(one, b))));
-    a = loft_sci_add(loft_sci_from_unit(LOFT_UNIT(0.5)),
-                     loft_sci_mul(b, loft_sci_from_unit(LOFT_UNIT(0.29))));
-    for (int step = 0; step < 4; step++) {
-        const loft_sci ab = loft_sci_mul(a, b), aab = loft_sci_mul(a, ab), aa = loft_sci_mul(a, a);
-        const loft_sci f = loft_sci_add(
-            loft_sci_sub(loft_sci_mul(two, loft_sci_mul(a, aab)), loft_sci_mul(four, aa)),
-            loft_sci_add(ab, one));
-        const loft_sci d = loft_sci_add(loft_sci_sub(loft_sci_mul(loft_sci_from_int(6), aab),
-                                                     loft_sci_mul(loft_sci_from_int(8), a)),
-                                        b);
-        a = loft_sci_sub(a, loft_sci_div(f, d));
-    }
-    return a;
-}
-
-/* s balanced_param(c t). c is the value of all parameters in the middle: (sqrt 5 - 1) / 2 or
- * sqrt(1/2). */
-static loft_unit zheng_ball_param(unsigned sides, loft_unit s, loft_unit t)
-{
-    const loft_sci middle = loft_sci_from_unit(sides == 5 ? LOFT_UNIT(0.6180339887498949)
-                                                          : LOFT_UNIT(0.7071067811865476));
-    const loft_sci a = loft_sci_mul(
-        loft_sci_from_unit(s), balanced_param(sides, loft_sci_mul(middle, loft_sci_from_unit(t))));
-    loft_acc wide = 0;
-
-    return loft_sci_to_acc(a, &wide) ? loft_unit_round(wide) : 0;
-}
-
-/* Three sides: u_i belongs to corner i + 2, opposite side i. */
-static enum loft_status triple_at(const loft_disk *r, unsigned side, loft_unit share, loft_unit u,
-                                  loft_vec *out)
-{
-    loft_unit of[3] = { 0, 0, 0 };
-    loft_sci parameter[3];
-
-    of[next_side(side, 3)] = share;
-    of[side] = one_minus(share);
-    for (int i = 0; i < 3; i++)
-        of[i] = loft_unit_round(
-            loft_acc_lerp(loft_unit_to_acc(loft_unit_of(1, 3)), loft_unit_to_acc(of[i]), u));
-    if (of[0] + of[2] > LOFT_UNIT(1))
-        of[0] = one_minus(of[2]);
-    const enum loft_status status = loft_zheng_ball_lift(of[2], of[0], parameter);
-    return status ? status
-                  : loft_zheng_ball_eval((const loft_zheng_ball *)r->patch, parameter, out);
-}
-
-static enum loft_status zheng_ball_at(const loft_disk *r, unsigned side, loft_unit share,
-                                      loft_unit u, loft_vec *out)
-{
-    const unsigned n = r->sides;
-    const kite k = kite_of(r, side, share, u);
-    loft_sci turned[LOFT_ZHENG_BALL_SIDES], parameter[LOFT_ZHENG_BALL_SIDES];
-    const enum loft_status status = loft_zheng_ball_params(n, zheng_ball_param(n, k.s, k.t),
-                                                           zheng_ball_param(n, k.t, k.s), turned);
-
-    if (status != LOFT_OK)
-        return status;
-    for (unsigned i = 0; i < n; i++)
-        parameter[(k.corner + n - 1 + i) % n] = turned[i];
-    return loft_zheng_ball_eval((const loft_zheng_ball *)r->patch, parameter, out);
-}
-
-void loft_disk_from_zheng_ball(loft_disk *r, const loft_zheng_ball *g)
-{
-    init_without_polygon(r, g->sides);
-    r->at = g->sides == 3 ? triple_at : zheng_ball_at;
-    r->of = LOFT_DISK_OF_ZHENG_BALL;
-    r->patch = g;
+    loft_disk_begin(r, t->lattice->sides, toric_at, LOFT_DISK_OF_TORIC, t);
 }
 
 
 /* The surface */
 
-static enum loft_status disk_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
+static enum loft_status place_at(const loft_disk *r, loft_unit u, loft_unit v, loft_vec *out,
+                                 loft_differential *slopes)
 {
-    const loft_disk *r = (const loft_disk *)surface;
     loft_unit share = (loft_unit)(r->sides * v);
     unsigned side = 0;
 
@@ -474,11 +333,31 @@ static enum loft_status disk_at(const void *surface, loft_unit u, loft_unit v, l
         return LOFT_ERR_ARG;
     for (; share >= LOFT_UNIT(1) && side + 1 < r->sides; side++)
         share -= LOFT_UNIT(1);
-    return r->at(r, side, share, u, out);
+    return r->at(r, side, share, u, out, slopes);
+}
+
+static enum loft_status disk_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
+{
+    return place_at((const loft_disk *)surface, u, v, out, NULL);
+}
+
+/* At a vertex there may be none, and a rounded point of a side may lie outside. */
+static enum loft_status disk_slopes(const void *surface, loft_unit u, loft_unit v,
+                                    loft_differential *out)
+{
+    const loft_disk *r = (const loft_disk *)surface;
+    enum loft_status status = place_at(r, u, v, NULL, out);
+
+    for (loft_unit less = LOFT_UNIT(0x1p-22);
+         (status == LOFT_SINGULAR || status == LOFT_ERR_RANGE) && less < LOFT_UNIT(0x1p-7);
+         less = 2 * less)
+        if (u > less)
+            status = place_at(r, u - less, v, NULL, out);
+    return status;
 }
 
 loft_surface loft_surface_from_disk(const loft_disk *r)
 {
-    const loft_surface s = { disk_at, r, LOFT_SURFACE_DISK, NULL };
+    const loft_surface s = { disk_at, r, LOFT_SURFACE_DISK, disk_slopes };
     return s;
 }

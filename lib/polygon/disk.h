@@ -30,7 +30,7 @@
 
 LOFT_BEGIN_C
 
-/* loft_wachspress_eval, loft_meanvalue_eval. */
+/* loft_wachspress_eval, loft_meanvalue_eval; others have no derivatives. */
 typedef enum loft_status loft_coordinates(const loft_domain *d, loft_spot p, loft_sci phi[]);
 
 enum loft_disk_of {
@@ -41,10 +41,14 @@ enum loft_disk_of {
     LOFT_DISK_OF_ZHENG_BALL
 };
 
+/* The point, or, unless `slopes` is NULL, the derivatives there in place of it. */
+struct loft_disk;
+typedef enum loft_status loft_disk_at(const struct loft_disk *r, unsigned side, loft_unit share,
+                                      loft_unit u, loft_vec *out, loft_differential *slopes);
+
 /* Everything is borrowed. Do not fill it yourself. */
 typedef struct loft_disk {
-    enum loft_status (*at)(const struct loft_disk *r, unsigned side, loft_unit share, loft_unit u,
-                           loft_vec *out);
+    loft_disk_at *at;
     const void *patch;
     const loft_domain *domain;
     loft_coordinates *coordinates;
@@ -77,7 +81,9 @@ void loft_disk_from_zheng_ball(loft_disk *r, const loft_zheng_ball *g);
  */
 enum loft_status loft_disk_harmonic(loft_disk *r, const loft_harmonic *h) LOFT_CHECKED;
 
-/* Make a loft_surface of a disk: LOFT_SURFACE_DISK.
+/* Make a loft_surface of a disk: LOFT_SURFACE_DISK. Its derivatives, for isophotes and silhouettes,
+ * are those by the coordinates of the domain or the parameters of the patch. Where there are none,
+ * as at vertices, they are those of a place at most 2^-7 of the way nearer to the middle.
  *
  *   range   u, v in 0..1, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the point does not fit
  *   error   that of the patch's eval, at parameters rounded to 2^-24 of u and v, of a polygon to

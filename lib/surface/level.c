@@ -3,6 +3,10 @@
  *
  * A distance is d p / |d| - h, a cosine N d / (|N| |d|) - c with N = P_u x P_v. The sign of N d is
  * that of the silhouette, whatever the length of N.
+ *
+ * An edge that is one point, as at a pole, has P_v = 0 or P_u = 0 and no N. Near the edge u = 0 P_v
+ * is u P_uv, so N has the direction of P_u x P_uv, near u = 1 the opposite one; likewise P_uv x P_v
+ * near v = 0 and v = 1.
  */
 #include "surface/level.h"
 
@@ -64,18 +68,44 @@ static loft_sci axis_of(const loft_sci x[LOFT_AXES], int i)
     return i < LOFT_AXES ? x[i] : loft_sci_zero();
 }
 
-/* P_u x P_v, and its length. */
-static loft_sci cross_of(const loft_differential *d, loft_sci n[3])
+/* The length of n = a x b. */
+static loft_sci cross_of(const loft_sci a[LOFT_AXES], const loft_sci b[LOFT_AXES], loft_sci n[3])
 {
     loft_sci sum = loft_sci_zero();
 
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        n[i] = loft_sci_sub(loft_sci_mul(axis_of(d->u, j), axis_of(d->v, k)),
-                            loft_sci_mul(axis_of(d->u, k), axis_of(d->v, j)));
+        n[i] = loft_sci_sub(loft_sci_mul(axis_of(a, j), axis_of(b, k)),
+                            loft_sci_mul(axis_of(a, k), axis_of(b, j)));
         sum = loft_sci_add(sum, loft_sci_mul(n[i], n[i]));
     }
     return loft_sci_sqrt(sum);
+}
+
+static bool is_zero(const loft_sci x[LOFT_AXES])
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (loft_sci_sign(x[i]) != 0)
+            return false;
+    return true;
+}
+
+/* The direction of the normal, and its length. */
+static loft_sci normal_of(const loft_differential *d, loft_unit u, loft_unit v, loft_sci n[3])
+{
+    const loft_sci length = cross_of(d->u, d->v, n);
+
+    if (loft_sci_sign(length) > 0)
+        return length;
+    if (is_zero(d->v) && !(u > 0))
+        return cross_of(d->u, d->uv, n);
+    if (is_zero(d->v) && !(u < LOFT_UNIT(1)))
+        return cross_of(d->uv, d->u, n);
+    if (is_zero(d->u) && !(v > 0))
+        return cross_of(d->uv, d->v, n);
+    if (is_zero(d->u) && !(v < LOFT_UNIT(1)))
+        return cross_of(d->v, d->uv, n);
+    return length;
 }
 
 static enum loft_status cosine_at(const loft_level *l, const loft_surface *s, loft_unit u,
@@ -89,7 +119,7 @@ static enum loft_status cosine_at(const loft_level *l, const loft_surface *s, lo
     const enum loft_status status = s->differential(s->surface, u, v, &d);
     if (status != LOFT_OK)
         return status;
-    const loft_sci length = cross_of(&d, n);
+    const loft_sci length = normal_of(&d, u, v, n);
     *out = loft_sci_sign(length) > 0
                ? loft_sci_div(dot_of(n, &l->direction), loft_sci_mul(length, l->length))
                : loft_sci_from_real(l->height);

@@ -42,8 +42,8 @@ enum loft_status loft_level_plane(loft_level *l, loft_vec direction,
                                   loft_real distance) LOFT_CHECKED;
 enum loft_status loft_level_light(loft_level *l, loft_vec direction, loft_real cosine) LOFT_CHECKED;
 
-/* The point at (u, v), and its number less that of the level. Where a surface has no normal, as at
- * a pole, it is 0.
+/* The point at (u, v), and its number less that of the level. Where an edge is one point, as a
+ * pole, the normal is its limit from inside. Where a surface has no normal the number is 0.
  *
  *   range   the status of the surface when it has no point there; LOFT_ERR_ARG for the normal of a
  *           surface without `differential`

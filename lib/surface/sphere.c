@@ -3,6 +3,7 @@
  */
 #include "surface/sphere.h"
 #include "num/angle.h"          /* loft_fine: sines */
+#include "num/explog.h"         /* loft_sci_from_fine */
 #include "geom/vec_exact.h"     /* loft_exact: distances */
 
 #define ANGLE_MAX LOFT_REAL(32767)
@@ -84,6 +85,34 @@ enum loft_status loft_sphere_normal(const loft_sphere *s, loft_real theta, loft_
     direction_of(theta, phi, n);
     for (int i = 0; i < LOFT_AXES; i++)
         out->axis[i] = i < 3 ? loft_acc_round(loft_fine_to_acc(n[i < 3 ? i : 0])) : 0;
+    return LOFT_OK;
+}
+
+/* With t theta, f phi: P = r (cos t sin f, sin t sin f, cos f). */
+enum loft_status loft_sphere_differential(const loft_sphere *s, loft_real theta, loft_real phi,
+                                          loft_differential *out)
+{
+    if (!angles_valid(s, theta, phi))
+        return LOFT_ERR_ARG;
+    const turn t = turn_of(theta), f = turn_of(phi);
+    const loft_sci r = loft_sci_from_real(s->radius), ct = loft_sci_from_fine(t.cos),
+                   st = loft_sci_from_fine(t.sin), rc = loft_sci_mul(r, loft_sci_from_fine(f.cos)),
+                   rs = loft_sci_mul(r, loft_sci_from_fine(f.sin));
+    loft_differential made = { .width_u = r, .width_v = r };
+    const loft_sci by[5][3] = {
+        { loft_sci_mul(rc, ct), loft_sci_mul(rc, st), loft_sci_neg(rs) },
+        { loft_sci_neg(loft_sci_mul(rs, st)), loft_sci_mul(rs, ct), loft_sci_zero() },
+        { loft_sci_neg(loft_sci_mul(rs, ct)), loft_sci_neg(loft_sci_mul(rs, st)),
+          loft_sci_neg(rc) },
+        { loft_sci_neg(loft_sci_mul(rc, st)), loft_sci_mul(rc, ct), loft_sci_zero() },
+        { loft_sci_neg(loft_sci_mul(rs, ct)), loft_sci_neg(loft_sci_mul(rs, st)), loft_sci_zero() },
+    };
+    loft_sci *const to[5] = { made.u, made.v, made.uu, made.uv, made.vv };
+
+    for (int k = 0; k < 5; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            to[k][i] = i < 3 ? by[k][i < 3 ? i : 0] : loft_sci_zero();
+    *out = made;
     return LOFT_OK;
 }
 

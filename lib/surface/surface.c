@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: MIT
  */
 #include "surface/surface.h"
+#include "num/angle.h"          /* LOFT_FINE_PI */
+#include "num/explog.h"         /* loft_sci_from_fine */
 
 static enum loft_status tensor_at(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
 {
@@ -88,6 +90,29 @@ static enum loft_status bicubic_slopes(const void *surface, loft_unit u, loft_un
     return status == LOFT_OK ? loft_tensor_differential(&tensor, u, v, out) : status;
 }
 
+/* By u and v, which are shares of 180 and 360 degrees. */
+static enum loft_status sphere_slopes(const void *surface, loft_unit u, loft_unit v,
+                                      loft_differential *out)
+{
+    const loft_sci pi = loft_sci_from_fine(LOFT_FINE_PI), two_pi = loft_sci_add(pi, pi);
+    const enum loft_status status = loft_sphere_differential((const loft_sphere *)surface,
+                                                             loft_lerp(0, LOFT_REAL(360), v),
+                                                             loft_lerp(0, LOFT_REAL(180), u), out);
+
+    for (int i = 0; i < LOFT_AXES && status == LOFT_OK; i++) {
+        out->u[i]  = loft_sci_mul(pi, out->u[i]);
+        out->v[i]  = loft_sci_mul(two_pi, out->v[i]);
+        out->uu[i] = loft_sci_mul(pi, loft_sci_mul(pi, out->uu[i]));
+        out->uv[i] = loft_sci_mul(pi, loft_sci_mul(two_pi, out->uv[i]));
+        out->vv[i] = loft_sci_mul(two_pi, loft_sci_mul(two_pi, out->vv[i]));
+    }
+    if (status == LOFT_OK) {
+        out->width_u = loft_sci_mul(pi, out->width_u);
+        out->width_v = loft_sci_mul(two_pi, out->width_v);
+    }
+    return status;
+}
+
 static enum loft_status coons_slopes(const void *surface, loft_unit u, loft_unit v,
                                      loft_differential *out)
 {
@@ -128,7 +153,7 @@ loft_surface loft_surface_from_coons(const loft_coons_bezier *s)
 }
 loft_surface loft_surface_from_sphere(const loft_sphere *s)
 {
-    const loft_surface made = { sphere_at, s, LOFT_SURFACE_DISK, NULL };
+    const loft_surface made = { sphere_at, s, LOFT_SURFACE_DISK, sphere_slopes };
     return made;
 }
 

@@ -90,7 +90,7 @@ static enum loft_status sector_at(const void *surface, loft_unit u, loft_unit v,
         return LOFT_ERR_ARG;
     const loft_unit share = both > 0 ? loft_unit_ratio(loft_unit_to_acc(v), loft_unit_to_acc(both))
                                      : 0;
-    return c->disk->at(c->disk, c->number, share, both < one ? both : one, out);
+    return c->disk->at(c->disk, c->number, share, both < one ? both : one, out, NULL);
 }
 
 loft_surface loft_surface_from_sector(const loft_sector *c)

@@ -124,6 +124,47 @@ static void the_sheet_covers_the_patch_once(arb *a)
     CHECK(whole > 1000 && fabsl(area - whole) < 0.05L);
 }
 
+static long double product_of(const loft_vec *n, const long double m[3])
+{
+    long double sum = 0, size = 0;
+
+    for (int i = 0; i < 3; i++) {
+        sum += exact_of(n->axis[i]) * m[i];
+        size += m[i] * m[i];
+    }
+    return sum / sqrtl(size);
+}
+
+/* The derivatives give the normal that differences of points give, to the outside of a hill. On the
+ * boundary and at vertices there is one too. */
+static void normals_are_those_of_the_surface(arb *a)
+{
+    const scene *x = arb_kind(a, arb_below(a, KINDS), 2);
+    const loft_surface s = loft_surface_from_disk(&x->round);
+    const loft_unit h = LOFT_UNIT(0x1p-7), u = LOFT_UNIT(0.25) + arb_unit(a) / 2,
+                    v = loft_unit_of(16 * arb_below(a, x->sides) + 2 + arb_below(a, 13),
+                                     16 * x->sides);
+    const loft_vec c[4] = { point_at(x, u - h, v), point_at(x, u + h, v), point_at(x, u, v - h),
+                            point_at(x, u, v + h) };
+    long double e[2][3], n[3];
+    loft_differential d;
+    loft_vec normal = { { 0 } };
+
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < 3; i++)
+            e[k][i] = exact_of(c[2 * k + 1].axis[i]) - exact_of(c[2 * k].axis[i]);
+    for (int i = 0; i < 3; i++)
+        n[i] = e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
+    CHECK(s.differential(s.surface, u, v, &d) == LOFT_OK);
+    CHECK(loft_differential_normal(&d, &normal) == LOFT_OK);
+    CHECK(product_of(&normal, n) > 0.98L);
+    CHECK(normal.axis[2] > 0);
+    CHECK(s.differential(s.surface, LOFT_UNIT(1), v, &d) == LOFT_OK);
+    CHECK(s.differential(s.surface, LOFT_UNIT(1), loft_unit_of(arb_below(a, x->sides), x->sides),
+                         &d) == LOFT_OK);
+    CHECK(s.differential(s.surface, 0, 0, &d) == LOFT_OK);
+}
+
 /* The height of the highest border point. */
 static long double brim(const scene *x)
 {
@@ -390,6 +431,7 @@ int main(void)
     PROPERTY(there_is_no_seam, 150);
     PROPERTY(the_border_is_the_sides, 150);
     PROPERTY(the_sheet_covers_the_patch_once, 15);
+    PROPERTY(normals_are_those_of_the_surface, 200);
     PROPERTY(waterlines_close_around_the_middle, 15);
     PROPERTY(lines_through_any_polygon_are_whole, 60);
     PROPERTY(no_polygon_makes_the_sheet_jump, 400);

@@ -52,6 +52,31 @@ static void points_are_on_the_sphere(arb *a)
     CHECK(status == (fits ? LOFT_OK : LOFT_ERR_RANGE));
 }
 
+/* The first derivatives by colatitude and longitude, and their cross product outward. */
+static void derivatives_are_those_of_angles(arb *a)
+{
+    loft_sphere s = arb_sphere(a, 32767);
+    const loft_real theta = arb_real(a, 400), phi = arb_real(a, 180);
+    const long double t = radians(theta), f = radians(phi), r = exact_of(s.radius),
+                      u[3] = { r * cosl(t) * cosl(f), r * sinl(t) * cosl(f), -r * sinl(f) },
+                      v[3] = { -r * sinl(t) * sinl(f), r * cosl(t) * sinl(f), 0 },
+                      uv[3] = { -r * sinl(t) * cosl(f), r * cosl(t) * cosl(f), 0 };
+    loft_differential d;
+
+    CHECK(loft_sphere_differential(&s, theta, phi, &d) == LOFT_OK);
+    for (int i = 0; i < LOFT_AXES && i < 3; i++) {
+        const loft_sci *const of[3] = { d.u, d.v, d.uv };
+        const long double want[3] = { u[i], v[i], uv[i] };
+        for (int k = 0; k < 3; k++) {
+            loft_acc x = 0;
+            CHECK(loft_sci_to_acc(of[k][i], &x));
+            CHECK_EXACT(exact_acc(x), want[k], BY_NUM(0x1p-32L, 0, 0) + r * 0x1p-50L);
+        }
+    }
+    s.radius = LOFT_REAL(-1);
+    CHECK(loft_sphere_differential(&s, theta, phi, &d) == LOFT_ERR_ARG);
+}
+
 /* Poles and the four points of the equator, in every turn. */
 static void quarters_are_exact(arb *a)
 {
@@ -143,6 +168,7 @@ static void refuses_what_is_no_sphere(arb *a)
 
 int main(void)
 {
+    PROPERTY(derivatives_are_those_of_angles, 2000);
     PROPERTY(points_are_on_the_sphere, 3000);
     PROPERTY(quarters_are_exact, 300);
     PROPERTY(distances_keep_their_bound, 1500);
