@@ -5,9 +5,12 @@
 #ifndef LOFT_HOST_ENGINE_SHEET_H
 #define LOFT_HOST_ENGINE_SHEET_H
 
+#include <math.h>
+
 #include "engine/engine_num.h"      /* ENGINE_OF */
 #include "engine/surface.h"         /* engine_surface */
 #include "surface/net.h"            /* loft_net */
+#include "surface/sphere.h"         /* loft_sphere */
 #include "toolpath/sector.h"        /* loft_sheet, loft_sector */
 
 typedef struct engine_sheet_list {
@@ -27,11 +30,23 @@ int ENGINE_OF(engine_sheets)(engine_surface *e, unsigned level, engine_sheet_lis
 int ENGINE_OF(engine_sectors)(const loft_disk *disk, loft_sector sector[], unsigned level,
                               engine_sheet_list *out);
 
-/* Visit the nets of a surface: the spans of a NURBS surface, or one. Parameter k of the surface is
- * from[k] + share[k] times that of the net. A visit that returns other than 0 ends it. Returns 0,
- * what the visit returned, or a negative enum loft_status: LOFT_ERR_ARG for kinds without nets. */
-typedef int engine_net_visit(void *context, loft_net net, const double from[2],
-                             const double share[2]);
+/* A net as a part of its surface: parameter k of the surface is from[k] + share[k] times that of
+ * the net. On a sphere it is a share of an angle: `round`. */
+typedef struct {
+    double from[2], share[2];
+    bool round;
+} engine_net_part;
+
+static inline double engine_net_at(const engine_net_part *p, int k, double t)
+{
+    return p->from[k] + p->share[k] * (p->round ? 4 / acos(-1) * atan(t) : t);
+}
+
+/* Visit the nets of a surface: the spans of a NURBS surface, the octants of a sphere, or one. A
+ * visit that returns other than 0 ends it. Returns 0, what the visit returned, or a negative enum
+ * loft_status: LOFT_ERR_ARG for kinds without nets. */
+typedef int engine_net_visit(void *context, loft_net net, const engine_net_part *part);
 int ENGINE_OF(engine_nets)(engine_surface *e, engine_net_visit *visit, void *context);
+int ENGINE_OF(engine_ball_nets)(const loft_sphere *s, engine_net_visit *visit, void *context);
 
 #endif

@@ -524,33 +524,33 @@ static int visit_spans(const engine_surface *e, engine_net_visit *visit, void *c
 
     while (status == LOFT_OK && loft_nurbs_surface_next(s, span, weighted)) {
         const unsigned m = s->u.degree, n = s->v.degree;
-        double from[2], share[2];
+        engine_net_part part = { .round = false };
         loft_tensor_rational r;
         loft_tensor t;
         for (int k = 0; k < 2; k++) {
             const loft_real *at = knots[k]->k, low = at[knots[k]->degree];
             const double all = (double)at[knots[k]->points] - (double)low;
-            from[k]  = ((double)at[span[k]] - (double)low) / all;
-            share[k] = ((double)at[span[k] + 1] - (double)at[span[k]]) / all;
+            part.from[k]  = ((double)at[span[k]] - (double)low) / all;
+            part.share[k] = ((double)at[span[k] + 1] - (double)at[span[k]]) / all;
         }
         if (s->weighted) {
             status = loft_tensor_rational_init(&r, weighted, m, n);
             if (status == LOFT_OK)
-                status = visit(context, loft_net_from_tensor_rational(&r), from, share);
+                status = visit(context, loft_net_from_tensor_rational(&r), &part);
             continue;
         }
         for (unsigned k = 0; k < (m + 1) * (n + 1); k++)
             e->net[k] = weighted[k].p;
         status = loft_tensor_init(&t, e->net, m, n);
         if (status == LOFT_OK)
-            status = visit(context, loft_net_from_tensor(&t), from, share);
+            status = visit(context, loft_net_from_tensor(&t), &part);
     }
     return status;
 }
 
 int ENGINE_OF(engine_nets)(engine_surface *e, engine_net_visit *visit, void *context)
 {
-    static const double from[2] = { 0, 0 }, share[2] = { 1, 1 };
+    static const engine_net_part all = { { 0, 0 }, { 1, 1 }, false };
     const enum surface_kind kind = e->s->kind;
     const bool weighted = e->s->rational || kind == SURFACE_OCTANT;
 
@@ -559,6 +559,8 @@ int ENGINE_OF(engine_nets)(engine_surface *e, engine_net_visit *visit, void *con
                            (SURFACE_DEGREE_MAX + 1) * (SURFACE_DEGREE_MAX + 1) * sizeof *e->net);
         return visit_spans(e, visit, context);
     }
+    if (kind == SURFACE_SPHERE)
+        return ENGINE_OF(engine_ball_nets)(&e->as.sphere, visit, context);
     if (kind == SURFACE_BICUBIC || kind == SURFACE_COONS || kind == SURFACE_PN) {
         const int status = convert_surface(e);
         if (status != LOFT_OK)
@@ -569,11 +571,11 @@ int ENGINE_OF(engine_nets)(engine_surface *e, engine_net_visit *visit, void *con
         return visit(context,
                      weighted ? loft_net_from_triangle_rational(&e->as.triangle_rational)
                               : loft_net_from_triangle(&e->as.triangle),
-                     from, share);
+                     &all);
     return visit(context,
                  weighted ? loft_net_from_tensor_rational(&e->as.tensor_rational)
                           : loft_net_from_tensor(&e->as.tensor),
-                 from, share);
+                 &all);
 }
 
 const engine_surfaces ENGINE_OF(engine_surfaces) = { .open = surface_open,

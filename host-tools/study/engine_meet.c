@@ -1,10 +1,14 @@
 /* host-tools/study/engine_meet.c -- where surfaces and curves meet; compiled once per number type
  * SPDX-License-Identifier: MIT
  */
+#include <stdlib.h>
+
 #include "surface/net_meet.h"       /* loft_net_meet */
 
+#include "base/tool.h"              /* tool_grow */
 #include "engine/engine_sheet.h"    /* engine_nets */
 #include "engine/surface.h"
+#include "study/branches.h"
 #include "study/engine_patch.h"
 #include "study/engine_pieces.h"    /* visit_pieces */
 
@@ -15,7 +19,8 @@ typedef struct {
     size_t first, second, piece;    /* surfaces; the piece of a curve */
     loft_real tol;
     loft_net net;                   /* of the first, or the curve */
-    bool found, touch;
+    bool found, same;
+    branches lines;                 /* of both surfaces */
     loft_net_meeting out[ROOM];
     unsigned count;
 } meeting;
@@ -27,7 +32,7 @@ static int refuse(const meeting *m, size_t number, int status)
     if (status == LOFT_ERR_ARG)
         snprintf(m->in->why, DECIDE_WHY,
                  "surface %zu is of kind %s: give tensor, triangle, coons, bicubic, pn, "
-                 "nurbs-surface or octant",
+                 "nurbs-surface, sphere or octant",
                  number, surface_name(s->kind));
     else if (status == LOFT_ERR_RANGE)
         snprintf(m->in->why, DECIDE_WHY, "%g mm is too fine: give a larger --of",
@@ -58,31 +63,42 @@ static int meet_of(meeting *m, loft_net net)
     return status == LOFT_MORE ? LOFT_ERR_SPACE : status < 0 ? status : LOFT_OK;
 }
 
-static int meet_second(void *context, loft_net net, const double from[2], const double share[2])
+/* Keep the lines of two nets. */
+static void keep_lines(meeting *m)
+{
+    double (*p)[ENGINE_AXES] = tool_grow(NULL, (m->count + 1) * sizeof *p);
+
+    for (unsigned k = 0, first = 0; k < m->count; k++) {
+        point_of(m->out[k].point, p[k]);
+        if (m->out[k].start)
+            first = k;
+        if (k + 1 == m->count || m->out[k + 1].start)
+            branches_add(&m->lines, (const double (*)[ENGINE_AXES])(p + first), k + 1 - first,
+                         m->out[k].touch);
+    }
+    free(p);
+}
+
+static int meet_second(void *context, loft_net net, const engine_net_part *part)
 {
     meeting *m = context;
-    const int status = meet_of(m, net);
 
-    (void)from;
-    (void)share;
-    for (unsigned k = 0; k < m->count && status == LOFT_OK; k++) {
-        if (m->out[k].touch)
-            printf("# surfaces %zu and %zu touch, or do not meet, near ", m->first, m->second);
-        else if (m->out[k].start && (k + 1 == m->count || m->out[k + 1].start))
-            printf("# surfaces %zu and %zu meet in one point ", m->first, m->second);
-        else if (m->out[k].start)
-            printf("line                # surfaces %zu and %zu\n", m->first, m->second);
-        print_vec(m->in, m->out[k].point);
+    (void)part;
+    if (loft_net_same(m->net, net)) {
+        m->found = m->same = true;
+        return LOFT_OK;
     }
+    const int status = meet_of(m, net);
+    if (status == LOFT_OK)
+        keep_lines(m);
     return status;
 }
 
-static int meet_first(void *context, loft_net net, const double from[2], const double share[2])
+static int meet_first(void *context, loft_net net, const engine_net_part *part)
 {
     meeting *m = context;
 
-    (void)from;
-    (void)share;
+    (void)part;
     m->net = net;
     return visit_surface(m, m->second, meet_second);
 }
@@ -97,7 +113,39 @@ static int take_tolerance(meeting *m, const decide_input *in)
     return LOFT_ERR_ARG;
 }
 
-/* The lines in which each two surfaces meet. */
+static void tell_lines(const meeting *m)
+{
+    const print_options p = { m->in->e, true };
+
+    if (m->same)
+        printf("# surfaces %zu and %zu coincide in all points of a patch\n", m->first, m->second);
+    for (size_t i = 0; i < m->lines.count; i++) {
+        const branch *l = &m->lines.line[i];
+        if (l->touch)
+            printf("# surfaces %zu and %zu touch, or do not meet, near ", m->first, m->second);
+        else if (l->count == 1)
+            printf("# surfaces %zu and %zu meet in one point ", m->first, m->second);
+        else
+            printf("line                # surfaces %zu and %zu\n", m->first, m->second);
+        for (size_t k = 0; k < l->count; k++)
+            print_point((void *)&p, l->p[k]);
+    }
+}
+
+static int meet_pair(meeting *m)
+{
+    m->lines = (branches) { .tol = m->in->of->value[0] };
+    m->same = false;
+    const int status = visit_surface(m, m->first, meet_first);
+    if (status == LOFT_OK) {
+        branches_join(&m->lines);
+        tell_lines(m);
+    }
+    branches_free(&m->lines);
+    return status;
+}
+
+/* The lines in which each two surfaces meet, over all spans of both. */
 int ENGINE_OF(make_meet)(const decide_input *in)
 {
     static meeting m;
@@ -106,7 +154,7 @@ int ENGINE_OF(make_meet)(const decide_input *in)
     for (m.first = 0; m.first < in->surfaces->count && status == LOFT_OK; m.first++)
         for (m.second = m.first + 1; m.second < in->surfaces->count && status == LOFT_OK;
              m.second++)
-            status = visit_surface(&m, m.first, meet_first);
+            status = meet_pair(&m);
     if (status == LOFT_OK && !m.found) {
         snprintf(in->why, DECIDE_WHY, "no two surfaces meet: give surfaces that do");
         status = LOFT_ERR_ARG;
@@ -114,7 +162,7 @@ int ENGINE_OF(make_meet)(const decide_input *in)
     return status;
 }
 
-static int pierce_net(void *context, loft_net net, const double from[2], const double share[2])
+static int pierce_net(void *context, loft_net net, const engine_net_part *part)
 {
     meeting *m = context;
     const int status = meet_of(m, net);
@@ -122,8 +170,8 @@ static int pierce_net(void *context, loft_net net, const double from[2], const d
     for (unsigned k = 0; k < m->count && status == LOFT_OK; k++) {
         const loft_net_meeting *o = &m->out[k];
         printf("%zu %zu t %.9g u %.9g v %.9g%s at ", m->piece, m->first, double_of_unit(o->at[0]),
-               from[0] + share[0] * double_of_unit(o->at[2]),
-               from[1] + share[1] * double_of_unit(o->at[3]), o->touch ? " touch" : "");
+               engine_net_at(part, 0, double_of_unit(o->at[2])),
+               engine_net_at(part, 1, double_of_unit(o->at[3])), o->touch ? " touch" : "");
         write_solid(m->in, &o->point, 1);
     }
     return status;

@@ -65,7 +65,7 @@ static int ask_each(net_question *q, engine_net_visit *visit, bool weights,
     return status;
 }
 
-static int nearest_of(void *context, loft_net net, const double from[2], const double share[2])
+static int nearest_of(void *context, loft_net net, const engine_net_part *part)
 {
     net_question *q = context;
     loft_net_near near;
@@ -78,8 +78,8 @@ static int nearest_of(void *context, loft_net net, const double from[2], const d
         return LOFT_OK;
     q->found = true;
     q->near = near;
-    q->at[0] = from[0] + share[0] * double_of_unit(near.u);
-    q->at[1] = from[1] + share[1] * double_of_unit(near.v);
+    q->at[0] = engine_net_at(part, 0, double_of_unit(near.u));
+    q->at[1] = engine_net_at(part, 1, double_of_unit(near.v));
     return LOFT_OK;
 }
 
@@ -123,7 +123,7 @@ static void keep_hit(net_question *q, const loft_ray_hit *hit, double u, double 
     q->hit_at[k][1] = v;
 }
 
-static int hits_of(void *context, loft_net net, const double from[2], const double share[2])
+static int hits_of(void *context, loft_net net, const engine_net_part *part)
 {
     net_question *q = context;
     loft_ray_hit hit[64];
@@ -131,8 +131,8 @@ static int hits_of(void *context, loft_net net, const double from[2], const doub
     const int status = loft_net_ray(net, q->point, q->direction, hit, 64, &count);
 
     for (unsigned k = 0; k < count; k++)
-        keep_hit(q, &hit[k], from[0] + share[0] * double_of_unit(hit[k].u),
-                 from[1] + share[1] * double_of_unit(hit[k].v));
+        keep_hit(q, &hit[k], engine_net_at(part, 0, double_of_unit(hit[k].u)),
+                 engine_net_at(part, 1, double_of_unit(hit[k].v)));
     q->more = q->more || status == LOFT_MORE;
     return status < 0 ? status : LOFT_OK;
 }
@@ -161,14 +161,13 @@ int ENGINE_OF(answer_ray)(const decide_input *in)
     return status ? status : ask_each(&q, hits_of, true, tell_hits);
 }
 
-static int area_of(void *context, loft_net net, const double from[2], const double share[2])
+static int area_of(void *context, loft_net net, const engine_net_part *part)
 {
     net_question *q = context;
     loft_acc area = 0;
     const int status = loft_net_area(net, LOFT_REAL(0.001), &area);
 
-    (void)from;
-    (void)share;
+    (void)part;
     q->area += double_of_acc(area);
     return status;
 }
@@ -183,15 +182,14 @@ int ENGINE_OF(answer_area)(const decide_input *in)
 }
 
 /* The cone from the origin over a net, a part of the volume. */
-static int volume_of(void *context, loft_net net, const double from[2], const double share[2])
+static int volume_of(void *context, loft_net net, const engine_net_part *part)
 {
     net_question *q = context;
     const loft_net both[2] = { { &q->point, NULL, 0, 0, false }, net };
     loft_acc volume = 0;
     const int status = loft_net_volume(both, 2, &volume);
 
-    (void)from;
-    (void)share;
+    (void)part;
     q->volume += double_of_acc(volume);
     return status;
 }

@@ -57,13 +57,12 @@ static int visit_nets(visit_of *v, engine_net_visit *visit)
 // Patches
 // -------
 
-static int write_net(void *context, loft_net net, const double from[2], const double share[2])
+static int write_net(void *context, loft_net net, const engine_net_part *part)
 {
     const visit_of *v = context;
     const unsigned count = net.triangle ? LOFT_TRIANGLE_POINTS(net.m) : (net.m + 1u) * (net.n + 1u);
 
-    (void)from;
-    (void)share;
+    (void)part;
     if (net.weighted) {
         write_weighted(v->in, net.triangle, net.m, net.n, net.weighted);
         return LOFT_OK;
@@ -97,7 +96,7 @@ int ENGINE_OF(make_patches)(const decide_input *in)
 // With weights
 // ------------
 
-static int raise_net(void *context, loft_net net, const double from[2], const double share[2])
+static int raise_net(void *context, loft_net net, const engine_net_part *part)
 {
     static loft_weighted one[MOST * MOST], both[MOST * MOST];
     const visit_of *v = context;
@@ -105,8 +104,7 @@ static int raise_net(void *context, loft_net net, const double from[2], const do
     loft_triangle_rational t;
     int status;
 
-    (void)from;
-    (void)share;
+    (void)part;
     if (net.m + v->by > LOFT_DEGREE_MAX || net.n + v->by > LOFT_DEGREE_MAX)
         return LOFT_ERR_ARG;
     if (net.triangle) {
@@ -146,15 +144,14 @@ static int split_square(const visit_of *v, loft_net net)
     return status;
 }
 
-static int split_net(void *context, loft_net net, const double from[2], const double share[2])
+static int split_net(void *context, loft_net net, const engine_net_part *of)
 {
     static loft_weighted part[3][LOFT_TRIANGLE_POINTS(LOFT_DEGREE_MAX)];
     const visit_of *v = context;
     const loft_bary at = { v->at[0], v->at[1] };
     loft_triangle_rational t;
 
-    (void)from;
-    (void)share;
+    (void)of;
     if (!net.triangle)
         return split_square(v, net);
     int status = loft_triangle_rational_init(&t, net.weighted, net.m);

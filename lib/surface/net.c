@@ -39,6 +39,61 @@ loft_net loft_net_from_triangle_rational(const loft_triangle_rational *s)
     return net_of(NULL, s->p, s->degree, s->degree, true);
 }
 
+
+// Equal nets
+// ----------
+
+static unsigned in_row(unsigned i, unsigned j, unsigned columns) { return i * columns + j; }
+
+/* Of a triangle, by the multiplicities of T2 and T3. */
+static unsigned in_triangle(unsigned j, unsigned k) { return (j + k) * (j + k + 1) / 2 + k; }
+
+static bool are_equal(loft_net a, unsigned i, loft_net b, unsigned j)
+{
+    if (!a.weighted)
+        return loft_vec_equal(a.p[i], b.p[j]);
+    return !(a.weighted[i].w < b.weighted[j].w) && !(b.weighted[j].w < a.weighted[i].w) &&
+           loft_vec_equal(a.weighted[i].p, b.weighted[j].p);
+}
+
+/* The place in b of the point (i, j) of a. */
+static unsigned place_of(loft_net b, unsigned order, unsigned i, unsigned j)
+{
+    static const uint8_t corner[6][2] = {
+        { 1, 2 }, { 2, 1 }, { 0, 2 }, { 2, 0 }, { 0, 1 }, { 1, 0 }
+    };
+    if (b.triangle) {
+        const unsigned times[3] = { b.m - i - j, i, j };
+        return in_triangle(times[corner[order][0]], times[corner[order][1]]);
+    }
+    const unsigned row = order & 4 ? j : i, column = order & 4 ? i : j;
+    return in_row(order & 1 ? b.m - row : row, order & 2 ? b.n - column : column, b.n + 1u);
+}
+
+static bool are_same_in(loft_net a, loft_net b, unsigned order)
+{
+    const bool crossed = !a.triangle && (order & 4);
+
+    if (crossed ? a.m != b.n || a.n != b.m : a.m != b.m || a.n != b.n)
+        return false;
+    for (unsigned i = 0; i <= a.m; i++)
+        for (unsigned j = 0; j <= (a.triangle ? a.m - i : a.n); j++)
+            if (!are_equal(a, a.triangle ? in_triangle(i, j) : in_row(i, j, a.n + 1u), b,
+                           place_of(b, order, i, j)))
+                return false;
+    return true;
+}
+
+bool loft_net_same(loft_net a, loft_net b)
+{
+    if (a.triangle != b.triangle || !a.weighted != !b.weighted)
+        return false;
+    for (unsigned order = 0; order < (a.triangle ? 6u : 8u); order++)
+        if (are_same_in(a, b, order))
+            return true;
+    return false;
+}
+
 /* A coordinate seen from the origin, times the weight; axis LOFT_AXES: the weight. */
 static loft_sci coefficient_of(const loft_net *s, unsigned k, const loft_vec *origin, int axis)
 {

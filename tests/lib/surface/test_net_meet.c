@@ -295,6 +295,45 @@ static void surfaces_that_coincide_say_so(arb *a)
                         8, &count) == LOFT_MORE);
 }
 
+/* A net whose parameters are turned round and exchanged is the same surface; one moved point makes
+ * another one. */
+static void nets_in_another_order_are_the_same(arb *a)
+{
+    loft_vec other[16], points[15], turned[15];
+    loft_tensor t;
+    loft_triangle first, second;
+    heights h;
+
+    arb_heights(a, &h);
+    const unsigned order = arb_below(a, 8), rows = h.m + 1, columns = h.n + 1;
+    const bool crossed = order & 4;
+    for (unsigned i = 0; i < rows; i++)
+        for (unsigned j = 0; j < columns; j++) {
+            const unsigned x = order & 1 ? rows - 1 - i : i, y = order & 2 ? columns - 1 - j : j;
+            other[crossed ? y * rows + x : x * columns + y] = h.a[i * columns + j];
+        }
+    CHECK(loft_tensor_init(&t, other, crossed ? h.n : h.m, crossed ? h.m : h.n) == LOFT_OK);
+    CHECK(loft_net_same(loft_net_from_tensor(&h.s), loft_net_from_tensor(&t)));
+    other[arb_below(a, rows * columns)].axis[2] += LOFT_REAL(0.5);
+    CHECK(!loft_net_same(loft_net_from_tensor(&h.s), loft_net_from_tensor(&t)));
+
+    const unsigned n = 1 + arb_below(a, 4), corners = (n + 1) * (n + 2) / 2;
+    for (unsigned k = 0; k < corners; k++)
+        points[k] = arb_vec(a, 10);
+    for (unsigned i = 0; i <= n; i++)               /* T1, T2, T3 become T2, T3, T1 */
+        for (unsigned k = 0; k <= i; k++) {
+            const unsigned one = n - i, two = i - k, three = k;
+            turned[(one + three) * (one + three + 1) / 2 + one] = points[i * (i + 1) / 2 + k];
+            CHECK(one + two + three == n);
+        }
+    CHECK(loft_triangle_init(&first, points, n) == LOFT_OK &&
+          loft_triangle_init(&second, turned, n) == LOFT_OK);
+    CHECK(loft_net_same(loft_net_from_triangle(&first), loft_net_from_triangle(&second)));
+    CHECK(!loft_net_same(loft_net_from_triangle(&first), loft_net_from_tensor(&t)));
+    turned[arb_below(a, corners)].axis[1] += LOFT_REAL(0.25);
+    CHECK(!loft_net_same(loft_net_from_triangle(&first), loft_net_from_triangle(&second)));
+}
+
 
 // Curves
 // ------
@@ -384,6 +423,7 @@ int main(void)
     PROPERTY(a_plane_cuts_an_octant_in_an_arc, 3);
     PROPERTY(a_bowl_is_cut_in_a_closed_curve, 5);
     PROPERTY(surfaces_that_coincide_say_so, 2);
+    PROPERTY(nets_in_another_order_are_the_same, 200);
     PROPERTY(a_line_meets_what_a_ray_meets, 20);
     PROPERTY(a_curve_through_a_patch_is_found, 20);
     PROPERTY(what_cannot_meet_is_refused, 2);
