@@ -1596,6 +1596,16 @@ case_thin() {
         run 0 "$loft" make thin --num $num --of 0.001 "$tmp/bump.loft"
         says out '^2.5 9$'; says out '^knots 0 0 0 1 2 3 4 6$'; says out '^knots 6 6$'
     done
+    # with weights: none goes for nothing; the last one would need a weight out of range
+    { echo 'nurbs 2'
+      printf '1 0 : 1\n1 0.6 : 1\n0.6 1 : 1.25\n0 1 : 1.5\n-1 1 : 1\n-1 0 : 2\n'
+      echo 'knots 0 0 0 1 2 3 4 4 4'; } >"$tmp/weighted.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" make thin --num $num --of 0 "$tmp/weighted.loft"
+        says out '^nurbs 2$'; says out '^knots 0 0 0 1 2 3 4 4'
+        run 0 "$loft" make thin --num $num --of 100 "$tmp/weighted.loft"
+        says out '^nurbs 2$'; says out '^knots 0 0 0 3 4 4 4$'; says out '^1 0 : 1$'
+    done
     one_line 65 'is no `bspline`' "$loft" make thin --of 1 tests/drawings/curves.loft
 }
 # (2 t - 1)^5 over t has a flat inflection; a circle is none; a loop of degree 5, and one of two
@@ -1645,6 +1655,37 @@ case_meet() {
              END { exit bad || length(corner) != 4 }' "$tmp/out" ||
             job_fails "cross $num: $(cat "$tmp/out")"
     done
+    # a plane cuts a sphere in one circle over four octants; two spheres meet in one circle; lines
+    # over spans end on the border
+    printf 'sphere 8\n0 0 0\ntensor 1 1\n-9 -10 3\n-9 20 3\n20 -10 3\n20 20 3\n' >"$tmp/ball.loft"
+    printf 'sphere 5\n0 0 0\nsphere 5\n6 0 0\n' >"$tmp/balls.loft"
+    { echo 'nurbs-surface 2 2 5 4'
+      awk 'BEGIN { for (i = 0; i < 5; i++) for (j = 0; j < 4; j++)
+                       print 4 * i, 5 * j, (i * j * 7 + i * 3) % 5 }'
+      echo 'knots u 0 0 0 1 2 3 3 3'; echo 'knots v 0 0 0 1 2 2 2'
+      printf 'tensor 1 1\n-9 -10 1.5\n-9 20 1.5\n30 -10 2\n30 20 2\n'; } >"$tmp/spans.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" make meet --num $num --of 0.01 "$tmp/ball.loft"
+        awk '/^line/ { n++; next }
+             { r = $1 * $1 + $2 * $2 - 55; if (r * r > 1e-6) bad = 1; last = $0 }
+             n == 1 && first == "" { first = $0 }
+             END { exit bad || n != 1 || first != last }' "$tmp/out" ||
+            job_fails "ball $num: $(cat "$tmp/out")"
+        run 0 "$loft" make meet --num $num --of 0.01 "$tmp/spans.loft"
+        awk 'function check() { if ($1 > 1e-3 && $1 < 15.999 && $2 > 1e-3 && $2 < 14.999) bad = 1 }
+             /^line/ { if (n++) { $0 = last; check() } getline; check() } { last = $0 }
+             END { $0 = last; check(); exit bad || n != 4 }' "$tmp/out" ||
+            job_fails "spans $num: $(cat "$tmp/out")"
+    done
+    run 0 "$loft" make meet --of 0.01 "$tmp/balls.loft"
+    awk '/^line/ { n++; next }
+         { r = $2 * $2 + $3 * $3 - 16; if (r * r > 1e-6 || ($1 - 3) * ($1 - 3) > 1e-7) bad = 1 }
+         END { exit bad || n != 1 }' "$tmp/out" || job_fails "balls: $(cat "$tmp/out")"
+    run 0 "$loft" decide pierce --of 0.01 "$tmp/line.loft" "$tmp/ball.loft"
+    says out '^0 0 .* v 0.17620819' ; says out ' at 1 2 3$'
+    cat "$tmp/cut.loft" "$tmp/octant.loft" >"$tmp/twice.loft"
+    run 0 "$loft" make meet --of 0.01 "$tmp/twice.loft"
+    grep -q 'surfaces 0 and 2 coincide' "$tmp/out" || job_fails "twice: $(cat "$tmp/out")"
     one_line 65 'no two surfaces meet'     "$loft" make meet --of 0.01 "$tmp/octant.loft"
     one_line 65 'a tolerance of 0'         "$loft" make meet --of 0 "$tmp/cut.loft"
     one_line 64 'give a file of curves, then one of surfaces' \
@@ -1669,7 +1710,19 @@ case_sections_and_silhouettes() {
         lines_where 'sqrt(x * x + y * y) - 4 * sqrt(3)'
     done
     printf 'sphere 5\n' >"$tmp/ball.loft"
-    one_line 65 'no angles of this kind' "$loft" contour --light 0,0,1 "$tmp/ball.loft"
+    # the normal of a sphere has 60 degrees to z on the circle at z = r/2; it has a silhouette, as
+    # have patches with n sides
+    for num in q16 f32 f64; do
+        run 0 "$loft" contour --num $num --tol 0 --light 0,0,1 --heights 60 "$tmp/ball.loft"
+        awk '/^line/ { n++; next } NF { r = $1 * $1 + $2 * $2 - 18.75
+                 if (r * r > 1e-5 || ($3 - 2.5) ^ 2 > 1e-6) bad = 1 } END { exit bad || n != 1 }' \
+            "$tmp/out" || job_fails "isophote of a ball $num: $(head -5 "$tmp/out")"
+        run 0 "$loft" contour --num $num --light 1,0,0 "$tmp/ball.loft"
+        awk '/^line/ { n++; next } NF { if ($1 * $1 > 1e-6) bad = 1 } END { exit bad || n != 1 }' \
+            "$tmp/out" || job_fails "silhouette of a ball $num: $(head -5 "$tmp/out")"
+        run 0 "$loft" contour --num $num --light 1,0,0 tests/drawings/sided.loft
+        says out '^line'
+    done
     one_line 64 'a direction X,Y,Z'      "$loft" contour --along 0,0,0 "$tmp/bowl.loft"
     one_line 64 'give one of them'  "$loft" contour --along 1,0,0 --light 1,0,0 "$tmp/bowl.loft"
     one_line 65 'no normal has such'     "$loft" contour --light 0,0,1 "$tmp/bowl.loft"
