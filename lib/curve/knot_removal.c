@@ -13,7 +13,8 @@
  * their B-splines sum to 1: they are nowhere further apart than their control points.
  *
  * With weights w the equations are those of w P and w. Inserted again they give weights v and
- * points R. At each parameter, with the B-splines N and the point C of the given curve, the difference is
+ * points R. At each parameter, with the B-splines N and the point C of the given curve, the
+ * difference is
  *
  *     sum N_i (v_i (R_i - P_i) + (v_i - w_i) (P_i - C))  /  sum N_i v_i
  *

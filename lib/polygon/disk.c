@@ -25,7 +25,8 @@ static void phi_of_side(unsigned n, unsigned side, loft_unit share, loft_sci phi
     phi[side] = loft_sci_sub(loft_sci_one(), loft_sci_from_unit(share));
 }
 
-/* A point on the way from the middle to a point between a and b. */
+/* A point on the way from the middle to a point between a and b. What rounding leaves of 0 in
+ * floats, below 2^-56, loft_spot_valid may refuse: it becomes 0. */
 static loft_spot spot_of(loft_spot middle, loft_spot a, loft_spot b, loft_unit share, loft_unit u)
 {
     loft_spot p;
@@ -33,6 +34,8 @@ static loft_spot spot_of(loft_spot middle, loft_spot a, loft_spot b, loft_unit s
     for (int i = 0; i < 2; i++) {
         const loft_acc on = loft_acc_lerp(loft_to_acc(a.at[i]), loft_to_acc(b.at[i]), share);
         p.at[i] = loft_acc_round(loft_acc_lerp(loft_to_acc(middle.at[i]), on, u));
+        if (p.at[i] < LOFT_REAL(0x1p-56) && p.at[i] > -LOFT_REAL(0x1p-56))
+            p.at[i] = 0;
     }
     return p;
 }
@@ -341,14 +344,16 @@ static enum loft_status disk_at(const void *surface, loft_unit u, loft_unit v, l
     return place_at((const loft_disk *)surface, u, v, out, NULL);
 }
 
-/* At a vertex there may be none, and a rounded point of a side may lie outside. */
+/* At a vertex there may be none, or very large ones beside it, and a rounded point of a side may
+ * lie outside: the boundary takes those of a place inside. */
 static enum loft_status disk_slopes(const void *surface, loft_unit u, loft_unit v,
                                     loft_differential *out)
 {
     const loft_disk *r = (const loft_disk *)surface;
-    enum loft_status status = place_at(r, u, v, NULL, out);
+    const loft_unit least = LOFT_UNIT(0x1p-16), inside = LOFT_UNIT(1) - least;
+    enum loft_status status = place_at(r, u > inside ? inside : u, v, NULL, out);
 
-    for (loft_unit less = LOFT_UNIT(0x1p-22);
+    for (loft_unit less = 2 * least;
          (status == LOFT_SINGULAR || status == LOFT_ERR_RANGE) && less < LOFT_UNIT(0x1p-7);
          less = 2 * less)
         if (u > less)

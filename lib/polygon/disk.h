@@ -82,8 +82,8 @@ void loft_disk_from_zheng_ball(loft_disk *r, const loft_zheng_ball *g);
 enum loft_status loft_disk_harmonic(loft_disk *r, const loft_harmonic *h) LOFT_CHECKED;
 
 /* Make a loft_surface of a disk: LOFT_SURFACE_DISK. Its derivatives, for isophotes and silhouettes,
- * are those by the coordinates of the domain or the parameters of the patch. Where there are none,
- * as at vertices, they are those of a place at most 2^-7 of the way nearer to the middle.
+ * are those by the coordinates of the domain or the parameters of the patch; on the boundary those
+ * of a place 2^-16, or up to 2^-7, of the way nearer to the middle.
  *
  *   range   u, v in 0..1, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the point does not fit
  *   error   that of the patch's eval, at parameters rounded to 2^-24 of u and v, of a polygon to
