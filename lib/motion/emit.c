@@ -21,7 +21,7 @@
 #define ONE         ((int32_t)1 << 30)
 #define CLOSE       256                         /* of a time, 2^-22 of a period */
 #define AHEAD       5       /* points looked at before one is used */
-#define ROUNDS      8
+#define ROUNDS      (LOFT_PLAN_EFFORT > 1 ? 32 : 16)
 #define LAST_ROUNDS 32
 
 
@@ -307,35 +307,6 @@ static void copy_points(loft_position *to, const loft_position *from, unsigned n
         to[k] = from[k];
 }
 
-/* Longer ones need less acceleration after the last knot, more before it, as samples stay where
- * they are: what is too much falls to some length, and rises again. */
-void loft_emit_end(loft_emit *emit, const loft_position *sample, loft_coord feed, uint16_t number,
-                   loft_vec to, uint16_t ticks)
-{
-    const uint16_t more = (uint16_t)(emit->period->ticks / 8 + 1);
-    loft_position before[LOFT_EMIT_SAMPLES];
-
-    emit->ended = true;
-    emit->to = to;
-    append(emit, sample, feed, number);
-    append(emit, sample, feed, number);
-    copy_points(before, emit->point, emit->count);
-    int32_t bad = end_with(emit, ticks);
-    emit->last = ticks;
-    while (bad > 1 && ticks < 2 * emit->period->ticks && ticks + more <= LOFT_SPAN_TICKS_MAX) {
-        ticks = (uint16_t)(ticks + more);
-        copy_points(emit->point, before, emit->count);
-        const int32_t now = end_with(emit, ticks);
-        if (now >= bad) {
-            copy_points(emit->point, before, emit->count);
-            (void)end_with(emit, emit->last);
-            break;
-        }
-        bad = now;
-        emit->last = ticks;
-    }
-}
-
 static void drop_first(loft_emit *e)
 {
     e->count--;
@@ -367,6 +338,53 @@ static bool use_point(loft_emit *e)
     if (e->ended && e->next == e->count)
         loft_thin_end(&e->thin, e->to, e->last);
     return true;
+}
+
+/* Make the last period longer than `ticks` while that brings limits nearer; gives what remains too
+ * much, and the points as they were before. Longer ones need less acceleration after the last knot,
+ * more before it, as samples stay where they are: what is too much falls to some length, and rises
+ * again. */
+static int32_t end_longer(loft_emit *e, uint16_t ticks, loft_position before[LOFT_EMIT_SAMPLES])
+{
+    const uint16_t more = (uint16_t)(e->period->ticks / 8 + 1);
+
+    copy_points(before, e->point, e->count);
+    int32_t bad = end_with(e, ticks);
+    e->last = ticks;
+    while (bad > 1 && ticks < 2 * e->period->ticks && ticks + more <= LOFT_SPAN_TICKS_MAX) {
+        ticks = (uint16_t)(ticks + more);
+        copy_points(e->point, before, e->count);
+        const int32_t now = end_with(e, ticks);
+        if (now >= bad) {
+            copy_points(e->point, before, e->count);
+            (void)end_with(e, e->last);
+            break;
+        }
+        bad = now;
+        e->last = ticks;
+    }
+    return bad;
+}
+
+/* Where that is not enough there is one more period at rest: most of all a way of three or four
+ * periods at the feed needs it. There may be room for it only where the first point that is loose
+ * is used, which it can be, since the one before it has been: it is asked for no sooner. */
+void loft_emit_end(loft_emit *emit, const loft_position *sample, loft_coord feed, uint16_t number,
+                   loft_vec to, uint16_t ticks)
+{
+    loft_position before[LOFT_EMIT_SAMPLES];
+
+    emit->ended = true;
+    emit->to = to;
+    append(emit, sample, feed, number);
+    append(emit, sample, feed, number);
+    if (end_longer(emit, ticks, before) <= 1)
+        return;
+    copy_points(emit->point, before, emit->count);
+    if (emit->count == LOFT_EMIT_SAMPLES)
+        (void)use_point(emit);
+    append(emit, sample, feed, number);
+    (void)end_longer(emit, emit->period->ticks, before);
 }
 
 bool loft_emit_next(loft_emit *emit, loft_span *out)

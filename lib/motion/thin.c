@@ -228,14 +228,16 @@ static bool feed_holds(const loft_thin *t, unsigned k)
     return sum <= feed || loft_coord_length(v) <= feed + SLACK / 8;
 }
 
-/* Is the motion good where points a and a + 1 have changed? */
-static bool is_good(const loft_thin *t, unsigned a)
+/* Is the motion good where points a and a + 1 have become this pair? An axis that stands still need
+ * not be looked at, if it did so before as well. */
+static bool is_good(const loft_thin *t, unsigned a, const pair *p)
 {
     int64_t square[LOFT_THIN_SAMPLES] = { 0 };
     rates r;
 
     for (int i = 0; i < LOFT_AXES; i++) {
-        if (is_still(t, a > 3 ? a - 3 : 0, a + 5u < t->count ? a + 5 : t->count - 1u, i))
+        if (p->off[i] == 0 &&
+            is_still(t, a > 3 ? a - 3 : 0, a + 5u < t->count ? a + 5 : t->count - 1u, i))
             continue;
         load(t, i, a - 2, a + 4, &r);
         if (!axis_holds(t, a, i, &r))
@@ -275,7 +277,7 @@ static bool take_out(loft_thin *t, unsigned j)
     t->count--;
     for (unsigned k = j; k < t->count; k++)
         t->point[k] = t->point[k + 1];
-    if (is_good(t, j - 1))
+    if (is_good(t, j - 1, &p))
         return true;
     for (unsigned k = t->count; k > j; k--)
         t->point[k] = t->point[k - 1];
@@ -377,6 +379,15 @@ static int64_t within(int64_t x, int64_t most) { return x > most ? most : x < -m
 /* Whole grains of a limit. */
 static int64_t grains_of(int64_t x) { return over(x / (SIX_GRAINS / 3), 3); }
 
+/* From the end of the last span to that of the chain. */
+static loft_coord rest_of(const loft_thin *t, int i)
+{
+    const loft_coord from = loft_coord_of(loft_to_acc(t->from.axis[i])),
+                     at = loft_coord_add(
+                         from, (loft_coord)(uint32_t)(uint64_t)(t->grains[i] * LOFT_COORD_GRAIN));
+    return loft_coord_sub(loft_coord_of(loft_to_acc(t->to.axis[i])), at);
+}
+
 /* What is wanted of the next span. */
 static wanted want(const loft_thin *t, int i)
 {
@@ -395,7 +406,7 @@ static wanted want(const loft_thin *t, int i)
         .n0 = within(n0 + more / 2, steep),
         .n1 = within(n1 - (more - more / 2), steep),
         .way  = e.six_p3 - t->grains[i] * SIX_GRAINS,
-        .rest = t->point[t->count - 1].at[i] - t->grains[i] * LOFT_COORD_GRAIN,
+        .rest = ends ? rest_of(t, i) : 0,
         .speed = p->speed[i] / (3 * LOFT_COORD_GRAIN) * n,
         .accel = accel,
         .jerk  = jerk,

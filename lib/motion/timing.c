@@ -17,6 +17,7 @@
 
 #define EASY        16      /* knots before an open end */
 #define FINE        (LOFT_PLAN_EFFORT > 1 ? 1000 : 500)
+#define SPARE       (LOFT_PLAN_EFFORT > 1 ? 2048 : 256) /* a part of the speed, for emit's rounds */
 #define BACK        (LOFT_PLAN_EFFORT < 2)  /* from the end: a knot can rise when the next has */
 
 
@@ -62,7 +63,7 @@ static int32_t top_of(const loft_period *p, const loft_knot knot[], unsigned k)
     }
     const int64_t part = ((int64_t)loft_coord_length(v) << 19) / feed;
     most = part > most ? part : most;
-    const int64_t root = ((int64_t)1 << 32) / (most + most / 2048 + 1);
+    const int64_t root = ((int64_t)1 << 32) / (most + most / SPARE + 1);
     return (int32_t)(root * root);
 }
 
@@ -451,7 +452,8 @@ void loft_timing_aim(const loft_timing *t)
     take_means(t, first);
     step s = { t, first, t->to, 0, 0 };
     take_step(&s);
-    for (unsigned middle = t->to - STRETCH / 2; s.to > first; middle -= STRETCH) {
+    unsigned middle = t->to > STRETCH / 2 ? t->to - STRETCH / 2 : t->to / 2;
+    for (; s.to > first; middle -= STRETCH) {
         s.middle = middle;
         s.from = middle > first + STRETCH ? middle - STRETCH : first;
         s.to = middle + STRETCH < t->to ? middle + STRETCH : t->to;
