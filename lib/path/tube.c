@@ -80,7 +80,21 @@ static void four(const loft_knot knot[], unsigned k, const loft_path_place *at[]
         at[i] = &knot[k + i - 1].is.on;
 }
 
-/* The same at knot k, where it is D4 / 36 off: from the way before it or from the way behind it. */
+/* Does the path turn back at knot k? */
+static bool turns_back(const loft_knot knot[], unsigned k)
+{
+    int64_t dot = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const loft_coord at = knot[k].is.on.at.axis[i];
+        dot += (int64_t)(loft_coord_sub(at, knot[k - 1].is.on.at.axis[i]) >> 2) *
+               (loft_coord_sub(knot[k + 1].is.on.at.axis[i], at) >> 2);
+    }
+    return dot < 0;
+}
+
+/* The same at knot k, where it is D4 / 36 off: from the way before it or from the way behind it.
+ * Where the path turns back its tip is as far from the spline. */
 static loft_coord off_at(const loft_knot knot[], unsigned k)
 {
     const loft_path_place *before[4], *behind[4];
@@ -94,6 +108,12 @@ static loft_coord off_at(const loft_knot knot[], unsigned k)
     centre_of(knot, k + 1, c);
     for (int i = 0; i < LOFT_AXES; i++)
         p.axis[i] = loft_coord_add(b[i], sixth(second(a[i], b[i], c[i])));
+    if (turns_back(knot, k)) {
+        loft_coord off[LOFT_AXES];
+        for (int i = 0; i < LOFT_AXES; i++)
+            off[i] = loft_coord_sub(p.axis[i], knot[k].is.on.at.axis[i]);
+        return loft_coord_length(off);
+    }
     const loft_coord x = loft_path_off(before, INT32_C(1) << 24, &p),
                      y = loft_path_off(behind, 0, &p);
     return x < y ? x : y;
