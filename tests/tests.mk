@@ -281,10 +281,11 @@ $(eval $(call swept_motion,effort,$(CHIP_SRC:%.c=build/effort/%.o),$$(TESTED) $$
 
 FIRST ?= 1
 LAST  ?= 100000
-## Plan random chains, limits, arrivals; override, hold and starve them   FIRST=1 LAST=100000 seeds
+MOST  ?= 200
+## Plan random chains, limits, arrivals; override, hold, starve them  FIRST=1 LAST=100000 MOST=200
 .PHONY: sweep-motion
 sweep-motion: $(foreach n,$(NUMS) effort,build/sweep/$(n)/motion)
-	@for t in $^; do echo "echo '-- $$t'; $$t $(FIRST) $(LAST)"; done | \
+	@for t in $^; do echo "echo '-- $$t'; $$t $(FIRST) $(LAST) $(MOST)"; done | \
 	    bash tests/house/beside.sh
 
 FUZZ_SECONDS ?= 60

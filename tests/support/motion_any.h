@@ -19,6 +19,8 @@ static unsigned long faults[FAULTS];
 static double worst[FAULTS];
 static path   any_track;
 static bool   bad;                  /* in this case */
+static double any_size = 200;       /* mm, of the largest curves at most: small ones take
+                                     * little time to plan */
 
 static inline void fault(int kind, uint64_t seed, double value)
 {
@@ -38,7 +40,7 @@ static inline void at_most(int kind, uint64_t seed, double value, double bound)
  * agree at their joints. */
 static inline void arb_short_chain(arb *a, bool smooth)
 {
-    const double size = arb_decades(a, smooth ? 1 : 0.0002, 200),
+    const double size = arb_decades(a, smooth ? 1 : 0.0002, any_size),
                  feed = arb_decades(a, fmax(1, size), 500);
     const unsigned n = 1 + arb_below(a, 6);
 

@@ -193,6 +193,12 @@ static inline double part_length(const loft_span *s, double from, double to)
     return sum / 8 * (to - from) * duration(s);
 }
 
+/* What rounding to 2^-16 mm adds to a feed in span k, where the plan cannot leave room for it. */
+static inline double feed_grains(unsigned k, double feed)
+{
+    return fmax(0, 6 * 0x1p-16 / duration(&spans[k]) - feed / 4);
+}
+
 /* Compare the speed in a part of span k with the feed there, piece by piece, since the speed is
  * nearly constant in each. The part leads from `before` to the current places. */
 static inline void follow_feed(follower *f, unsigned k, double from, double to, stretch before)
@@ -207,8 +213,10 @@ static inline void follow_feed(follower *f, unsigned k, double from, double to, 
         const stretch s = { before.low + z0 * (now.low - before.low),
                             before.high + z1 * (now.high - before.high) };
         double q[5];
+        const double feed = feed_near(f, s);
         span_squares(&spans[k], from + z0 * (to - from), from + z1 * (to - from), q);
-        f->out.along = fmax(f->out.along, use_of(sqrt(quartic_peak(q)), noise, feed_near(f, s)));
+        f->out.along = fmax(f->out.along,
+                            use_of(sqrt(quartic_peak(q)), noise + feed_grains(k, feed), feed));
     }
 }
 
