@@ -353,7 +353,7 @@ int ENGINE_OF(answer_smooth)(const decide_input *in)
     loft_real f[MOST + 2], value;
     int status = numbers_of(in, f, MOST + 2);
     const unsigned n = (unsigned)in->of->count - 3;
-    const double times = in->of->value[n + 1];
+    const double times = status == LOFT_OK ? in->of->value[n + 1] : 0;
 
     if (status == LOFT_OK && !(times >= 1 && times <= 32767))
         status = LOFT_ERR_ARG;

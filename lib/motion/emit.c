@@ -20,6 +20,7 @@
 
 #define ONE         ((int32_t)1 << 30)
 #define CLOSE       256                         /* of a time, 2^-22 of a period */
+#define LITTLE      8       /* units that are not taken off: dividing may leave them */
 #define AHEAD       5       /* points looked at before one is used */
 #define ROUNDS      (LOFT_PLAN_EFFORT > 1 ? 32 : 16)
 #define LAST_ROUNDS 32
@@ -169,7 +170,9 @@ static int32_t mend_one(loft_emit *e, unsigned k, int i, int n, range loose)
     const int64_t off = excess(e, k, i, n);
     int32_t square = 0;
 
-    for (unsigned j = 0; off != 0 && j <= (unsigned)n; j++)
+    if (loft_long_abs(off) <= LITTLE)
+        return 0;
+    for (unsigned j = 0; j <= (unsigned)n; j++)
         if (is_loose(loose, k - j))
             square += weight[n - 1][j] * weight[n - 1][j];
     if (square == 0)
@@ -196,10 +199,10 @@ static int32_t mend_feed(loft_emit *e, unsigned k, range loose)
         leg[i] = d1(e, k, i);
         sum += loft_coord_abs(leg[i]);
     }
-    if (n == 0 || sum <= feed)
+    if (n == 0 || sum <= feed + LITTLE)
         return 0;
     const loft_coord size = loft_coord_length(leg);
-    if (size <= feed)
+    if (size <= feed + LITTLE)
         return 0;
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_coord off = (loft_coord)((int64_t)leg[i] * (size - feed) / size / n);

@@ -15,8 +15,8 @@ static const uint32_t once[] = {
     35225, 86786, 40446, 2001219, 2001383, 2001861, 2000886, 2002549, 3000081, 3100411
 };
 
-/* The same, of curves of at most 2 mm: ends that came too fast for the last period, and a tip of 1.2
- * tol that was lost, where the path turns back. */
+/* The same, of curves of at most 2 mm: ends that came too fast for the last period, and tips that
+ * were lost, where the path turns back. */
 static const uint32_t once_small[] = { 20000387, 20000558, 20008242, 20011011, 20025454, 20027738,
                                        20027929, 20029540, 20032867, 20036547, 20038891, 20040708,
                                        20049967, 20052128, 20058871, 20001198, 20025008, 20044723,
