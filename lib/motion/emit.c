@@ -161,8 +161,6 @@ static int32_t badness(const loft_emit *e, int64_t off, int64_t most)
     return part < 65536 ? (int32_t)part : 65536;
 }
 
-static int32_t larger(int32_t a, int32_t b) { return a > b ? a : b; }
-
 /* Take the excess off, with the least change of the points that are loose. */
 static int32_t mend_one(loft_emit *e, unsigned k, int i, int n, range loose)
 {
@@ -191,7 +189,7 @@ static int32_t mend_feed(loft_emit *e, unsigned k, range loose)
 {
     const bool both = e->ended && is_loose(loose, k - 1);
     const int n = both + is_loose(loose, k);
-    const loft_coord feed = e->feed[k] > e->feed[k - 1] ? e->feed[k] : e->feed[k - 1];
+    const loft_coord feed = loft_coord_most(e->feed[k], e->feed[k - 1]);
     loft_coord leg[LOFT_AXES];
     int64_t sum = 0;
 
@@ -221,10 +219,10 @@ static int32_t mend(loft_emit *e, unsigned last, range loose)
     int32_t bad = 0;
 
     for (unsigned k = loose.from; k <= last; k++) {
-        bad = larger(bad, mend_feed(e, k, loose));
+        bad = loft_coord_most(bad, mend_feed(e, k, loose));
         for (int i = 0; i < LOFT_AXES; i++)
             for (int n = 1; n <= 3; n++)
-                bad = larger(bad, mend_one(e, k, i, n, loose));
+                bad = loft_coord_most(bad, mend_one(e, k, i, n, loose));
     }
     return bad;
 }
@@ -329,10 +327,9 @@ static bool use_point(loft_emit *e)
 
     if (k + (e->ended ? 0 : AHEAD) >= e->count)
         return false;
-    const loft_coord before = k > 0 ? e->feed[k - 1] : 0;
     const loft_thin_input in = { .point = e->point[k],
                                  .sample = e->sample[k],
-                                 .feed = e->feed[k] > before ? e->feed[k] : before,
+                                 .feed = loft_coord_most(e->feed[k], k > 0 ? e->feed[k - 1] : 0),
                                  .number = e->number[k] };
     loft_thin_add(&e->thin, &in);
     e->next++;
@@ -354,17 +351,16 @@ static int32_t end_longer(loft_emit *e, uint16_t ticks, loft_position before[LOF
     copy_points(before, e->point, e->count);
     int32_t bad = end_with(e, ticks);
     e->last = ticks;
-    while (bad > 1 && ticks < 2 * e->period->ticks && ticks + more <= LOFT_SPAN_TICKS_MAX) {
-        ticks = (uint16_t)(ticks + more);
+    while (bad > 1 && e->last < 2 * e->period->ticks && e->last + more <= LOFT_SPAN_TICKS_MAX) {
         copy_points(e->point, before, e->count);
-        const int32_t now = end_with(e, ticks);
+        const int32_t now = end_with(e, e->last + more);
         if (now >= bad) {
             copy_points(e->point, before, e->count);
             (void)end_with(e, e->last);
             break;
         }
         bad = now;
-        e->last = ticks;
+        e->last = (uint16_t)(e->last + more);
     }
     return bad;
 }

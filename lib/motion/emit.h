@@ -62,7 +62,6 @@ void loft_emit_begin(loft_emit *emit, const loft_period *period, loft_vec from);
 /* Append a sample; there is room for it. `feed`: the speed that is asked for before it; `number`:
  * the curves behind it. */
 void loft_emit_add(loft_emit *emit, const loft_position *sample, loft_coord feed, uint16_t number);
-static inline bool loft_emit_room(const loft_emit *emit) { return emit->count < LOFT_EMIT_SAMPLES; }
 
 /* Append the end of the chain, which is the place `sample`, exactly `to`, so many ticks after the
  * last one: loft_period.last, and less than a period more. Where limits ask for it there are some

@@ -7,7 +7,6 @@
  */
 #include "motion/plan.h"
 
-
 #define BEHIND    4
 #define SMOOTHING 16 /* knots whose points may still move */
 #define ALL       (LOFT_PLAN_EFFORT > 1)
@@ -53,11 +52,7 @@ static void append(loft_plan *plan, const loft_path_place *p)
 /* Control points of three knots are at the start, and at the end. The third place is near it. */
 static bool is_far(const loft_plan *plan, const loft_path_place *a, const loft_path_place *b)
 {
-    loft_coord off[LOFT_AXES];
-
-    for (int i = 0; i < LOFT_AXES; i++)
-        off[i] = loft_coord_sub(a->at.axis[i], b->at.axis[i]);
-    return loft_coord_length(off) > plan->period.tol / 2;
+    return loft_position_distance(&a->at, &b->at) > plan->period.tol / 2;
 }
 
 /* The last knot stands for the rest behind the end; there are seven at least. */
@@ -239,12 +234,6 @@ static void begin_raising(loft_plan *plan, unsigned sweeps)
     plan->sweeps = (uint8_t)sweeps;
 }
 
-static void aim(loft_plan *plan)
-{
-    const loft_timing timing = timing_of(plan);
-    loft_timing_aim(&timing);
-}
-
 /* Where the whole chain is known and none of it has been used, its timing is a better guess than
  * the first one was: make its knots again. */
 static bool refine(loft_plan *plan)
@@ -287,6 +276,7 @@ static bool is_all(const loft_plan *plan)
 static enum loft_path_state load(loft_plan *plan)
 {
     enum loft_path_state state = LOFT_PATH_PLACE;
+    const loft_timing timing = timing_of(plan);
 
     switch ((enum stage)plan->stage) {
     case IDLE:
@@ -320,7 +310,7 @@ static enum loft_path_state load(loft_plan *plan)
         plan->stage = ALL ? RAISING : AIMING;
         break;
     case AIMING:
-        aim(plan);
+        loft_timing_aim(&timing);
         plan->stage = RAISING;
         break;
     case RAISING:
@@ -412,7 +402,7 @@ static loft_time step_of(const loft_plan *plan)
 static loft_coord feed_of(const loft_plan *plan)
 {
     const loft_knot *k = &plan->knot[plan->at.knot];
-    return k[0].is.on.feed > k[1].is.on.feed ? k[0].is.on.feed : k[1].is.on.feed;
+    return loft_coord_most(k[0].is.on.feed, k[1].is.on.feed);
 }
 
 static void add_sample(loft_plan *plan)

@@ -116,7 +116,6 @@ static ends_of_axis ends_of(const loft_thin *t, unsigned k, int i, const rates *
     return e;
 }
 
-
 /* Do points from .. to lie at one place of an axis? As a rule one of three axes stands still. */
 static bool is_still(const loft_thin *t, unsigned from, unsigned to, int i)
 {
@@ -216,11 +215,11 @@ static bool axis_is_close(const loft_thin *t, unsigned k, int i, const rates *r,
 
 static bool feed_holds(const loft_thin *t, unsigned k)
 {
-    loft_coord feed = t->point[k - 1].feed, v[LOFT_AXES];
+    const loft_coord feed = loft_coord_least(
+        t->point[k - 1].feed, loft_coord_least(t->point[k].feed, t->point[k + 1].feed));
+    loft_coord v[LOFT_AXES];
     int64_t sum = 0;
 
-    feed = t->point[k].feed < feed ? t->point[k].feed : feed;
-    feed = t->point[k + 1].feed < feed ? t->point[k + 1].feed : feed;
     for (int i = 0; i < LOFT_AXES; i++) {
         v[i] = (loft_coord)(velocity(t, k, i) >> FINE);
         sum += loft_coord_abs(v[i]);
@@ -382,10 +381,9 @@ static int64_t grains_of(int64_t x) { return over(x / (SIX_GRAINS / 3), 3); }
 /* From the end of the last span to that of the chain. */
 static loft_coord rest_of(const loft_thin *t, int i)
 {
-    const loft_coord from = loft_coord_of(loft_to_acc(t->from.axis[i])),
-                     at = loft_coord_add(
-                         from, (loft_coord)(uint32_t)(uint64_t)(t->grains[i] * LOFT_COORD_GRAIN));
-    return loft_coord_sub(loft_coord_of(loft_to_acc(t->to.axis[i])), at);
+    const uint32_t from = (uint32_t)loft_coord_of(loft_to_acc(t->from.axis[i])),
+                   at = from + (uint32_t)(t->grains[i] * LOFT_COORD_GRAIN);
+    return loft_coord_sub(loft_coord_of(loft_to_acc(t->to.axis[i])), (loft_coord)at);
 }
 
 /* What is wanted of the next span. */

@@ -45,15 +45,13 @@ static loft_coord fastest(legs e)
 {
     const loft_coord first = loft_coord_abs(e.a + e.b), last = loft_coord_abs(e.b + e.c),
                      middle = loft_coord_abs((e.a + 6 * e.b + e.c) / 4);
-    const loft_coord most = first > last ? first : last;
-    return most > middle ? most : middle;
+    return loft_coord_most(loft_coord_most(first, last), middle);
 }
 
 static int32_t top_of(const loft_period *p, const loft_knot knot[], unsigned k)
 {
     loft_coord v[LOFT_AXES];
-    const loft_coord feed = knot[k + 1].is.on.feed < knot[k].is.on.feed ? knot[k + 1].is.on.feed
-                                                                        : knot[k].is.on.feed;
+    const loft_coord feed = loft_coord_least(knot[k].is.on.feed, knot[k + 1].is.on.feed);
     int64_t most = 190000;                  /* 2^32 / sqrt LOFT_V2_MAX */
 
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -86,8 +84,6 @@ static bool jerk_holds(int64_t g, int32_t b, loft_coord limit)
     const int64_t part = (size << 14) / limit;          /* at most 2^21 */
     return part * part <= ((int64_t)1 << 52) / b;
 }
-
-/* b = 2^24 * (2^14 / part)^2 */
 
 /* What is used of a limit: 63 / 64 at a full share. */
 static loft_coord part_of(loft_coord limit, int share)
@@ -150,7 +146,7 @@ int32_t loft_timing_even(const loft_period *period, const loft_knot knot[], unsi
         if ((e.a | e.b | e.c) == 0)
             continue;
         const loft_coord first = loft_coord_abs(e.b - e.a), last = loft_coord_abs(e.c - e.b);
-        const int64_t d2 = first > last ? first : last, d3 = loft_coord_abs(e.c - 2 * e.b + e.a);
+        const int64_t d2 = loft_coord_most(first, last), d3 = loft_coord_abs(e.c - 2 * e.b + e.a);
         if (d2 * b > (int64_t)period->accel[i] << 24)
             b = ((int64_t)period->accel[i] << 24) / d2;
         if (period->jerk[i] == 0)
@@ -278,12 +274,6 @@ void loft_timing_raise_part(const loft_timing *t, unsigned shift, unsigned part)
     }
 }
 
-void loft_timing_raise(const loft_timing *t, unsigned shift)
-{
-    for (unsigned part = 0; part < LOFT_TIMING_PARTS; part++)
-        loft_timing_raise_part(t, shift, part);
-}
-
 
 // The aim
 // -------
@@ -333,8 +323,7 @@ static bounds bounds_at(const loft_timing *t, unsigned k, int32_t b)
         if ((leg | first | last) == 0)
             continue;
         const loft_coord d1 = loft_coord_abs(leg),
-                         d2 = loft_coord_abs(loft_coord_abs(first) > loft_coord_abs(last) ? first
-                                                                                          : last);
+                         d2 = loft_coord_most(loft_coord_abs(first), loft_coord_abs(last));
         const int32_t accel = (t->period->accel[i] >> 6) * share,
                       jerk = (t->period->jerk[i] >> 6) * share,
                       left = accel - accel / 16 - (int32_t)((int64_t)d2 * b >> 24),

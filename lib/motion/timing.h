@@ -57,11 +57,9 @@ bool loft_timing_all_hold(const loft_timing *timing, unsigned from, unsigned to)
  */
 void loft_timing_aim(const loft_timing *timing);
 
-/* Raise once by bumps of all widths; `shift` moves them. */
-void loft_timing_raise(const loft_timing *timing, unsigned shift);
-
 #define LOFT_TIMING_PARTS 5
-/* The same in parts: by bumps of one of the widths, 0 .. LOFT_TIMING_PARTS - 1. */
+
+/* Raise by bumps of one of the widths, 0 .. LOFT_TIMING_PARTS - 1; `shift` moves them. */
 void loft_timing_raise_part(const loft_timing *timing, unsigned shift, unsigned part);
 
 /* The time from knot k to the next, 2^-16 periods. */

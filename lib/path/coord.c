@@ -44,3 +44,12 @@ loft_coord loft_coord_length(const loft_coord x[LOFT_AXES])
         sum += (uint64_t)((int64_t)x[i] * x[i]);
     return (loft_coord)loft_coord_sqrt(sum);
 }
+
+loft_coord loft_position_distance(const loft_position *a, const loft_position *b)
+{
+    loft_coord off[LOFT_AXES];
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        off[i] = loft_coord_sub(b->axis[i], a->axis[i]);
+    return loft_coord_length(off);
+}

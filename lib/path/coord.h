@@ -35,6 +35,7 @@ static inline loft_coord loft_coord_add(loft_coord a, loft_coord b)
 }
 
 static inline int32_t loft_coord_least(int32_t a, int32_t b) { return a < b ? a : b; }
+static inline int32_t loft_coord_most(int32_t a, int32_t b) { return a > b ? a : b; }
 static inline int32_t loft_coord_abs(int32_t a) { return a < 0 ? -a : a; }
 static inline int64_t loft_long_abs(int64_t a) { return a < 0 ? -a : a; }
 
@@ -79,6 +80,9 @@ static inline uint16_t loft_coord_grains(loft_coord x)
  *   error   1
  */
 loft_coord loft_coord_length(const loft_coord x[LOFT_AXES]);
+
+/* How far two places are apart. */
+loft_coord loft_position_distance(const loft_position *a, const loft_position *b);
 
 LOFT_END_C
 

@@ -108,12 +108,8 @@ static loft_coord off_at(const loft_knot knot[], unsigned k)
     centre_of(knot, k + 1, c);
     for (int i = 0; i < LOFT_AXES; i++)
         p.axis[i] = loft_coord_add(b[i], sixth(second(a[i], b[i], c[i])));
-    if (turns_back(knot, k)) {
-        loft_coord off[LOFT_AXES];
-        for (int i = 0; i < LOFT_AXES; i++)
-            off[i] = loft_coord_sub(p.axis[i], knot[k].is.on.at.axis[i]);
-        return loft_coord_length(off);
-    }
+    if (turns_back(knot, k))
+        return loft_position_distance(&knot[k].is.on.at, &p);
     const loft_coord x = loft_path_off(before, INT32_C(1) << 24, &p),
                      y = loft_path_off(behind, 0, &p);
     return x < y ? x : y;
@@ -128,10 +124,9 @@ static loft_coord left_between(const loft_period *p, const loft_knot knot[], uns
 
     four(knot, k, here);
     const loft_coord x = *off, y = off_at(knot, k + 1), z = off_between(knot, k, here);
-    const loft_coord most = x > y ? x : y;
     *off = y;
     return p->tube + (knot[k].is.on.loose ? p->more : 0) - loft_path_skip(&knot[k].is.on) -
-           (most > z ? most : z);
+           loft_coord_most(loft_coord_most(x, y), z);
 }
 
 /* 6/7 of the least tolerance on the ways that the point matters for. */

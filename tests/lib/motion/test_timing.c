@@ -90,7 +90,8 @@ static void raising_holds_all_limits(arb *a)
     CHECK(loft_timing_all_hold(&t, 1, t.end));
     double before = 1e300;
     for (unsigned n = 0; n < 12; n++) {
-        loft_timing_raise(&t, n);
+        for (unsigned part = 0; part < LOFT_TIMING_PARTS; part++)
+            loft_timing_raise_part(&t, n, part);
         CHECK(loft_timing_all_hold(&t, 1, t.end));
         double time = 0;
         for (unsigned k = 1; k < t.end; k++)
