@@ -1751,7 +1751,11 @@ case_patches_with_weights() {
         [ "$(grep -c '^tensor 2 1' "$tmp/parts.loft")" = 8 ] || job_fails "$num: eight parts"
     done
     printf 'sphere 5\n' >"$tmp/ball.loft"
-    one_line 65 'of kind sphere: give' "$loft" make patches "$tmp/ball.loft"
+    "$loft" make patches "$tmp/ball.loft" >"$tmp/parts.loft"
+    [ "$(grep -c '^tensor 2 2' "$tmp/parts.loft")" = 8 ] || job_fails 'eight octants of a sphere'
+    run 0 "$loft" eval --uv 0.2,0.3 "$tmp/parts.loft"
+    awk 'NF { n++; if ((sqrt($1 ^ 2 + $2 ^ 2 + $3 ^ 2) - 5) ^ 2 > 1e-8) exit 1 }
+         END { exit n != 8 }' "$tmp/out" || job_fails "octants: $(cat "$tmp/out")"
 }
 case_normals_and_curvatures() {         # of a sphere; of z = 32 x (10 - x) y (10 - y) / 10^4 on top
     printf 'sphere 10\n' >"$tmp/ball.loft"
@@ -3569,7 +3573,7 @@ case_study_of_a_patch() {
     done
     one_line 65 'cannot be read' "$loft" study gb --fine 4 --expected "$tmp"
     one_line 66 'none.csv: no such file' "$loft" study gb --expected "$tmp/none.csv"
-    one_line 73 'name a folder' "$loft" study gb --pictures-only -o "$tmp/none/deep"
+    one_line 73 'name a place in a folder' "$loft" study gb --pictures-only -o "$tmp/none/deep"
 }
 case_harmonic_coordinates_as_a_table() {
     printf '0,0\n4,0 # a notch\n4,3\n2,1\n0,3\n' >"$tmp/notch.csv"
