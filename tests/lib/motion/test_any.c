@@ -2,8 +2,6 @@
  * deadlock, no step lost
  * SPDX-License-Identifier: MIT
  */
-#include <time.h>           /* clock */
-
 #include "support/motion_any.h"     /* check_case */
 
 /* Each of them exceeded a limit once, or seemed to, by one planner or another: ends that turn
@@ -42,24 +40,6 @@ static void cases_that_were_violations_are_none(arb *a)
     any_size = large;
 }
 
-/* A hundred of them take 0.1 s of processor time, and 1 s under sanitizers. With little effort each
- * chain of less than 16 knots took more than a second. */
-static void short_chains_are_planned_at_once(arb *a)
-{
-    const clock_t start = clock();
-    const double large = any_size;
-
-    any_size = 0.5;
-    for (unsigned k = 0; k < 100; k++) {
-        const arrival how = { CURVES, KNOTS, NULL };
-        arb_limits(a);
-        arb_short_chain(a, false);
-        CHECK(plan_chain(&how) == PLANNED);
-    }
-    any_size = large;
-    CHECK(clock() - start < 10 * CLOCKS_PER_SEC);
-}
-
 /* Other seeds than those of `make bench-motion`. */
 static void no_limit_is_exceeded_and_no_step_is_lost(arb *a)
 {
@@ -75,7 +55,6 @@ static void no_limit_is_exceeded_and_no_step_is_lost(arb *a)
 int main(void)
 {
     PROPERTY_LONG(cases_that_were_violations_are_none,   1);
-    PROPERTY_LONG(short_chains_are_planned_at_once,      1);
     PROPERTY(no_limit_is_exceeded_and_no_step_is_lost,  60);
     return check_failures();
 }
