@@ -19,10 +19,14 @@ SPDX-License-Identifier: MIT
 """
 import bisect
 import math
+import os
 import random
 import sys
 
-FULL, ROW = 65535, 0.25
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "target"))
+from energy import read                    # noqa: E402  (pulses, levels, steps per mm)
+
+ROW = 0.25
 
 
 def make(mode, rows, width, seed, slope):
@@ -56,22 +60,6 @@ def rows_of(name):
     return [(start, pixels[-1][2], [(a, s) for a, s, _ in pixels], feed) for start, pixels in rows]
 
 
-def read(name):
-    hz, per_mm, pulses, levels = 1.0, [], [], []
-    for line in open(name, encoding="ascii"):
-        word = line.split()
-        if line.startswith("# slot_hz"):
-            hz = float(word[3])
-        elif line.startswith("# steps_per_mm"):
-            per_mm.append(float(word[3]))
-        elif line.startswith("# output 1 "):
-            levels.append((int(word[7]) / hz, int(word[4])))
-        elif line[0].isdigit():
-            cell = line.split(",")
-            pulses.append((int(cell[0]) / hz, [int(c) / s for c, s in zip(cell[1:3], per_mm)]))
-    return pulses, levels
-
-
 class Row:
     """The pulses of a row, as mm along it over time."""
 
@@ -98,14 +86,14 @@ class Row:
 
 def energy_off(row, changes, pixels, feed):
     """The largest difference, in mm at full power; feed None: level times way."""
-    done, asked, worst, level, k, n, came = 0.0, 0.0, 0.0, 0, 0, 0, 0.0
+    done, asked, worst, level, k, n, came = 0.0, 0.0, 0.0, 0.0, 0, 0, 0.0
     since, place = row.times[0], 0.0
     for t, along in zip(row.times, row.along):
         while True:
             more = k < len(changes) and changes[k][0] <= t
             end = max(changes[k][0], since) if more else t
             way = row.at(end) - place
-            done += level / FULL * ((end - since) * feed if feed else way)
+            done += level * ((end - since) * feed if feed else way)
             since, place = end, place + way
             if not more:
                 break
@@ -123,7 +111,8 @@ def energy_off(row, changes, pixels, feed):
 
 
 def check(record, gcode):
-    pulses, levels = read(record)
+    pulses, levels, _ = read(record)
+    pulses = [(t, at[:2]) for t, at in pulses]
     constant = any(line.startswith("M3") for line in open(gcode, encoding="ascii"))
     stops, energy, begin = 0, 0.0, [0]
     rows = rows_of(gcode)
@@ -138,12 +127,12 @@ def check(record, gcode):
         energy = max(energy, energy_off(row, levels, pixels, None if constant else feed))
         stops += sum(b - a > 0.02 for a, b, x in zip(row.times, row.times[1:], row.along)
                      if 1 < x < row.length - 1)
-    standing = 0
+    standing = 0.0
     for (a, _), (b, _) in zip(pulses, pulses[1:]):
         if b - a > 0.1:
             k = bisect.bisect_right([t for t, _ in levels], a + 0.06)
             standing = max(standing, levels[k - 1][1] if k else 0)
-    print("rows %d\nlevels %d\nenergy %.4f\nstops %d\nstanding %d" %
+    print("rows %d\nlevels %d\nenergy %.4f\nstops %d\nstanding %g" %
           (len(rows), len(levels), energy, stops, standing))
 
 

@@ -57,6 +57,18 @@ const char *row_text(row *r, const char *column)
     return "";
 }
 
+long double row_next(const char **text)
+{
+    char *end;
+    const long double x = strtold(*text, &end);
+
+    if (end == *text)
+        return INFINITY;
+    for (*text = end; **text == ' ' || **text == ';'; )
+        ++*text;
+    return x;
+}
+
 /* Take a whole number off *text. */
 static int64_t whole(row *r, const char *column, const char **text, int64_t least, int64_t most)
 {

@@ -58,6 +58,8 @@ extern const vector_system vectors_curve[], vectors_measure[], vectors_shape[], 
 /* Inputs */
 
 const char *row_text(row *r, const char *column);
+/* the next number of such a text, which goes on behind it; INFINITY where there is none */
+long double row_next(const char **text);
 /* a whole number, 0..most */
 unsigned  row_count(row *r, const char *column, unsigned most);
 bool      row_is(row *r, const char *column, const char *word);

@@ -10,7 +10,7 @@
 #include "vectors/vectors_points.h"         /* as_given; row, answer, law */
 #include "surface/area.h"
 #include "surface/contour.h"
-#include "surface/net_meet.h"
+#include "support/meetings.h"            /* distance_from_meetings */
 #include "surface/tensor/surface_fit.h"
 
 #define MOST   (LOFT_DEGREE_MAX + 1)
@@ -68,47 +68,11 @@ static void read_sheet(row *r, char which, sheet_of_row *s)
         row_complain(r, "surface %c was refused", which);
 }
 
-/* The next number of a column; INFINITY where there is none. */
-static long double next_number(const char **text)
-{
-    char *end;
-    const long double x = strtold(*text, &end);
-
-    if (end == *text)
-        return INFINITY;
-    for (*text = end; **text == ' ' || **text == ';'; )
-        ++*text;
-    return x;
-}
-
 
 /* Where they meet */
 
 static loft_net_meeting out[ROOM];
 static unsigned count;
-
-/* The distance of a place from all branches, and from all touches. */
-static long double distance_from_all(const long double p[3])
-{
-    long double best = INFINITY;
-
-    for (unsigned k = 0; k < count; k++) {
-        const loft_vec *from = &out[out[k].start ? k : k - 1].point, *to = &out[k].point;
-        long double along = 0, length = 0, sum = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            const long double d = exact_of(to->axis[axis]) - exact_of(from->axis[axis]);
-            along += d * (p[axis] - exact_of(from->axis[axis]));
-            length += d * d;
-        }
-        const long double t = length > 0 ? fmaxl(0, fminl(1, along / length)) : 0;
-        for (int axis = 0; axis < 3; axis++) {
-            const long double a = exact_of(from->axis[axis]), b = exact_of(to->axis[axis]);
-            sum += powl(p[axis] - a - t * (b - a), 2);
-        }
-        best = fminl(best, sqrtl(sum));
-    }
-    return best;
-}
 
 static void expect_places(row *r, long double tol)
 {
@@ -117,8 +81,8 @@ static void expect_places(row *r, long double tol)
     while (*text && !row_is(r, "points", "-")) {
         long double p[3];
         for (int axis = 0; axis < 3; axis++)
-            p[axis] = next_number(&text);
-        row_within(r, "points", distance_from_all(p) * 65536, 2 * tol * 65536);
+            p[axis] = row_next(&text);
+        row_within(r, "points", distance_from_meetings(out, count, p) * 65536, 2 * tol * 65536);
         if (r->complaint[0])
             return;
     }
@@ -194,9 +158,9 @@ static void curve_pierce(row *r)
         row_complain(r, "the surfaces were refused, or not decided: %d", (int)status);
     const char *t = row_text(r, "t"), *times = row_text(r, "mult");
     while (*t && *t != '-') {
-        const long double want = next_number(&t);
+        const long double want = row_next(&t);
         long double best = INFINITY;
-        if (next_number(&times) != 1)
+        if (row_next(&times) != 1)
             continue;
         simple++;
         for (unsigned k = 0; k < count; k++)
@@ -237,7 +201,7 @@ static void surface_light(row *r)
         return;
     }
     const char *text = row_text(r, "cos");
-    const long double want = row_is(r, "cos", "-") ? 0 : next_number(&text);
+    const long double want = row_is(r, "cos", "-") ? 0 : row_next(&text);
     /* 2^-46 over W, and the nets of this file have W above 2^-8 */
     row_within(r, "cos", fabsl(exact_acc(off) - want) * 65536,
                65536 * (0x1p-38L + BY_NUM(0x1p-32L, 0, 0)));
@@ -275,9 +239,9 @@ static void isophote(row *r)
         }
     }
     const char *text = row_text(r, "uv"), *slope = row_text(r, "slope");
-    const long double error = 2 * LSB / next_number(&slope) + 0x1p-23L;
+    const long double error = 2 * LSB / row_next(&slope) + 0x1p-23L;
     for (; *text && *text != '-'; wanted++) {
-        const long double u = next_number(&text), v = next_number(&text);
+        const long double u = row_next(&text), v = row_next(&text);
         long double best = INFINITY;
         for (unsigned k = 0; k < found; k++)
             if (fabsl(place[k][0] - u) < 0x1p-20L)
@@ -289,7 +253,7 @@ static void isophote(row *r)
         const char *rest = row_text(r, "uv");
         long double best = INFINITY;
         while (*rest) {
-            const long double u = next_number(&rest), v = next_number(&rest);
+            const long double u = row_next(&rest), v = row_next(&rest);
             if (fabsl(place[k][0] - u) < 0x1p-20L)
                 best = fminl(best, fabsl(place[k][1] - v));
         }
@@ -310,7 +274,7 @@ static void surface_fit(row *r)
                    n = row_count(r, "n", 20), rows = row_count(r, "r", 20),
                    columns = row_count(r, "c", 20);
     const char *text = row_text(r, "gain");
-    const long double gain = next_number(&text);
+    const long double gain = row_next(&text);
 
     row_reals(r, "U_q16", m + degree_u + 1, ku);
     row_reals(r, "V_q16", n + degree_v + 1, kv);
@@ -347,7 +311,7 @@ static void net_area(row *r)
     if (loft_net_area(loft_net_from_tensor(&s.tensor), tol, &area) != LOFT_OK)
         row_complain(r, "the area was refused");
     const char *text = row_text(r, "area");
-    const long double want = next_number(&text);
+    const long double want = row_next(&text);
     row_within(r, "area", fabsl(exact_acc(area) - want) * 65536, (exact_of(tol) + 1e-9L) * 65536);
 }
 

@@ -56,23 +56,10 @@ static void read_curve(row *r, unsigned d, curve *c)
         row_complain(r, "the curve was refused");
 }
 
-/* The next number of a column; INFINITY where there is none. */
-static long double next_number(const char **text)
-{
-    char *end;
-    const long double x = strtold(*text, &end);
-
-    if (end == *text)
-        return INFINITY;
-    for (*text = end; **text == ' ' || **text == ';'; )
-        ++*text;
-    return x;
-}
-
 static void expect_within(row *r, const char *column, long double got, long double error)
 {
     const char *text = row_text(r, column);
-    row_within(r, column, fabsl(got - next_number(&text)) * 65536, error * 65536);
+    row_within(r, column, fabsl(got - row_next(&text)) * 65536, error * 65536);
 }
 
 static bool expect_count(row *r, unsigned count)
@@ -102,9 +89,9 @@ static void bezier_flat(row *r)
         return;
     const char *t = row_text(r, "t"), *times = row_text(r, "mult");
     for (unsigned k = 0; k < count; k++) {
-        row_within(r, "t", fabsl(exact_unit(f[k].t) - next_number(&t)) * 65536,
+        row_within(r, "t", fabsl(exact_unit(f[k].t) - row_next(&t)) * 65536,
                    BY_NUM(0x1p-25L + 0x1p-32L, 0x1p-25L, 0x1p-51L) * 65536);
-        row_within(r, "mult", fabsl(f[k].multiplicity - next_number(&times)), 0);
+        row_within(r, "mult", fabsl(f[k].multiplicity - row_next(&times)), 0);
     }
 }
 
@@ -164,7 +151,7 @@ static void curve_frame(row *r)
                                   BY_NUM(0x1p-17L + 0x1p-32L, 0x1p-25L + 0x1p-40L, 0x1p-48L);
         for (int axis = 0; axis < 3; axis++)
             row_within(r, column[k],
-                       fabsl(exact_of(frame[k].axis[axis]) - next_number(&text)) * 65536,
+                       fabsl(exact_of(frame[k].axis[axis]) - row_next(&text)) * 65536,
                        error * 65536);
     }
 }
@@ -192,7 +179,7 @@ static void bspline_thin(row *r)
     long double moved = 0;
     for (unsigned k = 0; k + 1 < n && status == LOFT_OK; k++)
         for (unsigned axis = 0; axis < d; axis++)
-            moved = fmaxl(moved, fabsl(exact_of(q[k].axis[axis]) - next_number(&text)));
+            moved = fmaxl(moved, fabsl(exact_of(q[k].axis[axis]) - row_next(&text)));
     if (status == LOFT_OK)
         expect_within(r, "far", exact_acc(far),
                       sqrtl(d) * moved +
@@ -229,7 +216,7 @@ static void nurbs_thin(row *r)
     row_expect(r, "wQ", weights, (law){ .lsb = 0.501L, .roundings = 0x1p20L });
     const char *text = row_text(r, "dist");
     /* the curve of the rounded points is that of the row within what `far` counts too */
-    row_within(r, "dist", fmaxl(next_number(&text) - exact_acc(far), 0) * 65536,
+    row_within(r, "dist", fmaxl(row_next(&text) - exact_acc(far), 0) * 65536,
                BY_NUM(1.5L, 65536 * 4 * ulp(r->largest), 1e-9L));
 }
 
@@ -251,7 +238,7 @@ static void curve_loops(row *r)
         return;
     const char *text = row_text(r, "st");
     for (size_t k = 0; k < count; k++) {
-        const long double s = next_number(&text), t = next_number(&text);
+        const long double s = row_next(&text), t = row_next(&text);
         const long double off = fmaxl(
             fmaxl(exact_unit(found[k].s_from) - s, s - exact_unit(found[k].s_to)),
             fmaxl(exact_unit(found[k].t_from) - t, t - exact_unit(found[k].t_to)));
@@ -274,7 +261,7 @@ static void curve_closest(row *r)
     if (!as_given(r))
         return;
     const char *text = row_text(r, "dist");
-    const long double want = next_number(&text), got = exact_acc(near.distance),
+    const long double want = row_next(&text), got = exact_acc(near.distance),
                       slack = BY_NUM(0x1p-25L * want + 0x1p-29L, 0x1p-42L * 4 * r->largest,
                                      0x1p-42L * 4 * r->largest);
     row_within(r, "dist", fmaxl(got - want, 0) * 65536, (LSB + slack) * 65536);
@@ -298,7 +285,7 @@ static void curve_box(row *r)
     const char *text = row_text(r, "box");
     for (unsigned side = 0; side < 2; side++)
         for (int axis = 0; axis < 3; axis++) {
-            const long double want = next_number(&text);
+            const long double want = row_next(&text);
             const long double got = exact_of(side ? box.max.axis[axis] : box.min.axis[axis]);
             const long double beyond = side ? got - want : want - got;
             row_within(r, "box", fmaxl(beyond, 0) * 65536,

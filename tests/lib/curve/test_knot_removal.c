@@ -22,55 +22,9 @@ static sample *arb_bspline(arb *a)
     return &s;
 }
 
-static void point_of(const grid *g, const loft_vec p[], loft_real u, long double out[LOFT_AXES])
-{
-    long double n[KNOTS_MOST];
-
-    exact_weights(g, g->p, exact_span(g, u), exact_of(u), n);
-    for (int axis = 0; axis < LOFT_AXES; axis++) {
-        out[axis] = 0;
-        for (unsigned k = 0; k < g->points; k++)
-            out[axis] += n[k] * exact_of(p[k].axis[axis]);
-    }
-}
-
-/* Any knot of any curve: nowhere further than said. */
-static void the_curve_stays_within_the_distance(arb *a)
-{
-    const sample *s = arb_bspline(a);
-    const unsigned knot = arb_below(a, s->g.points + s->g.p + 1);
-    const loft_real from = s->g.k[s->g.p], to = s->g.k[s->g.points];
-    static loft_vec p[POINTS_MOST + 2];
-    loft_acc far = 0;
-    grid less = s->g;
-
-    const enum loft_status status = loft_bspline_remove(&s->b, knot, p, less.k, &far);
-    if (status != LOFT_OK) {
-        if (status == LOFT_ERR_ARG)
-            CHECK(knot <= s->g.p || knot >= s->g.points || !(s->g.k[knot] > from) ||
-                  !(s->g.k[knot] < to) || !(s->g.k[knot + 1] > s->g.k[knot]) ||
-                  !(s->g.k[knot] > s->g.k[knot - 1]));
-        return;
-    }
-    less.points--;
-    for (int i = 0; i <= 40; i++) {
-        const loft_real u = loft_lerp(from, to, loft_unit_of((uint32_t)i, 40));
-        long double x[LOFT_AXES], y[LOFT_AXES], sum = 0;
-        bool at_knot = false;
-        for (unsigned k = 0; k <= s->g.points + s->g.p; k++)
-            at_knot = at_knot || !(u < s->g.k[k] || u > s->g.k[k]);
-        if (at_knot)
-            continue;
-        point_of(&s->g, s->p, u, x);
-        point_of(&less, p, u, y);
-        for (int axis = 0; axis < LOFT_AXES; axis++)
-            sum += powl(x[axis] - y[axis], 2);
-        CHECK(sqrtl(sum) <= exact_acc(far) * (1 + 0x1p-40L) + BY_NUM(0x1p-28L, 0x1p-28L, 0x1p-28L));
-    }
-}
-
-static void weighted_point_of(const grid *g, const loft_weighted p[], loft_real u,
-                              long double out[LOFT_AXES])
+/* With weights, from their definition. */
+static void point_of(const grid *g, const loft_weighted p[], loft_real u,
+                     long double out[LOFT_AXES])
 {
     long double n[KNOTS_MOST], weight = 0;
 
@@ -86,12 +40,62 @@ static void weighted_point_of(const grid *g, const loft_weighted p[], loft_real 
         out[axis] /= weight;
 }
 
+/* Are two curves within `far` of each other at places between their knots? */
+static void check_apart(const grid *g, const loft_weighted w[], const grid *less,
+                        const loft_weighted p[], long double far)
+{
+    for (int i = 0; i <= 40; i++) {
+        const loft_real u = loft_lerp(g->k[g->p], g->k[g->points], loft_unit_of((uint32_t)i, 40));
+        long double x[LOFT_AXES], y[LOFT_AXES], sum = 0;
+        bool at_knot = false;
+        for (unsigned k = 0; k <= g->points + g->p; k++)
+            at_knot = at_knot || !(u < g->k[k] || u > g->k[k]);
+        if (at_knot)
+            continue;
+        point_of(g, w, u, x);
+        point_of(less, p, u, y);
+        for (int axis = 0; axis < LOFT_AXES; axis++)
+            sum += powl(x[axis] - y[axis], 2);
+        CHECK(sqrtl(sum) <= far);
+    }
+}
+
+static void weigh(loft_weighted out[], const loft_vec p[], unsigned count)
+{
+    for (unsigned k = 0; k < count; k++)
+        out[k] = (loft_weighted){ p[k], LOFT_REAL(1) };
+}
+
+/* Any knot of any curve: nowhere further than said. */
+static void the_curve_stays_within_the_distance(arb *a)
+{
+    const sample *s = arb_bspline(a);
+    const unsigned knot = arb_below(a, s->g.points + s->g.p + 1);
+    const loft_real from = s->g.k[s->g.p], to = s->g.k[s->g.points];
+    static loft_vec p[POINTS_MOST + 2];
+    static loft_weighted was[POINTS_MOST + 2], is[POINTS_MOST + 2];
+    loft_acc far = 0;
+    grid less = s->g;
+
+    const enum loft_status status = loft_bspline_remove(&s->b, knot, p, less.k, &far);
+    if (status != LOFT_OK) {
+        if (status == LOFT_ERR_ARG)
+            CHECK(knot <= s->g.p || knot >= s->g.points || !(s->g.k[knot] > from) ||
+                  !(s->g.k[knot] < to) || !(s->g.k[knot + 1] > s->g.k[knot]) ||
+                  !(s->g.k[knot] > s->g.k[knot - 1]));
+        return;
+    }
+    less.points--;
+    weigh(was, s->p, s->g.points);
+    weigh(is, p, less.points);
+    check_apart(&s->g, was, &less, is, exact_acc(far) * (1 + 0x1p-40L) + 0x1p-28L);
+}
+
 /* With weights too. */
 static void a_weighted_curve_stays_within_the_distance(arb *a)
 {
     const sample *s = arb_bspline(a);
     const unsigned knot = arb_below(a, s->g.points + s->g.p + 1);
-    const loft_real from = s->g.k[s->g.p], to = s->g.k[s->g.points];
     static loft_weighted w[POINTS_MOST + 2], p[POINTS_MOST + 2];
     long double largest = 0;
     loft_acc far = 0;
@@ -108,21 +112,9 @@ static void a_weighted_curve_stays_within_the_distance(arb *a)
     if (loft_nurbs_remove(&n, knot, p, less.k, &far) != LOFT_OK)
         return;
     less.points--;
-    for (int i = 0; i <= 40; i++) {
-        const loft_real u = loft_lerp(from, to, loft_unit_of((uint32_t)i, 40));
-        long double x[LOFT_AXES], y[LOFT_AXES], sum = 0;
-        bool at_knot = false;
-        for (unsigned k = 0; k <= s->g.points + s->g.p; k++)
-            at_knot = at_knot || !(u < s->g.k[k] || u > s->g.k[k]);
-        if (at_knot)
-            continue;
-        weighted_point_of(&s->g, w, u, x);
-        weighted_point_of(&less, p, u, y);
-        for (int axis = 0; axis < LOFT_AXES; axis++)
-            sum += powl(x[axis] - y[axis], 2);
-        CHECK(sqrtl(sum) <= exact_acc(far) * (1 + 0x1p-40L) + BY_NUM(0x1p-28L, 0, 0) +
-                                largest * BY_NUM(0, 0x1p-44L, 0x1p-44L));
-    }
+    check_apart(&s->g, w, &less, p,
+                exact_acc(far) * (1 + 0x1p-40L) + BY_NUM(0x1p-28L, 0, 0) +
+                    largest * BY_NUM(0, 0x1p-44L, 0x1p-44L));
 }
 
 /* A knot that was inserted goes from a weighted curve, too. */

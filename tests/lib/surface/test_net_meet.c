@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "support/exact.h"          /* exact_of, exact_unit, exact_eval; CHECK, PROPERTY */
-#include "surface/net_meet.h"
+#include "support/meetings.h"       /* distance_from_meetings */
 #include "surface/net_ray.h"
 #include "surface/octant.h"
 
@@ -33,29 +33,6 @@ static unsigned branches(void)
     for (unsigned k = 0; k < count; k++)
         sum += out[k].start;
     return sum;
-}
-
-/* The distance of a place from the branches. */
-static long double distance_from_branches(const long double p[3])
-{
-    long double best = INFINITY;
-
-    for (unsigned k = 0; k < count; k++) {
-        const loft_vec *from = &out[out[k].start ? k : k - 1].point, *to = &out[k].point;
-        long double along = 0, length = 0, sum = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            const long double d = exact_of(to->axis[axis]) - exact_of(from->axis[axis]);
-            along += d * (p[axis] - exact_of(from->axis[axis]));
-            length += d * d;
-        }
-        const long double t = length > 0 ? fmaxl(0, fminl(1, along / length)) : 0;
-        for (int axis = 0; axis < 3; axis++) {
-            const long double a = exact_of(from->axis[axis]), b = exact_of(to->axis[axis]);
-            sum += powl(p[axis] - a - t * (b - a), 2);
-        }
-        best = fminl(best, sqrtl(sum));
-    }
-    return best;
 }
 
 static bool is_closed(unsigned start)
@@ -129,7 +106,7 @@ static void check_crossing(const heights *h, const long double from[2], const lo
         return;                                         /* a branch across a corner may be short */
     for (int axis = 0; axis < 3; axis++)
         p[axis] = height_of(&h->s, u, v, axis);
-    CHECK(distance_from_branches(p) <= 2 * TOL);
+    CHECK(distance_from_meetings(out, count, p) <= 2 * TOL);
 }
 
 static void heights_meet_everywhere_they_cross(arb *a)
@@ -198,7 +175,7 @@ static void branches_cross_where_both_are_level(arb *a)
     for (int k = -50; k <= 50; k++)
         for (int sign = -1; sign <= 1; sign += 2) {
             const long double x = side * k / 50.0L, at[3] = { x, sign * x, 8 - x * x / 8 };
-            CHECK(distance_from_branches(at) <= 2 * TOL);
+            CHECK(distance_from_meetings(out, count, at) <= 2 * TOL);
         }
     for (unsigned k = 0; k < count; k++) {
         const long double x = exact_of(out[k].point.axis[0]), y = exact_of(out[k].point.axis[1]);
@@ -228,7 +205,7 @@ static void cylinders_meet_in_one_curve(arb *a)
     for (int k = 0; k <= 100; k++) {
         const long double turn = 1.57079632679489661923L * k / 100, y = small * cosl(turn),
                           z = small * sinl(turn), at[3] = { sqrtl(big * big - z * z), y, z };
-        CHECK(distance_from_branches(at) <= TOL);
+        CHECK(distance_from_meetings(out, count, at) <= TOL);
     }
     for (unsigned k = 0; k < count; k++) {
         const long double x = exact_of(out[k].point.axis[0]), y = exact_of(out[k].point.axis[1]),
@@ -259,7 +236,7 @@ static void a_plane_cuts_an_octant_in_an_arc(arb *a)
     for (int k = 0; k <= 100; k++) {
         const long double turn = 1.57079632679489661923L * k / 100,
                           at[3] = { r * cosl(turn), r * sinl(turn), height };
-        CHECK(distance_from_branches(at) <= TOL);
+        CHECK(distance_from_meetings(out, count, at) <= TOL);
     }
 }
 
@@ -364,7 +341,7 @@ static void a_line_meets_what_a_ray_meets(arb *a)
             continue;
         for (int axis = 0; axis < 3; axis++)
             at[axis] = exact_of(p[0].axis[axis]) + exact_acc(hit[k].t) * exact_of(d.axis[axis]);
-        CHECK(distance_from_branches(at) <= 2 * TOL);
+        CHECK(distance_from_meetings(out, count, at) <= 2 * TOL);
     }
     for (unsigned k = 0; k < count; k++) {
         bool found = out[k].touch;
@@ -394,7 +371,7 @@ static void a_curve_through_a_patch_is_found(arb *a)
     const long double known[3] = { exact_of(at.axis[0]), exact_of(at.axis[1]),
                                    exact_of(at.axis[2]) };
     CHECK(status == LOFT_OK || status == LOFT_SINGULAR);
-    CHECK(distance_from_branches(known) <= 2 * TOL);
+    CHECK(distance_from_meetings(out, count, known) <= 2 * TOL);
 }
 
 static void what_cannot_meet_is_refused(arb *a)
