@@ -4,7 +4,6 @@
  *
  * own/surfaces.py makes the rows. Where f32 cannot hold a row's numbers, nothing is compared.
  */
-#include <stdlib.h>
 #include <string.h>
 
 #include "vectors/vectors_points.h"         /* as_given; row, answer, law */

@@ -4,8 +4,6 @@
  *
  * own/curves.py makes the rows. Where f32 cannot hold a row's numbers, nothing is compared.
  */
-#include <stdlib.h>
-
 #include "vectors/vectors_points.h"         /* as_given; row, answer, law */
 #include "curve/bounds.h"
 #include "curve/inflections.h"
