@@ -148,8 +148,7 @@ static void curve_frame(row *r)
         const long double error = (k == 0 ? 2 * a / A : 6 * (a * B + b * A) / S) +
                                   BY_NUM(0x1p-17L + 0x1p-32L, 0x1p-25L + 0x1p-40L, 0x1p-48L);
         for (int axis = 0; axis < 3; axis++)
-            row_within(r, column[k],
-                       fabsl(exact_of(frame[k].axis[axis]) - row_next(&text)) * 65536,
+            row_within(r, column[k], fabsl(exact_of(frame[k].axis[axis]) - row_next(&text)) * 65536,
                        error * 65536);
     }
 }
