@@ -184,6 +184,7 @@
 #include "polygon/wachspress.h"
 #include "toolpath/cutter.h"
 #include "toolpath/drop.h"
+#include "toolpath/lines.h"
 #include "toolpath/pencil.h"
 #include "toolpath/raster.h"
 #include "toolpath/region.h"
