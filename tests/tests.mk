@@ -95,7 +95,7 @@ test-axes: $(AXES_EACH)
 	@for t in $(AXES_EACH); do echo "echo '-- $$t'; $$t"; done | bash tests/house/beside.sh
 
 # --- the planner with the effort of a chip: its bounds on times are wider ------------------------
-CHIP_TESTS := plan planner timing
+CHIP_TESTS := plan planner timing any
 CHIP_ROOMS := num geom basis curve kinematics path motion wire machine
 CHIP_SRC   := $(foreach r,$(CHIP_ROOMS),$(sort $(wildcard lib/$(r)/*.c)))
 build/effort/lib/%.o: lib/%.c | lib/names.h

@@ -405,19 +405,21 @@ static loft_coord feed_of(const loft_plan *plan)
     return loft_coord_most(k[0].is.on.feed, k[1].is.on.feed);
 }
 
-static void add_sample(loft_plan *plan)
+static bool add_sample(loft_plan *plan)
 {
     loft_position p;
 
     loft_sample_place(&plan->at, plan->knot, &p);
     loft_emit_add(&plan->emit, &p, feed_of(plan), plan->knot[plan->at.knot].is.on.number);
+    return true;
 }
 
-static void add_end(loft_plan *plan)
+static bool add_end(loft_plan *plan)
 {
     const loft_knot *last = &plan->knot[plan->count - 1];
     loft_emit_end(&plan->emit, &last->point, last->is.on.feed, plan->guess.path.chain.dropped,
                   plan->to, plan->last);
+    return true;
 }
 
 /* One more sample; false: more knots are needed. */
@@ -429,15 +431,11 @@ static bool sample(loft_plan *plan)
         return false;
     if (all && plan->steps == 0)
         set_steps(plan);
-    if (!plan->emit.begun) {
-        add_sample(plan);
-        return true;
-    }
+    if (!plan->emit.begun)
+        return add_sample(plan);
     plan->step++;
-    if (all && plan->step >= plan->steps) {
-        add_end(plan);
-        return true;
-    }
+    if (all && plan->step >= plan->steps)
+        return add_end(plan);
     loft_sample next = plan->at;
     (void)loft_sample_pass(&next, plan->knot, plan->sure, step_of(plan));
     if (!all && next.knot >= plan->sure) {
@@ -445,8 +443,7 @@ static bool sample(loft_plan *plan)
         return false;
     }
     plan->at = next;
-    add_sample(plan);
-    return true;
+    return add_sample(plan);
 }
 
 static void begin(loft_plan *plan)

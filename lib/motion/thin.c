@@ -297,6 +297,8 @@ typedef struct {
 
 static int64_t floor_of(int64_t x, int32_t n) { return x >= 0 ? x / n : -((n - 1 - x) / n); }
 
+static int64_t within(int64_t x, int64_t most) { return x > most ? most : x < -most ? -most : x; }
+
 static int64_t square_of(int64_t x) { return x * x; }
 
 /* What is wanted of an axis in a span: 6 v, 6 n0, 6 n1 and 6 times the way to its end, in units; if
@@ -352,7 +354,9 @@ static steps_of_axis rounded(const wanted *w)
             x.v = 0;
         } else {
             const int32_t six_v = left - (int32_t)(2 * x.n0 + x.n1);
-            x.v += six_v >= 0 ? six_v / 6 : -((5 - six_v) / 6);
+            x.v = within(x.v + (six_v >= 0 ? six_v / 6 : -((5 - six_v) / 6)), w->speed);
+            x.v = within(x.v + x.n0, w->speed) - x.n0;
+            x.v = within(x.v + x.n0 + x.n1, w->speed) - x.n0 - x.n1;
         }
         const int64_t cost = cost_of(x, w);
         if (cost < least) {
@@ -372,8 +376,6 @@ static int64_t most_of_last(const loft_thin *t, int i)
     return least(t->period->jerk[i] * last / whole, t->period->accel[i]) * last * last /
            (6 * whole * whole);
 }
-
-static int64_t within(int64_t x, int64_t most) { return x > most ? most : x < -most ? -most : x; }
 
 /* Whole grains of a limit. */
 static int64_t grains_of(int64_t x) { return over(x / (SIX_GRAINS / 3), 3); }

@@ -6,18 +6,13 @@
  */
 #include "path/path.h"
 
-#include "num/part.h"       /* loft_part, loft_doublings */
-
 #define ONE         LOFT_CORNER_ONE                 /* a period, in times of corners */
 /* Little effort: away from corners places are farther apart, so fewer of them look ahead as far. */
 #define STEP_MAX    (LOFT_PLAN_EFFORT > 1 ? ONE : ONE * 7 / 4)
 #define REACH       48                              /* periods that corners are known ahead */
 #define STEPS       12                              /* and more to the next corner */
-#define PART_ONE    (INT32_C(1) << 24)              /* a part */
 #define AHEAD       6                               /* places that are settled */
 #define SPARE       2
-#define ROUNDS      4                               /* towards the nearest place of a cubic */
-#define NEAR        (PART_ONE / 256)
 
 
 // Places
@@ -189,180 +184,24 @@ static enum loft_path_state march(loft_path *path, loft_path_waiting *out)
 }
 
 
-// The cubic through places
-// ------------------------
-
-static void legs_of(const loft_position *a, const loft_position *b, loft_coord leg[])
-{
-    for (int i = 0; i < LOFT_AXES; i++)
-        leg[i] = loft_coord_sub(b->axis[i], a->axis[i]);
-}
-
-static loft_coord largest(const loft_coord x[])
-{
-    loft_coord most = 0;
-    for (int i = 0; i < LOFT_AXES; i++)
-        most = loft_coord_abs(x[i]) > most ? loft_coord_abs(x[i]) : most;
-    return most;
-}
-
-/* Half of what a leg differs by from the chord: of one much longer, half the chord at most, so that
- * the cubic does not turn back. At a sharp place there is none. */
-static void set_turn(loft_coord leg[], const loft_coord chord[], bool sharp)
-{
-    const int64_t size = largest(leg), most = 2 * (int64_t)largest(chord);
-
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const int64_t part = size > most ? leg[i] * most / size : leg[i];
-        leg[i] = sharp ? 0 : (loft_coord)((part - chord[i]) / 2);
-    }
-}
-
-/* P + z (chord + (1 - z) ((1 - z) before - z after)). */
-typedef struct {
-    const loft_position *from;
-    loft_coord before[LOFT_AXES], chord[LOFT_AXES], after[LOFT_AXES];
-} between;
-
-static between between_of(const loft_path_place *const at[4])
-{
-    between w = { .from = &at[1]->at };
-
-    legs_of(&at[0]->at, &at[1]->at, w.before);
-    legs_of(&at[1]->at, &at[2]->at, w.chord);
-    legs_of(&at[2]->at, &at[3]->at, w.after);
-    set_turn(w.before, w.chord, at[1]->sharp);
-    set_turn(w.after, w.chord, at[2]->sharp);
-    return w;
-}
-
-/* x z / 2^24, too small by less than 3; |z| <= 2^24. */
-static int32_t times(int32_t x, int32_t z)
-{
-    return 2 * loft_part(x, z >> 9) + ((x >> 15) * (z & 511) >> 9);
-}
-
-/* (1 - z) before - z after */
-static int32_t bow_at(const between *w, int i, int32_t z)
-{
-    return times(w->before[i], PART_ONE - z) - times(w->after[i], z);
-}
-
-static void place_between(const between *w, int32_t z, loft_position *out)
-{
-    const int32_t in = times(z, PART_ONE - z);
-
-    for (int i = 0; i < LOFT_AXES; i++)
-        out->axis[i] = loft_coord_add(w->from->axis[i],
-                                      times(w->chord[i], z) + times(bow_at(w, i, z), in));
-}
-
-void loft_path_between(const loft_path_place *const at[4], int32_t z, loft_position *out)
-{
-    const between w = between_of(at);
-    place_between(&w, z, out);
-}
-
-/* Its derivative by z. */
-static void tangent_between(const between *w, int32_t z, loft_coord out[])
-{
-    const int32_t y = PART_ONE - z, in = times(z, y);
-
-    for (int i = 0; i < LOFT_AXES; i++)
-        out[i] = w->chord[i] + times(bow_at(w, i, z), y - z) -
-                 times(w->before[i] + w->after[i], in);
-}
-
-/* By how many bits the largest is longer than that. */
-static int excess(const loft_coord x[], int bits)
-{
-    const int n = 30 - bits - loft_doublings((uint32_t)largest(x) | 1);
-    return n > 0 ? n : 0;
-}
-
-/* The part of the tangent that `off` is along it, 2^-24: with 13 bits of the one and 14 of the
- * other sums have 30, and the quotient has 14. */
-static int32_t part_along(const loft_coord off[], const loft_coord tangent[])
-{
-    const int down = excess(tangent, 13), low = excess(off, 14);
-    int32_t dot = 0, square = 0;
-
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const int32_t e = tangent[i] >> down;
-        dot += (off[i] >> low) * e;
-        square += e * e;
-    }
-    if (dot == 0 || square == 0)
-        return 0;
-    const int up = loft_doublings((uint32_t)loft_coord_abs(dot)),
-              by = 15 - loft_doublings((uint32_t)square),
-              shift = 24 + low - down - up - (by > 0 ? by : 0);
-    const int32_t q = dot * ((int32_t)1 << up) / (square >> (by > 0 ? by : 0));
-    return shift <= 0 ? q >> (shift > -31 ? -shift : 31)
-           : shift < 14 && loft_coord_abs(q) < INT32_C(1) << (26 - shift)
-               ? q * ((int32_t)1 << shift)
-           : q > 0 ? 2 * PART_ONE
-                   : -2 * PART_ONE;
-}
-
-/* How far it is off its tangent at most, a part of it farther. */
-static loft_coord bend_of(const between *w, int32_t part)
-{
-    const loft_coord x = times(times(largest(w->before) + largest(w->after), part), part);
-    return 4 * loft_coord_least(x, INT32_C(1) << 27);
-}
-
-/* Along its tangent, until that is near; then across it, but beyond the ends of the cubic. */
-static loft_coord off_between(const between *w, int32_t z, const loft_position *p)
-{
-    for (int round = 0;; round++) {
-        loft_position on;
-        loft_coord off[LOFT_AXES], tangent[LOFT_AXES];
-
-        place_between(w, z, &on);
-        tangent_between(w, z, tangent);
-        legs_of(&on, p, off);
-        const int32_t part = part_along(off, tangent), next = z + part,
-                      to = next < 0          ? 0
-                           : next > PART_ONE ? PART_ONE
-                                             : next;
-        if (round < ROUNDS && loft_coord_abs(to - z) > NEAR) {
-            z = to;
-            continue;
-        }
-        if (to != next)
-            return loft_coord_length(off);
-        for (int i = 0; i < LOFT_AXES; i++)
-            off[i] -= times(tangent[i], part);
-        return loft_coord_length(off) + bend_of(w, part);
-    }
-}
-
-loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const loft_position *p)
-{
-    const between w = between_of(at);
-    return off_between(&w, z, p);
-}
-
-
 // Checked places
 // --------------
 
-/* The places around the way from place k to the next. */
-static void four(const loft_path_waiting queue[], unsigned count, unsigned k,
-                 const loft_path_place *at[4])
+/* The n places from place k on; those after the last one are itself. */
+static void places_from(const loft_path *path, unsigned k, unsigned n, const loft_path_place *at[])
 {
-    for (unsigned i = 0; i < 4; i++)
-        at[i] = &queue[k + i - 1 < count ? k + i - 1 : count - 1].on;
+    for (unsigned i = 0; i < n; i++)
+        at[i] = &path->queue[k + i < path->queued ? k + i : path->queued - 1u].on;
 }
 
 /* How far the path is at s from the cubic, near its part z. */
-static loft_coord off_at(const loft_chain_walk *w, int64_t s, const between *cubic, int32_t z)
+static loft_coord off_at(const loft_chain_walk *w, int64_t s, const loft_path_cubic *cubic,
+                         int32_t z)
 {
     loft_position p;
 
     loft_chain_place(w, s, &p);
-    return off_between(cubic, z, &p);
+    return loft_path_cubic_off(cubic, z, &p);
 }
 
 /* The last walk that has not passed s. */
@@ -392,16 +231,16 @@ static loft_coord skipped(loft_path *path, unsigned k)
     const loft_path_place *at[4];
     loft_coord most = 0;
 
-    four(path->queue, path->queued, k, at);
+    places_from(path, k - 1, 4, at);
     const int64_t from = path->queue[k].s, way = path->queue[k + 1].s - from;
     if (way <= 0)
         return 0;
-    const between cubic = between_of(at);
+    const loft_path_cubic cubic = loft_path_cubic_of(at);
     loft_chain_walk w = *walk_before(path, from);
     while (from >= w.s + w.length && follow(path, &w))
         ;
     const int step = from + way <= w.s + w.length ? 2 : 1;
-    for (int n = step; n < 8; n += step) {
+    for (int n = step; n <= 8; n += step) {
         const int64_t s = from + way * n / 8;
         while (s > w.s + w.length) {
             const int64_t joint = w.s + w.length;
@@ -411,7 +250,7 @@ static loft_coord skipped(loft_path *path, unsigned k)
             if (!follow(path, &w))
                 break;
         }
-        const loft_coord off = off_at(&w, s, &cubic, (int32_t)n << 21);
+        const loft_coord off = n < 8 ? off_at(&w, s, &cubic, (int32_t)n << 21) : 0;
         most = off > most ? off : most;
     }
     path->last = w;
@@ -463,6 +302,41 @@ static bool is_better_halved(loft_path *path, unsigned k, loft_coord whole)
     return false;
 }
 
+/* The longest of the ways around place k, if it is so long beside shorter ones, or a tip, that the
+ * path leaves the tolerance before it is smoothed: at the place, or in the middle of the way to it,
+ * where what one is longer by than twice that matters by an 18th. Of even ways smoothing takes off
+ * a quarter of the tolerance. Ways as short as that do not matter. 0: there is none. */
+static unsigned too_long(const loft_path *path, unsigned k)
+{
+    const loft_path_place *at[6];
+    const loft_period *p = path->chain.period;
+    const loft_path_waiting *q = path->queue;
+    unsigned longest = k, n;
+    int64_t most = 0, least = INT64_MAX;
+
+    if (k < 3)
+        return 0;
+    for (n = k - 2; n < k + 2 && n + 1 < path->queued; n++) {
+        const int64_t way = q[n + 1].s - q[n].s;
+        if (way > most)
+            longest = n;
+        most = way > most ? way : most;
+        least = way < least ? way : least;
+    }
+    const loft_coord skip = loft_coord_most(loft_path_skip(&q[k].on), loft_path_skip(&q[k - 1].on)),
+                     left = p->tube + (q[k].on.loose && q[k - 1].on.loose ? p->more : 0) - skip;
+    if (most < 2 * (int64_t)p->tol)
+        return 0;
+    places_from(path, k - 2, 5, at);
+    const loft_coord even = most < 2 * least && !loft_path_turns_back(at) ? p->tol / 4 : 0;
+    if (loft_path_missed(at, left + even))
+        return longest;
+    if (most <= 2 * (q[k].s - q[k - 1].s) + 18 * (int64_t)left)
+        return 0;
+    places_from(path, k - 3, 6, at);
+    return loft_path_missed_between(at) > left ? longest : 0;
+}
+
 /* Set what is skipped from place k to the next; gives that, or 0, if no place is wanted between. */
 static loft_coord coarse(loft_path *path, unsigned k)
 {
@@ -485,10 +359,15 @@ static void settle(loft_path *path)
         const bool full = path->queued >= LOFT_PATH_QUEUE - (k > 2 ? SPARE : 0);
         if (skip > 0 && full && k > 1)
             break;
-        if (skip > 0 && !full && is_better_halved(path, k, skip))
-            path->settled = (uint8_t)(k > 2 ? k - 2 : 0);
-        else
-            path->settled++;
+        unsigned at = skip > 0 && !full && is_better_halved(path, k, skip) ? k : 0;
+        if (at == 0) {
+            at = too_long(path, k);
+            if (at > 0 && full)
+                break;
+            if (at > 0)
+                halve(path, at);
+        }
+        path->settled = (uint8_t)(at == 0 ? k : at > 2 ? at - 2 : 0);
     }
 }
 

@@ -11,39 +11,12 @@
 #define LOFT_PATH_PATH_H
 
 #include "path/corner.h"  /* loft_corners */
+#include "path/place.h"   /* loft_path_place   */
 
 LOFT_BEGIN_C
 
 /* Places that are checked before they are given. */
 #define LOFT_PATH_QUEUE     12
-
-/* A place of the path. */
-typedef struct {
-    loft_coord feed;        /* the speed that is asked for from the last place to this one */
-    uint16_t   number;      /* of its curve */
-    bool       sharp;       /* it is a corner */
-    bool       loose;       /* up to the next one it is near corners */
-    loft_position at;
-    uint16_t   skip;        /* how far the path is from the cubic through four places
-                             * (loft_path_between), from this one to the next, grains */
-    uint16_t   room;        /* how far a control point may be moved, grains: tube.h */
-} loft_path_place;
-
-static inline loft_coord loft_path_skip(const loft_path_place *p)
-{
-    return p->skip * LOFT_COORD_GRAIN;
-}
-
-static inline void loft_path_set_skip(loft_path_place *p, loft_coord skip)
-{
-    p->skip = loft_coord_grains(skip + LOFT_COORD_GRAIN - 1);
-}
-
-/* How far the motion may be from the path, from this place to the next. */
-static inline loft_coord loft_path_tol(const loft_period *p, const loft_path_place *from)
-{
-    return p->tol + (from->loose ? p->more : 0);
-}
 
 /* One that waits, at the length s from the start of the chain. */
 typedef struct {
@@ -83,16 +56,6 @@ enum loft_path_state loft_path_next(loft_path *path, loft_path_place *out);
 
 /* Begin the next chain, after the end of the last one. */
 void loft_path_begin(loft_path *path);
-
-/* The cubic from b to c, of the places a, b, c, d: at part z, 2^-24, of the way. It ends along its
- * chord at a sharp place. */
-void loft_path_between(const loft_path_place *const at[4], int32_t z, loft_position *out);
-
-/* How far p is from it, near that part.
- *
- *   error   never too small
- */
-loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const loft_position *p);
 
 LOFT_END_C
 

@@ -74,45 +74,26 @@ static loft_coord off_between(const loft_knot knot[], unsigned k, const loft_pat
     return loft_path_off(at, INT32_C(1) << 23, &p);
 }
 
-static void four(const loft_knot knot[], unsigned k, const loft_path_place *at[])
+static void places_from(const loft_knot knot[], unsigned k, unsigned n, const loft_path_place *at[])
 {
-    for (unsigned i = 0; i < 4; i++)
-        at[i] = &knot[k + i - 1].is.on;
+    for (unsigned i = 0; i < n; i++)
+        at[i] = &knot[k + i].is.on;
 }
 
-/* Does the path turn back at knot k? */
-static bool turns_back(const loft_knot knot[], unsigned k)
-{
-    int64_t dot = 0;
-
-    for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_coord at = knot[k].is.on.at.axis[i];
-        dot += (int64_t)(loft_coord_sub(at, knot[k - 1].is.on.at.axis[i]) >> 2) *
-               (loft_coord_sub(knot[k + 1].is.on.at.axis[i], at) >> 2);
-    }
-    return dot < 0;
-}
-
-/* The same at knot k, where it is D4 / 36 off: from the way before it or from the way behind it.
- * Where the path turns back its tip is as far from the spline. */
+/* The same at knot k, where it is D4 / 36 off. */
 static loft_coord off_at(const loft_knot knot[], unsigned k)
 {
-    const loft_path_place *before[4], *behind[4];
+    const loft_path_place *around[5];
     loft_coord a[LOFT_AXES], b[LOFT_AXES], c[LOFT_AXES];
     loft_position p;
 
-    four(knot, k - 1, before);
-    four(knot, k, behind);
+    places_from(knot, k - 2, 5, around);
     centre_of(knot, k - 1, a);
     centre_of(knot, k, b);
     centre_of(knot, k + 1, c);
     for (int i = 0; i < LOFT_AXES; i++)
         p.axis[i] = loft_coord_add(b[i], sixth(second(a[i], b[i], c[i])));
-    if (turns_back(knot, k))
-        return loft_position_distance(&knot[k].is.on.at, &p);
-    const loft_coord x = loft_path_off(before, INT32_C(1) << 24, &p),
-                     y = loft_path_off(behind, 0, &p);
-    return x < y ? x : y;
+    return loft_path_miss(around, &p);
 }
 
 /* The part of the tolerance that is left between knot k and the next. `off`: how far it is off at
@@ -122,7 +103,7 @@ static loft_coord left_between(const loft_period *p, const loft_knot knot[], uns
 {
     const loft_path_place *here[4];
 
-    four(knot, k, here);
+    places_from(knot, k - 1, 4, here);
     const loft_coord x = *off, y = off_at(knot, k + 1), z = off_between(knot, k, here);
     *off = y;
     return p->tube + (knot[k].is.on.loose ? p->more : 0) - loft_path_skip(&knot[k].is.on) -

@@ -6,19 +6,21 @@
 
 /* Each of them exceeded a limit once, or seemed to, by one planner or another: ends that turn
  * around, loops and teeth below the tolerance, changes of the feed, curves that come late. */
-static const uint32_t once[] = {
-    494,   1036,  1442,  2918,    1582,    2952,    2954,    4389,    7203,    1547,   294,
-    300,   970,   4351,  860,     54890,   4201,    38499,   1005,    2351,    52033,  56225,
-    57847, 62692, 64011, 53112,   74767,   112815,  116982,  19732,   34848,   38774,  89907,
-    35225, 86786, 40446, 2001219, 2001383, 2001861, 2000886, 2002549, 3000081, 3100411
-};
+static const uint32_t once[] = { 494,     1036,     1442,     2918,    1582,    2952,    2954,
+                                 4389,    7203,     1547,     294,     300,     970,     4351,
+                                 860,     54890,    4201,     38499,   1005,    2351,    52033,
+                                 56225,   57847,    62692,    64011,   53112,   74767,   112815,
+                                 116982,  19732,    34848,    38774,   89907,   35225,   86786,
+                                 40446,   2001219,  2001383,  2001861, 2000886, 2002549, 3000081,
+                                 3100411, 20009472, 20070336, 20093728 };
 
 /* The same, of curves of at most 2 mm: ends that came too fast for the last period, and tips that
- * were lost, where the path turns back. */
+ * were lost, where the path turns back; a way much longer than the one before it. */
 static const uint32_t once_small[] = { 20000387, 20000558, 20008242, 20011011, 20025454, 20027738,
                                        20027929, 20029540, 20032867, 20036547, 20038891, 20040708,
                                        20049967, 20052128, 20058871, 20001198, 20025008, 20044723,
-                                       20112143, 20109484, 20143362, 20004906 };
+                                       20112143, 20109484, 20143362, 20004906, 20023169, 20253991,
+                                       20211987, 20054031, 20149897 };
 
 static void none_is_a_violation(const uint32_t seeds[], unsigned n)
 {
