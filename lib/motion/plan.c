@@ -16,6 +16,7 @@
 #define AT_ONCE   (ALL ? SWEEPS : 6) /* of them in a part */
 #define RAISES    (ALL ? 4 : 1)      /* of a whole chain 4 times as many */
 #define REFINED   2
+#define BENDS     (LOFT_TIME_ONE / (ALL ? 4 : 2)) /* more for the end of a chain that bends */
 #define SETTLED   64 /* knots before new ones that are raised again */
 #define MARGIN    4  /* of them, by which is seen if ones before hinder */
 #define CREEP     (LOFT_V2_ONE / 1024)
@@ -363,10 +364,10 @@ static bool has_spare(const loft_plan *plan)
 }
 
 /* The time that is left comes to whole ticks: periods, and the last one, which has some more or
- * less; in bends a quarter of one more, since timing does not look at limits between its knots, and
- * emit has no later points for what exceeds them. Each is somewhat shorter, the more the nearer to
- * the end; in a chain of which none has been used all the same. On a line they may be longer
- * instead, where only the jerk is at its limit: spans are made to hold it. */
+ * less; in bends a quarter of one more (a half with little effort), since timing does not look at
+ * limits between its knots, and emit has no later points. Each is somewhat shorter, the more the
+ * nearer to the end; in a chain of which none has been used all the same. On a line they may be
+ * longer instead, where only the jerk is at its limit: spans are made to hold it. */
 static void set_steps(loft_plan *plan)
 {
     const uint32_t period = plan->period.ticks;
@@ -375,7 +376,7 @@ static void set_steps(loft_plan *plan)
     for (unsigned k = plan->at.knot; k < plan->sure; k++)
         left += loft_sample_time(plan->knot, k);
     const bool straight = is_straight(plan);
-    const loft_time more = !straight ? -LOFT_TIME_ONE / 4 : has_spare(plan) ? left / 100 : 0;
+    const loft_time more = !straight ? -BENDS : has_spare(plan) ? left / 100 : 0;
     const uint32_t least = (uint32_t)(((left - more) * period + LOFT_TIME_ONE - 1) / LOFT_TIME_ONE),
                    unit = 2 * period > LOFT_SPAN_TICKS_MAX ? period : 1,
                    n = least > 4 * period ? least + (unit - 1) - (least + unit - 1) % unit

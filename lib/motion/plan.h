@@ -102,7 +102,7 @@ enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out);
  * again.
  *
  *   error   as loft_plan_next
- *   cost    effort 1, 112 knots: Cortex-M4 0.9 million instructions at most, M0 1.8 million
+ *   cost    effort 1, 112 knots: Cortex-M4 0.9 million instructions at most, M0 1.9 million
  */
 enum loft_plan_state loft_plan_part(loft_plan *plan, loft_span *out);
 

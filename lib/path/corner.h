@@ -13,7 +13,7 @@ LOFT_BEGIN_C
 
 /* Corners that are known ahead, and stretches of the path around one. */
 #define LOFT_CORNERS_MOST   (LOFT_PLAN_EFFORT > 1 ? 48 : 24)
-#define LOFT_CORNERS_STRETCHES (LOFT_PLAN_EFFORT > 1 ? 40 : 28)
+#define LOFT_CORNERS_STRETCHES (LOFT_PLAN_EFFORT > 1 ? 40 : 26)
 /* Parts of the path near corners: the next ones, if they have a tolerance of their own. */
 #define LOFT_CORNERS_ZONES  (LOFT_PLAN_EFFORT > 1 ? 16 : 8)
 /* A period, in times of corners. */

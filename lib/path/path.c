@@ -11,7 +11,7 @@
 #define STEP_MAX    (LOFT_PLAN_EFFORT > 1 ? ONE : ONE * 7 / 4)
 #define REACH       48                              /* periods that corners are known ahead */
 #define STEPS       12                              /* and more to the next corner */
-#define AHEAD       6                               /* places that are settled */
+#define AHEAD       8                               /* places that are settled */
 #define SPARE       2
 
 

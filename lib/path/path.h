@@ -16,7 +16,7 @@
 LOFT_BEGIN_C
 
 /* Places that are checked before they are given. */
-#define LOFT_PATH_QUEUE     12
+#define LOFT_PATH_QUEUE     14
 
 /* One that waits, at the length s from the start of the chain. */
 typedef struct {
