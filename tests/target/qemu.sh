@@ -106,7 +106,7 @@ board() {
     case $fault in
     none)   ;;
     killed) row "$what: the second one goes on at this share of the job" \
-                "$(awk '/^resuming at item/ { printf "%.2f", $4 / $6 }' "$at/err")" "<=" 0.99
+                "$(awk '/^resuming at item/ { printf "%.2f", $4 / $NF }' "$at/err")" "<=" 0.99
             return ;;
     *)      row "$what: bytes damaged, and times that the cable was out" \
                 "$(awk '{ print $2 + $4 }' "$at/line")" ">=" 3
