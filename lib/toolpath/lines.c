@@ -13,12 +13,15 @@
  *
  *     T   = P + r (nu - z)        T_v = P_v + r (w - nu (nu w))
  *
- * D_u and D_uv are scaled together by a power of two so that a component of D_u reaches 2^11, and so
- * are D_v and D_vv: short differences lose nothing when a grid rounds them. N is below 2^25, N_v
- * below 2^28. */
+ * D_u and D_uv are scaled together by a power of two, so that a component of D_u reaches 2^11, and
+ * so are D_v and D_vv: short differences lose nothing when a grid rounds them. N is below 2^25, N_v
+ * below 2^28.
+ */
 #include "toolpath/lines.h"
 
 #define SCALED 4096         /* no component of a first difference is larger */
+
+#define Z (LOFT_AXES < 3 ? 0 : 2)
 
 enum { RISE, CROSS, SINK, CUT, LINK, OVER };
 
@@ -182,14 +185,14 @@ static bool cut_curve(loft_lines *l, loft_cubic *out)
 {
     if (l->place == l->way.columns)
         return false;
-    const unsigned free = slot_of(l, l->place);
-    const loft_tip a = l->row[free], b = l->row[slot_of(l, l->place + 1u)];
+    const unsigned slot = slot_of(l, l->place);
+    const loft_tip a = l->row[slot], b = l->row[slot_of(l, l->place + 1u)];
 
     out->p[0] = a.tip;
     out->p[1] = l->back ? loft_vec_sub(a.tip, a.handle) : loft_vec_add(a.tip, a.handle);
     out->p[2] = l->back ? loft_vec_add(b.tip, b.handle) : loft_vec_sub(b.tip, b.handle);
     out->p[3] = l->at = b.tip;
-    add_tip(l, free);
+    add_tip(l, slot);
     if (++l->place == l->way.columns)
         add_tip(l, slot_of(l, l->place));
     return true;
@@ -216,8 +219,11 @@ bool loft_lines_next(loft_lines *l, loft_cubic *out, bool *cuts)
                 return true;
             turn(l);
             continue;
-        case RISE: to = l->at; /* fall through */
-        case CROSS: to.axis[LOFT_AXES < 3 ? 0 : 2] = l->way.safe; break;
+        case RISE:
+            to = l->at;
+            to.axis[Z] = l->way.safe;
+            break;
+        case CROSS: to.axis[Z] = l->way.safe; break;
         case SINK:
         case LINK: break;
         default: return false;
@@ -240,10 +246,8 @@ enum loft_status loft_lines_init(loft_lines *l, const loft_tensor *s, const loft
         return LOFT_SINGULAR;
     if (count <= way->columns)
         return LOFT_ERR_SPACE;
-    l->net = s->p;
     l->way = *way;
     l->row = row;
-    l->m = s->m;
     l->n = s->n;
     l->at = l->start = *start;
     l->line = l->place = 0;

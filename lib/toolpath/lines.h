@@ -14,7 +14,7 @@
  *             ..                      // from `here`, over the patch, and back to `here`
  *
  * Five grids (surface/tensor/grid.h) walk the patch and the nets of its differences: P, P_u and P_v
- * give T, P_uv and P_vv its derivative. A curve is the cubic of Hermite between two of these points.
+ * give T, P_uv and P_vv its derivative. A curve is the cubic of Hermite between two such points.
  */
 #ifndef LOFT_TOOLPATH_LINES_H
 #define LOFT_TOOLPATH_LINES_H
@@ -55,7 +55,6 @@ typedef struct {
 
 /* Lines in progress. The struct is complete so that it can be static; do not rely on its fields. */
 typedef struct {
-    const loft_vec *net;
     loft_lines_way way;
     loft_vec u[12], v[12], uv[9], vv[8];        /* differences, those of u and v scaled */
     loft_grid walk[5];
@@ -64,7 +63,7 @@ typedef struct {
     loft_vec at, start;
     int32_t scale;              /* of v */
     uint16_t line, place;       /* this line; curves of it that are given */
-    uint8_t m, n, phase;
+    uint8_t n, phase;           /* the degree along v */
     bool down;                  /* P_u x P_v looks down */
     bool near;                  /* lines are joined along the edge */
     bool back, mirrored;        /* this line is cut backward; lies backward in `row` */
@@ -103,9 +102,9 @@ enum loft_status loft_lines_init(loft_lines *l, const loft_tensor *s, const loft
  *
  *   shape   *cuts: along the patch, down to it, or from line to line along its edge; otherwise a
  *           way up or at the safe height
- *   error   within tol of T, along a line and along its edge. Tips: q16: 2 LSB + radius 2^-24 + that
- *           of a direction of 2^-26 |P_u| |P_v| / |P_u x P_v|   f32: 4 ulp, 2^-20   f64: 2^-24 of
- *           the radius
+ *   error   within tol of T, along a line and along its edge. Tips: q16: 2 LSB + radius 2^-24, and
+ *           that of a direction of 2^-26 |P_u| |P_v| / |P_u x P_v|   f32: 4 ulp, 2^-20   f64: 2^-24
+ *           of the radius
  *   cost    two points of loft_grid_next in five grids, two roots, 24 quotients
  *   see     Farouki, Pythagorean-Hodograph Curves (2008): offsets; de Boor, A Practical Guide to
  *           Splines: cubic Hermite interpolation

@@ -13,19 +13,19 @@
  *     E = P_u P_u    F = P_u P_v    G = P_v P_v    L = P_uu N    M = P_uv N    K = P_vv N
  *
  * and they are below where that holds from 0 to x. Each vector is known within a radius around a
- * centre, and so are the products. Then T is regular. Were a ball too large elsewhere, a smaller one
- * would touch at both ends of a diameter (Federer, Curvature measures, 1959; Aamari, Berenfeld, Levrard, Optimal reach estimation, 2023):
- * one of these normals would look down.
+ * centre, and so are the products. Then T is regular. Were a ball too large elsewhere, a smaller
+ * one would touch at both ends of a diameter (Federer, Curvature measures, 1959; Aamari, Berenfeld,
+ * Levrard, Optimal reach estimation, 2023): one of these normals would look down.
  *
  * nu = N (N N)^-1/2. Let |N^(k)| <= k! c_k |N| be the derivatives along v. Then the k-th derivative
  * of nu is at most k! times the coefficient of t^k in the series with A = 1 + c_1 t + c_2 t^2 ..
  *
  *     A (2 - A^2)^-1/2 = A (1 + D / 2 + 3/8 D^2 + 5/16 D^3 + 35/128 D^4 ..),  D = A^2 - 1
  *
- * because each coefficient of (N N)^-1/2 is a polynomial of those of N N, with positive coefficients
- * when the signs of D are made the same. The patch is cubic along v: its own fourth derivative is 0.
- * A cubic of Hermite over h leaves a function by at most h^4 / 384 of its fourth derivative, a chord
- * by h^2 / 8 of its second.
+ * because each coefficient of (N N)^-1/2 is a polynomial of those of N N, with positive
+ * coefficients when the signs of D are made the same. The patch is cubic along v: its own fourth
+ * derivative is 0. A cubic of Hermite over h leaves a function by at most h^4 / 384 of its fourth
+ * derivative, a chord by h^2 / 8 of its second.
  */
 #include "num/sci.h"
 #include "toolpath/lines.h"
@@ -157,7 +157,7 @@ typedef struct {
 } around;
 typedef struct {
     loft_sci mid, half;
-} range;
+} spread;
 
 static void set_around(around *x, const loft_sci at[3], loft_sci radius)
 {
@@ -193,26 +193,26 @@ static void bound_derivative(const part_bound *b, unsigned a, unsigned c, around
                      factor));
 }
 
-static range product_of(const around *x, const around *y, int32_t sign)
+static spread product_of(const around *x, const around *y, int32_t sign)
 {
-    const range r = { times(loft_sci_dot3(x->at, y->at), sign),
+    const spread r = { times(loft_sci_dot3(x->at, y->at), sign),
                       loft_sci_add(loft_sci_mul(x->length, y->radius),
-                                   loft_sci_mul(loft_sci_add(y->length, y->radius), x->radius)) };
+                                    loft_sci_mul(loft_sci_add(y->length, y->radius), x->radius)) };
     return r;
 }
 
-static range multiply(range x, range y)
+static spread multiply(spread x, spread y)
 {
-    const range r = { loft_sci_mul(x.mid, y.mid),
+    const spread r = { loft_sci_mul(x.mid, y.mid),
                       loft_sci_add(
-                          loft_sci_mul(loft_sci_abs(x.mid), y.half),
-                          loft_sci_mul(loft_sci_add(loft_sci_abs(y.mid), y.half), x.half)) };
+                           loft_sci_mul(loft_sci_abs(x.mid), y.half),
+                           loft_sci_mul(loft_sci_add(loft_sci_abs(y.mid), y.half), x.half)) };
     return r;
 }
 
-static range add_range(range x, range y, int32_t by)
+static spread add_range(spread x, spread y, int32_t by)
 {
-    const range r = { loft_sci_add(x.mid, times(y.mid, by)),
+    const spread r = { loft_sci_add(x.mid, times(y.mid, by)),
                       loft_sci_add(x.half, times(y.half, by < 0 ? -by : by)) };
     return r;
 }
@@ -227,15 +227,15 @@ static bool ball_fits(const part_bound *b, loft_real tool)
     bound_derivative(b, 1, 0, &u);
     bound_derivative(b, 0, 1, &v);
     bound_derivative(b, 2, 0, &second);
-    const range l = product_of(&second, &n, up);
+    const spread l = product_of(&second, &n, up);
     bound_derivative(b, 0, 2, &second);
-    const range k = product_of(&second, &n, up);
+    const spread k = product_of(&second, &n, up);
     bound_derivative(b, 1, 1, &second);
-    const range m = product_of(&second, &n, up),
-                sum = add_range(add_range(multiply(product_of(&u, &u, 1), k),
-                                          multiply(product_of(&v, &v, 1), l), 1),
-                                multiply(product_of(&u, &v, 1), m), -2),
-                product = add_range(multiply(l, k), multiply(m, m), -1);
+    const spread m = product_of(&second, &n, up),
+                 sum = add_range(add_range(multiply(product_of(&u, &u, 1), k),
+                                           multiply(product_of(&v, &v, 1), l), 1),
+                                 multiply(product_of(&u, &v, 1), m), -2),
+                 product = add_range(multiply(l, k), multiply(m, m), -1);
     /* 1 - t x + d x^2 for x = 0 .. radius */
     const loft_sci most = loft_sci_add(sum.mid, sum.half),
                    least = loft_sci_sub(product.mid, product.half),
@@ -323,7 +323,8 @@ static loft_sci bound_rounding(const part_bound *b, const loft_lines_way *way, l
                                                                loft_sci_mul(grid, skew))));
 }
 
-/* Is `bend` h^order / share within what is left of the tolerance, h = 1 / steps of 2^level parts? */
+/* Is `bend` h^order / share within what is left of the tolerance? h is 1 / steps of 2^level parts.
+ */
 static bool step_fits(loft_sci bend, uint16_t steps, unsigned level, unsigned order, int32_t share,
                       loft_sci left)
 {

@@ -10,7 +10,8 @@
 
 #define STEPS 8                 /* halvings of a step before a valley is over */
 
-static const unsigned upright = LOFT_AXES > 2 ? 2 : 0, across = LOFT_AXES > 1 ? 1 : 0;
+static const unsigned upright = LOFT_AXES > 2 ? 2 : 0;
+static const unsigned across = LOFT_AXES > 1 ? 1 : 0;
 
 enum loft_status loft_pencil_init(loft_pencil *p, const loft_drop *d, const loft_box *area)
 {

@@ -22,7 +22,8 @@
 #define COS   LOFT_REAL(0.9238795325112867)     /* of 22.5 degrees */
 #define SIN   LOFT_REAL(0.3826834323650898)
 
-static const unsigned upright = LOFT_AXES > 2 ? 2 : 0, across = LOFT_AXES > 1 ? 1 : 0;
+static const unsigned upright = LOFT_AXES > 2 ? 2 : 0;
+static const unsigned across = LOFT_AXES > 1 ? 1 : 0;
 
 static bool lies_inside(const loft_box *area, loft_real x, loft_real y, loft_real margin)
 {

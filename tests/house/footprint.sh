@@ -24,7 +24,8 @@ a natural spline|natural_init cubic_from_natural|natural
 a NURBS curve|nurbs_init nurbs_eval|nurbs
 steps and hold|step_init step_load step_next pace_init pace_aim pace_next|step pace
 frames of a line|frame_encode frame_init frame_push|frame
-look-ahead with limited jerk|plan_init plan_push plan_end plan_next|plan'
+look-ahead with limited jerk|plan_init plan_push plan_end plan_next|plan
+a ball over a patch, line by line|lines_init lines_next|lines'
 
 mkdir -p "$out"
 built() {       # built CHIP: each file of lib/ once
@@ -34,8 +35,9 @@ built() {       # built CHIP: each file of lib/ once
         c=${o##*/} c=${c%.o}
         [ -e "${c//-//}.c" ] || rm -f "$o"
     done
-    for c in $(find lib/num lib/geom lib/basis lib/curve lib/path lib/motion lib/machine lib/wire \
-                   -name '*.c' | LC_ALL=C sort) ports/bare/memory.c; do
+    for c in $(find lib/num lib/geom lib/basis lib/curve lib/surface/tensor lib/toolpath \
+                   lib/path lib/motion lib/machine \
+                   lib/wire -name '*.c' | LC_ALL=C sort) ports/bare/memory.c; do
         o=$out/$1/$(echo "${c%.c}" | tr / -).o
         [ "$o" -nt "$c" ] && [ -z "$(find lib -name '*.h' -newer "$o" | head -1)" ] && continue
         $(compiler "$1") $flags -c "$c" -o "$o" || return

@@ -11,6 +11,7 @@
 #include "motion/span.h"
 #include "surface/tensor/grid.h"
 #include "machine/step.h"
+#include "toolpath/lines.h"
 
 #include "say.h"            /* say_line */
 #include "states.h"         /* any, wrong_steps */
@@ -96,13 +97,20 @@ enum {
     RUN,
     LINE,
     ROW,
+#if !defined(__AVR__)
+    BALL,
+    PROOF,
+#endif
     CALLS
 };
 static const char names[CALLS][24] = {
     "loft_step_next", "loft_step_take",    "loft_step_give",   "loft_step_load",
     "loft_pace_next", "loft_forward_next", "loft_steps_of",    "loft_step_position",
     "loft_span_walk", "loft_scurve_init",  "loft_scurve_eval", "loft_scurve_retarget",
-    "loft_forward_run", "loft_grid_next",    "loft_grid_run"
+    "loft_forward_run", "loft_grid_next",    "loft_grid_run",
+#if !defined(__AVR__)
+    "loft_lines_next",  "loft_lines_check",
+#endif
 };
 static uint32_t worst[CALLS], empty;
 
@@ -247,6 +255,40 @@ __attribute__((noinline)) static void rows(void)
     }
 }
 
+#if !defined(__AVR__)
+/* A ball over a bicubic patch: the proof, and its curves. */
+__attribute__((noinline)) static void balls(void)
+{
+    static loft_tip row[ROWS + 1];
+    static loft_lines lines;
+    static loft_vec net[16];
+    const loft_lines_way way = { LOFT_REAL(3), LOFT_REAL(0.01), LOFT_REAL(20), ROWS, ROWS, false };
+    const loft_vec home = { { 0, 0, LOFT_REAL(20) } };
+    loft_tensor patch;
+    loft_cubic curve;
+    bool cuts, near;
+
+    for (int k = 0; k < 16; k++) {
+        net[k].axis[0] = LOFT_REAL(20) * (k / 4) + (loft_real)(any() & 0xFFFFu);
+        net[k].axis[1] = LOFT_REAL(20) * (k % 4) + (loft_real)(any() & 0xFFFFu);
+        net[k].axis[2] = (loft_real)(any() & 0x3FFFFu);
+    }
+    if (loft_tensor_init(&patch, net, 3, 3) != LOFT_OK)
+        return;
+    uint32_t begin = now();
+    const enum loft_lines_fault fault = loft_lines_check(&patch, &way, &near);
+    took(PROOF, now(), begin);
+    if (fault != LOFT_LINES_FINE ||
+        loft_lines_init(&lines, &patch, &way, &home, row, ROWS + 1) != LOFT_OK)
+        return;
+    for (bool more = true; more;) {
+        begin = now();
+        more = loft_lines_next(&lines, &curve, &cuts);
+        took(BALL, now(), begin);
+    }
+}
+#endif
+
 /* Each begins as one move, and becomes two. */
 static void moves(void)
 {
@@ -299,6 +341,7 @@ int main(void)
     runs();
 #  if !defined(__AVR__)
     rows();
+    balls();
 #  endif
     put('\n');
     for (int k = 0; k < CALLS; k++)

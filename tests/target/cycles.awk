@@ -1,6 +1,6 @@
 # tests/target/cycles.awk -- cycles of a function on a Cortex-M0 or M4, by the manuals' tables
 # SPDX-License-Identifier: MIT
-# usage: awk -v core=cortex-m0 -v entry=SYMBOL -f cycles.awk DISASSEMBLY TRACE
+# usage: awk -v core=cortex-m0 -v entry=SYMBOL -v first=ITS-ADDRESS -f cycles.awk DISASSEMBLY TRACE
 # DISASSEMBLY is by objdump -d, TRACE by QEMU: a line for each instruction, in the function and in
 # those that it calls. Prints those of the dearest call, with the branch to it. ARM DDI 0432C and
 # DDI 0439B, tables 3-1, without wait states: a load or store 2, of two words 3, of a list 1 and one
@@ -51,7 +51,6 @@ function enter(after) {
     split($0, part, "/")
     here = part[2]; sub(/^0+/, "", here)
     enter(here)
-    if (first == "") first = here
     if (here == first) { inside = 1; call = m0 ? 4 : 3 }
     last = here; name = $NF
 }

@@ -128,8 +128,8 @@ static bool begin(field *f, const loft_vec *start)
 
 static const loft_vec home = { { LOFT_REAL(-5), LOFT_REAL(3), LOFT_REAL(20) } };
 
-/* Each curve begins where the last one ended, keeps the tolerance along its line and along the edge,
- * and the way is as long as asked. */
+/* Each curve begins where the last one ended, keeps the tolerance along its line and along the
+ * edge, and the way is as long as asked. */
 static void curves_keep_to_the_lines(arb *a)
 {
     static unsigned begun, joined;
