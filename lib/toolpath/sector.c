@@ -425,8 +425,15 @@ static enum loft_status find_box(const loft_sector *c, const part *p, loft_box *
     return LOFT_OK;
 }
 
-/* The box around the surface, and how far its points err: by `moved` and by rounding. */
-static enum loft_status finish_sheet(loft_sheet *s, loft_acc moved)
+/* At least the error of a point, in ulp of double: 2^9 of a generalized Bezier patch, less of an
+ * S-patch and with base points; 2^12 of a Zheng-Ball patch; N + 2^7 H of a toric one. */
+static int32_t ulps_of(const loft_sector *c)
+{
+    return is_ring(c) || c->disk->of == LOFT_DISK_OF_TORIC ? 8192 : 512;
+}
+
+/* The box around the surface, and how far its points err: by `moved`, rounding and ulps_of. */
+static enum loft_status finish_sheet(loft_sheet *s, const loft_sector *c, loft_acc moved)
 {
     const loft_real beyond = loft_acc_round(s->bend + loft_real_ulp(s->bend));
     loft_real most = 0;
@@ -443,7 +450,8 @@ static enum loft_status finish_sheet(loft_sheet *s, loft_acc moved)
         most = x > most ? x : most;
         most = y > most ? y : most;
     }
-    s->fuzz = moved + 4 * loft_real_ulp(loft_to_acc(most)) + 8192 * loft_acc_ulp(loft_to_acc(most));
+    s->fuzz = moved + 4 * loft_real_ulp(loft_to_acc(most)) +
+              ulps_of(c) * loft_acc_ulp(loft_to_acc(most));
     return LOFT_OK;
 }
 
@@ -502,7 +510,7 @@ enum loft_status loft_sheet_from_sector(loft_sheet *s, const loft_sector *c, uns
     made.upper = upper;
     made.plane = false;
     made.trim = NULL;
-    status = finish_sheet(&made, moved);
+    status = finish_sheet(&made, c, moved);
     if (status == LOFT_OK)
         *s = made;
     return status;
