@@ -11,7 +11,6 @@
 #include "curve/inflections.h"                  /* loft_bezier_inflections */
 #include "curve/moving_frame.h"                 /* loft_moving_frame */
 #include "curve/reduce.h"                       /* loft_bezier_reduce */
-#include "curve/self_crossings.h"               /* loft_bezier_self_crossings */
 #include "curve/tangent.h"                      /* loft_rational_tangent */
 
 #include "study/engine_parts.h"
@@ -392,52 +391,4 @@ static int inflections_of(void *context, const arc_piece *a, size_t number)
 int ENGINE_OF(answer_inflections)(const decide_input *in)
 {
     return visit_pieces(in, inflections_of, (void *)in);
-}
-
-static void print_crossings(const decide_input *in, size_t i, size_t j, const loft_crossing *c,
-                            size_t count)
-{
-    for (size_t k = 0; k < count; k++) {
-        printf("%zu %zu %.9g %.9g%s at ", i, j, double_of_unit(c[k].s), double_of_unit(c[k].t),
-               c[k].overlap ? " overlap" : "");
-        print_vec(in, c[k].point);
-    }
-}
-
-/* Each piece with itself; with the other pieces of its curve, but where neighbours are joined. */
-int ENGINE_OF(answer_loops)(const decide_input *in)
-{
-    static piece_list all;
-    static loft_crossing found[256];
-    size_t number = 0, count = 0;
-    loft_real tol;
-    int status = real_of(in->of->value[0], &tol) && tol > 0 ? LOFT_OK : LOFT_ERR_ARG;
-
-    if (status != LOFT_OK)
-        return decide_refuse(in, "a tolerance of 0: give one above 0");
-    for (size_t c = 0; c < in->curves->count && status >= 0; c++) {
-        const size_t first = number;
-        all.count = 0;
-        status = visit_curve(in, c, hold_piece, &all, &number);
-        for (size_t i = 0; i < all.count && status >= 0; i++) {
-            if (all.piece[i].rational)
-                return decide_refuse(in, "a piece has weights: give curves without");
-            status = loft_bezier_self_crossings(&all.piece[i].b, tol, found, 256, &count);
-            print_crossings(in, first + i, first + i, found, count);
-            for (size_t j = i + 1; j < all.count && status >= 0; j++) {
-                size_t kept = 0;
-                status = loft_bezier_intersect(&all.piece[i].b, &all.piece[j].b, tol, found, 256,
-                                               &count);
-                for (size_t k = 0; k < count; k++)
-                    if (j != i + 1 || double_of_unit(found[k].s_to) < 1 - 0x1p-20 ||
-                        double_of_unit(found[k].t_from) > 0x1p-20)
-                        found[kept++] = found[k];
-                print_crossings(in, first + i, first + j, found, kept);
-            }
-        }
-    }
-    return status == LOFT_ERR_RANGE
-               ? decide_refuse(in, "the tolerance is too fine: give a larger --of")
-           : status < 0             ? status
-                        : LOFT_OK;
 }

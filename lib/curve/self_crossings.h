@@ -1,4 +1,5 @@
-/* lib/curve/self_crossings.h -- where a Bezier curve of any degree crosses itself
+/* lib/curve/self_crossings.h -- where a Bezier curve of any degree, with weights or without,
+ * crosses itself
  * SPDX-License-Identifier: MIT
  *
  *     loft_crossing c[8];
@@ -13,6 +14,7 @@
 #define LOFT_CURVE_SELF_CROSSINGS_H
 
 #include "curve/intersect.h"    /* loft_crossing */
+#include "curve/rational.h"     /* loft_rational */
 
 LOFT_BEGIN_C
 
@@ -31,6 +33,21 @@ LOFT_BEGIN_C
 enum loft_status loft_bezier_self_crossings(const loft_bezier *b, loft_real tol,
                                             loft_crossing out[], size_t room,
                                             size_t *count) LOFT_CHECKED;
+
+/* The same of a curve with weights: of cubics within tol / 16 of it (curve/to_cubics.h), at their
+ * parameters.
+ *
+ *   range   as loft_bezier_self_crossings, but tol >= q16: 64 LSB   f32: 2^-17, f64: 2^-35 of the
+ *           largest coordinate
+ *   error   as loft_bezier_self_crossings; the points of a crossing at s and t are those of the
+ *           curve within tol. Two crossings within 2^-18 of each other in s and in t are one
+ *   cost    for n cubics n times loft_bezier_self_crossings, n^2 / 2 times loft_bezier_intersect
+ *           and the making of a cubic; 2 kB of stack more
+ *   see     as loft_bezier_self_crossings
+ */
+enum loft_status loft_rational_self_crossings(const loft_rational *r, loft_real tol,
+                                              loft_crossing out[], size_t room,
+                                              size_t *count) LOFT_CHECKED;
 
 LOFT_END_C
 

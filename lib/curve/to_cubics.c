@@ -203,6 +203,11 @@ bool loft_to_cubics_next(loft_to_cubics *s, loft_cubic *out)
     return true;
 }
 
+loft_unit loft_to_cubics_at(const loft_to_cubics *s)
+{
+    return s->more ? loft_dyad_from(s->piece) : LOFT_UNIT(1);
+}
+
 
 /* Initialisation */
 

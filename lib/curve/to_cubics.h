@@ -87,6 +87,13 @@ enum loft_status loft_rational_to_cubics_init(loft_to_cubics *s, const loft_rati
  */
 bool loft_to_cubics_next(loft_to_cubics *s, loft_cubic *out);
 
+/* The parameter of the curve where the next cubic starts, and the last one ended; 1 after the last.
+ *
+ *   error   q16, f32: 2^-25, of pieces below 2^-24   f64: none
+ *   cost    a quotient
+ */
+loft_unit loft_to_cubics_at(const loft_to_cubics *s);
+
 LOFT_END_C
 
 #endif

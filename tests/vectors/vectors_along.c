@@ -104,34 +104,26 @@ static long double length_of(const loft_sci x[])
     return loft_sci_to_acc(loft_sci_sqrt(sum), &length) ? exact_acc(length) : INFINITY;
 }
 
-static void curve_frame(row *r)
+/* Curvature, torsion and frame of a curve of degree n over a stretch of this length, R the ratio of
+ * its weights, `size` the largest distance of two points. */
+static void expect_frame(row *r, const loft_tangent *at, long double n, long double R,
+                         long double size, long double length)
 {
-    static curve c;
     static const char *const column[3] = { "T", "N", "B" };
-    loft_tangent at;
     loft_acc bend = 0, turn = 0;
     loft_vec frame[3] = { { { 0 } } };
-
-    read_curve(r, 3, &c);
-    const loft_unit t = row_unit(r, "t_q16");
-    if (!as_given(r))
-        return;
-    if (loft_rational_tangent(&c.r, t, &at) != LOFT_OK) {
-        row_complain(r, "the curve was refused");
-        return;
-    }
-    const long double n = c.r.degree, step = BY_NUM(0x1p-55L, 0x1p-47L, 0x1p-47L), R = c.ratio,
-                      a = n * R * c.size * step, b = 8 * n * n * R * R * c.size * step,
-                      e = 96 * n * n * n * R * R * R * c.size * step;
-    const enum loft_status bends = loft_tangent_curvature(&at, false, &bend),
-                           turns = loft_tangent_torsion(&at, &turn),
-                           frames = loft_tangent_frenet(&at, frame);
-    row_expect_word(r, "status", at.stops ? "stops" : turns == LOFT_SINGULAR ? "straight" : "ok");
-    if (at.stops != (bends == LOFT_SINGULAR) || turns != frames)
+    const long double step = BY_NUM(0x1p-55L, 0x1p-47L, 0x1p-47L), slope = n * R / length,
+                      a = slope * size * step, b = 8 * slope * slope * size * step,
+                      e = 96 * slope * slope * slope * size * step;
+    const enum loft_status bends = loft_tangent_curvature(at, false, &bend),
+                           turns = loft_tangent_torsion(at, &turn),
+                           frames = loft_tangent_frenet(at, frame);
+    row_expect_word(r, "status", at->stops ? "stops" : turns == LOFT_SINGULAR ? "straight" : "ok");
+    if (at->stops != (bends == LOFT_SINGULAR) || turns != frames)
         row_complain(r, "curvature, torsion and frame do not agree whether they exist");
-    if (at.stops)
+    if (at->stops)
         return;
-    const long double A = length_of(at.first), B = length_of(at.second), C = length_of(at.third),
+    const long double A = length_of(at->first), B = length_of(at->second), C = length_of(at->third),
                       kappa = exact_acc(bend), S = kappa * A * A * A;
     expect_within(r, "kappa", kappa,
                   4 * a / A * B / (A * A) + b / (A * A) +
@@ -151,6 +143,53 @@ static void curve_frame(row *r)
             row_within(r, column[k], fabsl(exact_of(frame[k].axis[axis]) - row_next(&text)) * 65536,
                        error * 65536);
     }
+}
+
+static void curve_frame(row *r)
+{
+    static curve c;
+    loft_tangent at;
+
+    read_curve(r, 3, &c);
+    const loft_unit t = row_unit(r, "t_q16");
+    if (!as_given(r))
+        return;
+    if (loft_rational_tangent(&c.r, t, &at) == LOFT_OK)
+        expect_frame(r, &at, c.r.degree, c.ratio, c.size, 1);
+    else
+        row_complain(r, "the curve was refused");
+}
+
+static void nurbs_frame(row *r)
+{
+    static loft_vec p[POINTS];
+    static loft_weighted both[POINTS];
+    static loft_real knot[POINTS + MOST], w[POINTS];
+    const unsigned degree = row_count(r, "p", LOFT_DEGREE_MAX), n = row_count(r, "n", POINTS);
+    long double least = INFINITY, most = 0;
+    loft_tangent at;
+    loft_nurbs b;
+
+    row_reals(r, "U_q16", n + degree + 1, knot);
+    row_reals(r, "w_q16", n, w);
+    const loft_real u = row_real(r, "u_q16");
+    r->largest = 0;
+    row_points(r, "P_q16", n, 3, p);
+    for (unsigned k = 0; k < n; k++) {
+        both[k] = (loft_weighted) { p[k], w[k] };
+        least = fminl(least, exact_of(w[k]));
+        most = fmaxl(most, exact_of(w[k]));
+    }
+    if (!as_given(r))
+        return;
+    if (loft_nurbs_init(&b, both, n, knot, degree) != LOFT_OK ||
+        loft_nurbs_tangent(&b, u, &at) != LOFT_OK) {
+        row_complain(r, "the curve was refused");
+        return;
+    }
+    const unsigned span = loft_knots_find(&b.knots, u);
+    expect_frame(r, &at, degree, most / least, 2 * sqrtl(3) * r->largest,
+                 exact_of(knot[span + 1]) - exact_of(knot[span]));
 }
 
 static void bspline_thin(row *r)
@@ -225,8 +264,9 @@ static void curve_loops(row *r)
     size_t count = 0;
 
     read_curve(r, 2, &c);
-    const enum loft_status status = loft_bezier_self_crossings(&c.b, tol, found, MOST * MOST,
-                                                               &count);
+    const enum loft_status status =
+        c.weighted ? loft_rational_self_crossings(&c.r, tol, found, MOST * MOST, &count)
+                   : loft_bezier_self_crossings(&c.b, tol, found, MOST * MOST, &count);
     if (!as_given(r))
         return;
     if (status != LOFT_OK)
@@ -297,11 +337,15 @@ const vector_system vectors_along[] = {
       "status, count, mult exact, t 2^-25 + 2^-32" },
     { "curve_frame", "n,P_q16,w_q16,t_q16,status,kappa,tau,T,N,B", curve_frame,
       "status exact, the others as curve/tangent.h with the largest D1, D2, D3" },
+    { "nurbs_frame", "p,n,U_q16,P_q16,w_q16,u_q16,status,kappa,tau,T,N,B", nurbs_frame,
+      "as curve_frame, over the length of the span" },
     { "bspline_thin", "p,n,d,U_q16,P_q16,knot,Q,far", bspline_thin,
       "Q 0.501 LSB, far sqrt(d) times the error of Q" },
     { "nurbs_thin", "p,n,d,U_q16,P_q16,w_q16,knot,Q,wQ,dist", nurbs_thin,
       "Q, wQ 0.501 LSB, dist at most far + 1.5 LSB" },
     { "curve_loops", "n,P_q16,w_q16,count,st", curve_loops,
+      "count exact, s, t within the stretches + 2^-24, tol 2^-10" },
+    { "rational_loops", "n,P_q16,w_q16,count,st", curve_loops,
       "count exact, s, t within the stretches + 2^-24, tol 2^-10" },
     { "curve_closest", "n,d,P_q16,X_q16,t,dist", curve_closest,
       "dist from -(2^-25 of it + 2^-29) to that + 1 LSB" },

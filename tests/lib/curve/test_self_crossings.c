@@ -125,10 +125,54 @@ static void arches_have_none_and_ends_meet(arb *a)
     CHECK(loft_bezier_self_crossings(&c.b, LOFT_REAL(0.01), out, 0, &count) == LOFT_MORE);
 }
 
+/* A projective map of a polynomial curve: with the weights f(p) = 1 + x / 200 the points p / f(p).
+ * It takes crossings to crossings, at the same parameters. */
+static void weights_of_a_projection_keep_parameters(arb *a)
+{
+    const loft_real tol = LOFT_REAL(0.0625);
+    loft_weighted w[MOST];
+    loft_crossing plain[ROOM], out[ROOM];
+    size_t count, more;
+    loft_rational r;
+    curve c;
+
+    arb_plane(a, &c, 3 + arb_below(a, LOFT_DEGREE_MAX - 2));
+    for (unsigned k = 0; k <= c.b.degree; k++) {
+        const loft_real f = LOFT_REAL(1) + c.p[k].axis[0] / 200;
+        w[k] = (loft_weighted){ { { 0 } }, f };
+        for (int axis = 0; axis < 2; axis++)
+            w[k].p.axis[axis] = loft_div(c.p[k].axis[axis], f);
+    }
+    CHECK(loft_rational_init(&r, w, c.b.degree) == LOFT_OK);
+    const enum loft_status one = loft_bezier_self_crossings(&c.b, tol, plain, ROOM, &count),
+                           two = loft_rational_self_crossings(&r, tol, out, ROOM, &more);
+    CHECK(two >= 0);
+    for (size_t k = 0; k < more; k++) {
+        const loft_vec s = loft_rational_eval(&r, out[k].s), t = loft_rational_eval(&r, out[k].t);
+        CHECK(out[k].s < out[k].t && (k == 0 || out[k - 1].s <= out[k].s));
+        CHECK(exact_acc(loft_vec_distance(s, t)) < exact_of(tol) + 0x1p-12L);
+    }
+    for (size_t k = 0; one == LOFT_OK && two == LOFT_OK && k < count; k++) {
+        const long double wide = exact_unit(plain[k].s_to) - exact_unit(plain[k].s_from);
+        long double off = INFINITY;
+        if (wide > 0.01L || exact_unit(plain[k].t) - exact_unit(plain[k].s) < 0.06L)
+            continue;
+        for (size_t j = 0; j < more; j++)
+            off = fminl(off, fmaxl(fabsl(exact_unit(out[j].s) - exact_unit(plain[k].s)),
+                                   fabsl(exact_unit(out[j].t) - exact_unit(plain[k].t))));
+        CHECK(off < 0.02L);
+    }
+    CHECK(loft_rational_self_crossings(&r, 0, out, ROOM, &more) == LOFT_ERR_ARG && more == 0);
+    const enum loft_status fine = loft_rational_self_crossings(&r, LOFT_REAL(0x1p-15), out, ROOM,
+                                                               &more);
+    CHECK(BY_NUM(fine == LOFT_ERR_RANGE, fine == LOFT_ERR_RANGE, fine >= 0));
+}
+
 int main(void)
 {
     PROPERTY(the_loop_of_a_cubic_is_found, 200);
     PROPERTY(each_crossing_of_chords_is_near_one, 60);
     PROPERTY(arches_have_none_and_ends_meet, 30);
+    PROPERTY(weights_of_a_projection_keep_parameters, 60);
     return check_failures();
 }

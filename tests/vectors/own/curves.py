@@ -88,9 +88,8 @@ def inflections():
 
 # Frames
 
-def derivatives(p, w, t):
-    """P and its first three derivatives."""
-    h = homogeneous(p, w)
+def derivatives(h, t):
+    """P and its first three derivatives, of weighted coordinates as polynomials."""
     jets = []
     for x in h:
         jet = []
@@ -110,20 +109,24 @@ def derivatives(p, w, t):
 
 
 def frame_row(p, w, t):
-    d = derivatives(p, w, t)
-    binormal = cross(d[1], d[2])
     row = [len(p) - 1, points(p, raw), weights(w), raw(t)]
+    return row + frame_columns(homogeneous(p, w), t)
+
+
+def frame_columns(h, t):
+    d = derivatives(h, t)
+    binormal = cross(d[1], d[2])
     if not any(d[1]):
-        return row + ['stops'] + ['-'] * 5
+        return ['stops'] + ['-'] * 5
     speed = root(dot(d[1], d[1]))
     bend = root(dot(binormal, binormal))
     if not any(binormal):
-        return row + ['straight', '0', '-', '-', '-', '-']
+        return ['straight', '0', '-', '-', '-', '-']
     tangent = [x / speed for x in d[1]]
     across = [x / bend for x in binormal]
-    return row + ['ok', digits(bend / speed ** 3), digits(dot(binormal, d[3]) / bend ** 2),
-                  numbers(tangent, digits), numbers(cross(across, tangent), digits),
-                  numbers(across, digits)]
+    return ['ok', digits(bend / speed ** 3), digits(dot(binormal, d[3]) / bend ** 2),
+            numbers(tangent, digits), numbers(cross(across, tangent), digits),
+            numbers(across, digits)]
 
 
 def frames():
@@ -143,6 +146,45 @@ def frames():
                  (cusp, None), (stop, None), (quarter, [F(1), F(1), F(2)])):
         for t in (F(0), F(1, 2), F(1), F(1, 65536)):
             rows.append(frame_row(p, w, t))
+    return rows
+
+
+def basis_polynomials(knots, p, span):
+    """The B-splines as polynomials of u on the span after this knot."""
+    count = len(knots) - 1
+    row = [[F(1)] if i == span else [] for i in range(count)]
+    for d in range(1, p + 1):
+        out = []
+        for i in range(count - d):
+            rise, fall = knots[i + d] - knots[i], knots[i + d + 1] - knots[i + 1]
+            sum_ = mul(row[i], [-knots[i] / rise, 1 / rise]) if rise else []
+            out.append(add(sum_, mul(row[i + 1], [knots[i + d + 1] / fall, -1 / fall])
+                           if fall else []))
+        row = out
+    return row
+
+
+def nurbs_frames():
+    rows = []
+    for k in range(60):
+        p = rnd.randint(2, 9)
+        inner = sorted(F(rnd.randint(1, 15), 4) for _ in range(rnd.randint(0, 5)))
+        if any(inner.count(x) >= p for x in inner):
+            continue
+        knots = [F(0)] * (p + 1) + inner + [F(4)] * (p + 1)
+        count = len(knots) - p - 1
+        pts, w = arb_points(count, 3), arb_weights(count) if k % 3 else [F(1)] * count
+        u = rnd.choice([F(0), F(4), F(rnd.randint(0, 4 * 65536), 65536)] + inner)
+        span = max(i for i in range(count) if knots[i] <= u and knots[i] < knots[i + 1])
+        b = basis_polynomials(knots, p, span)
+        h = []
+        for axis in range(4):
+            sum_ = []
+            for x, y, z in zip(b, pts, w):
+                sum_ = add(sum_, x, z * (y[axis] if axis < 3 else 1))
+            h.append(sum_)
+        rows.append([p, count, numbers(knots, raw), points(pts, raw), numbers(w, raw), raw(u)] +
+                    frame_columns(h, u))
     return rows
 
 
@@ -365,3 +407,8 @@ if __name__ == '__main__':
     write(to, 'nurbs_thin', 'as bspline_thin with weights w: in weighted coordinates; dist = '
           'largest of 31 distances of both curves', 'p,n,d,U_q16,P_q16,w_q16,knot,Q,wQ,dist',
           removals(True))
+    write(to, 'nurbs_frame', 'NURBS curve in space of degree p with n points  full knots U: '
+          'curvature  torsion  Frenet frame at u; at a knot of the piece behind it',
+          'p,n,U_q16,P_q16,w_q16,u_q16,status,kappa,tau,T,N,B', nurbs_frames())
+    write(to, 'rational_loops', 'as curve_loops with weights', 'n,P_q16,w_q16,count,st',
+          loops(True))
