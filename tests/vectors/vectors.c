@@ -29,7 +29,8 @@ static const vector_system *const tables[] = {
     vectors_polygon, vectors_harmonic, vectors_deficit,  vectors_chapter,         vectors_spatch,
     vectors_npatch,  vectors_gb,       vectors_triangle, vectors_triangle_curved, vectors_tetra,
     vectors_motion,  vectors_ends,     vectors_weighted, vectors_decide, vectors_meet,
-    vectors_woven,   vectors_fit,      vectors_along, vectors_across
+    vectors_woven,   vectors_fit,      vectors_along, vectors_across, vectors_made,
+    vectors_sides
 };
 
 #define DIGITS 1e-9L            /* LSB: what 20 significant digits leave open */

@@ -53,7 +53,8 @@ extern const vector_system vectors_curve[], vectors_measure[], vectors_shape[], 
     vectors_tensor[], vectors_polygon[], vectors_harmonic[], vectors_deficit[], vectors_chapter[],
     vectors_spatch[], vectors_npatch[], vectors_gb[], vectors_triangle[], vectors_triangle_curved[],
     vectors_tetra[], vectors_motion[], vectors_ends[], vectors_weighted[], vectors_decide[],
-    vectors_meet[], vectors_woven[], vectors_fit[], vectors_along[], vectors_across[];
+    vectors_meet[], vectors_woven[], vectors_fit[], vectors_along[], vectors_across[],
+    vectors_made[], vectors_sides[];
 
 /* Inputs */
 

@@ -6,9 +6,9 @@
  */
 #include <string.h>
 
+#include "vectors/vectors_lines.h"          /* expect_lines */
 #include "vectors/vectors_points.h"         /* as_given; row, answer, law */
 #include "surface/area.h"
-#include "surface/contour.h"
 #include "support/meetings.h"            /* distance_from_meetings */
 #include "surface/tensor/surface_fit.h"
 
@@ -85,15 +85,6 @@ static void expect_places(row *r, long double tol)
         if (r->complaint[0])
             return;
     }
-}
-
-static void expect_number(row *r, const char *column, unsigned got)
-{
-    char text[24];
-
-    snprintf(text, sizeof text, "%u", got);
-    if (!row_is(r, column, "-"))
-        row_expect_word(r, column, text);
 }
 
 static bool is_last(unsigned k) { return k + 1 == count || out[k + 1].start; }
@@ -206,58 +197,38 @@ static void surface_light(row *r)
                65536 * (0x1p-38L + BY_NUM(0x1p-32L, 0, 0)));
 }
 
-#define SIZE_MAX_OF_FILE 64
-
 static void isophote(row *r)
 {
-    static uint8_t memory[LOFT_CONTOUR_BYTES(SIZE_MAX_OF_FILE, SIZE_MAX_OF_FILE)];
     static sheet_of_row s;
-    static long double place[ROOM][2];
-    loft_contour c;
     loft_level level;
-    loft_vec d, p;
-    unsigned found = 0, wanted = 0;
+    loft_vec d;
 
     read_sheet(r, 'A', &s);
     row_points(r, "D_q16", 1, 3, &d);
-    const loft_real cosine = row_real(r, "cos_q16"), tol = LOFT_REAL(1.0 / 65536);
-    const unsigned size = row_count(r, "size", SIZE_MAX_OF_FILE);
+    const loft_real cosine = row_real(r, "cos_q16");
     if (!as_given(r) || r->complaint[0])
         return;
-    if (loft_level_light(&level, d, cosine) != LOFT_OK ||
-        loft_contour_init_level(&c, s.surface, &level, tol, size, size, memory, sizeof memory) !=
-            LOFT_OK) {
-        row_complain(r, "the surface was refused");
+    if (loft_level_light(&level, d, cosine) == LOFT_OK)
+        expect_lines(r, s.surface, &level, 0);
+    else
+        row_complain(r, "the direction was refused");
+}
+
+static void surface_section(row *r)
+{
+    static sheet_of_row s;
+    loft_level level;
+    loft_vec d = { { 0 } };
+
+    read_sheet(r, 'A', &s);
+    row_points(r, "D_q16", 1, 3, &d);
+    const loft_real distance = row_real(r, "distance_q16");
+    if (!as_given(r) || r->complaint[0])
         return;
-    }
-    while (loft_contour_next(&c, &p) != LOFT_CONTOUR_OVER && found < ROOM) {
-        const long double row_at = exact_unit(c.u) * size;
-        if (fabsl(row_at - roundl(row_at)) * size < 0x1p-18L) {
-            place[found][0] = exact_unit(c.u);
-            place[found++][1] = exact_unit(c.v);
-        }
-    }
-    const char *text = row_text(r, "uv"), *slope = row_text(r, "slope");
-    const long double error = 2 * LSB / row_next(&slope) + 0x1p-23L;
-    for (; *text && *text != '-'; wanted++) {
-        const long double u = row_next(&text), v = row_next(&text);
-        long double best = INFINITY;
-        for (unsigned k = 0; k < found; k++)
-            if (fabsl(place[k][0] - u) < 0x1p-20L)
-                best = fminl(best, fabsl(place[k][1] - v));
-        row_within(r, "uv", best * 65536, error * 65536);
-    }
-    expect_number(r, "count", wanted);
-    for (unsigned k = 0; k < found; k++) {          /* and no others; closed ones give two */
-        const char *rest = row_text(r, "uv");
-        long double best = INFINITY;
-        while (*rest) {
-            const long double u = row_next(&rest), v = row_next(&rest);
-            if (fabsl(place[k][0] - u) < 0x1p-20L)
-                best = fminl(best, fabsl(place[k][1] - v));
-        }
-        row_within(r, "uv", best * 65536, error * 65536);
-    }
+    if (loft_level_plane(&level, d, distance) == LOFT_OK)
+        expect_lines(r, s.surface, &level, 0);
+    else
+        row_complain(r, "the direction was refused");
 }
 
 
@@ -323,6 +294,8 @@ const vector_system vectors_across[] = {
       "simple t 2^-22, all points 2 tol" },
     { "surface_light", SHEET("A") ",uv_q16,D_q16,cos", surface_light, "2^-38 + 2^-32" },
     { "isophote", SHEET("A") ",D_q16,cos_q16,size,count,slope,uv", isophote,
+      "count exact, uv 2 LSB over the slope + 2^-23" },
+    { "surface_section", SHEET("A") ",D_q16,distance_q16,size,count,slope,uv", surface_section,
       "count exact, uv 2 LSB over the slope + 2^-23" },
     { "surface_fit", "p,q,m,n,U_q16,V_q16,r,c,u_q16,v_q16,P_q16,gain,Q", surface_fit,
       "q16: 0.501 LSB (1 + gain)" },

@@ -1,0 +1,117 @@
+/* tests/vectors/vectors_sides.c -- readers of what is asked of S-patches: normals and curvatures,
+ * the light on them
+ * SPDX-License-Identifier: MIT
+ *
+ * own/sides.py makes the rows. Where f32 cannot hold a row's numbers, nothing is compared.
+ */
+#include "vectors/vectors_lines.h"          /* expect_lines */
+#include "vectors/vectors_points.h"         /* as_given; row, answer, law */
+#include "polygon/disk.h"
+#include "polygon/wachspress.h"
+
+#define POINTS 500
+
+typedef struct {
+    loft_vec p[POINTS];
+    loft_spot v[LOFT_SIDES_MAX];
+    loft_spatch s;
+    loft_domain d;
+    long double largest;        /* of the net */
+} patch;
+
+static bool read_patch(row *r, patch *x)
+{
+    loft_vec v[LOFT_SIDES_MAX];
+    const unsigned sides = row_count(r, "sides", LOFT_SIDES_MAX),
+                   depth = row_count(r, "depth", LOFT_DEGREE_MAX);
+    const unsigned count = loft_multiindex_count(sides, depth);
+
+    if (count > POINTS) {
+        row_complain(r, "%u points are more than %d", count, POINTS);
+        return false;
+    }
+    row_points(r, "net_q16", count, 3, x->p);
+    x->largest = r->largest;
+    row_points(r, "v_q16", sides, 2, v);
+    for (unsigned k = 0; k < sides; k++)
+        x->v[k] = (loft_spot) { { v[k].axis[0], v[k].axis[1] } };
+    if (loft_spatch_init(&x->s, x->p, NULL, sides, depth) != LOFT_OK ||
+        loft_domain_init(&x->d, x->v, sides) != LOFT_OK)
+        row_complain(r, "the patch was refused");
+    return !r->complaint[0];
+}
+
+static long double number(row *r, const char *column)
+{
+    const char *text = row_text(r, column);
+    return row_next(&text);
+}
+
+static void expect_within(row *r, const char *column, long double got, long double error)
+{
+    row_within(r, column, fabsl(got - number(r, column)) * 65536, error * 65536);
+}
+
+static void spatch_curvature(row *r)
+{
+    static patch x;
+    loft_jet phi[LOFT_SIDES_MAX];
+    loft_differential here;
+    loft_vec normal = { { 0 } }, at;
+    loft_curvatures k;
+
+    if (!read_patch(r, &x))
+        return;
+    row_points(r, "at_q16", 1, 2, &at);
+    if (!as_given(r))
+        return;
+    const loft_spot spot = { { at.axis[0], at.axis[1] } };
+    if (loft_wachspress_jet(&x.d, spot, phi) != LOFT_OK ||
+        loft_spatch_differential(&x.s, phi, &here) != LOFT_OK ||
+        loft_differential_normal(&here, &normal) != LOFT_OK ||
+        loft_differential_curvatures(&here, &k) != LOFT_OK) {
+        row_complain(r, "the place was refused");
+        return;
+    }
+    /* polygon/spatch.h, and the same again for the coordinates */
+    const long double a = number(r, "A"), b = number(r, "B"),
+                      step = 2 * x.largest * BY_NUM(0x1p-44L, 0x1p-36L, 0x1p-36L);
+    const char *first = row_text(r, "rise1"), *second = row_text(r, "rise2");
+    long double error[3];
+    for (int i = 0; i < 3; i++)
+        error[i] = step * (a * row_next(&first) + (b + a * a) * row_next(&second));
+    const char *text = row_text(r, "N");
+    for (int axis = 0; axis < 3; axis++)
+        row_within(r, "N", fabsl(exact_of(normal.axis[axis]) - row_next(&text)) * 65536,
+                   65536 * (error[0] + BY_NUM(0.501L * LSB, 0x1p-24L, 0x1p-46L)));
+    expect_within(r, "gauss", exact_acc(k.gauss), error[1] + BY_NUM(0x1p-31L, 0, 0));
+    expect_within(r, "mean", exact_acc(k.mean), error[2] + BY_NUM(0x1p-31L, 0, 0));
+}
+
+static void spatch_isophote(row *r)
+{
+    static patch x;
+    loft_level level;
+    loft_disk disk;
+    loft_vec d = { { 0 } };
+
+    if (!read_patch(r, &x))
+        return;
+    row_points(r, "D_q16", 1, 3, &d);
+    const loft_real cosine = row_real(r, "cos_q16");
+    if (!as_given(r))
+        return;
+    if (loft_level_light(&level, d, cosine) == LOFT_OK &&
+        loft_disk_from_spatch(&disk, &x.s, &x.d, loft_wachspress_eval) == LOFT_OK)
+        expect_lines(r, loft_surface_from_disk(&disk), &level, 1);
+    else
+        row_complain(r, "the patch or the direction was refused");
+}
+
+const vector_system vectors_sides[] = {
+    { "spatch_curvature", "sides,depth,v_q16,net_q16,at_q16,N,gauss,mean,A,B,rise1,rise2",
+      spatch_curvature, "that of the derivatives in polygon/spatch.h, twice" },
+    { "spatch_isophote", "sides,depth,v_q16,net_q16,D_q16,cos_q16,size,count,slope,uv",
+      spatch_isophote, "count exact, uv 2 LSB over the slope + 2^-23" },
+    { 0 }
+};
