@@ -16,6 +16,7 @@
 #include "engine/print.h"       /* print_point */
 #include "plan/grid_fit.h"
 #include "plan/point_fit.h"
+#include "plan/scatter_fit.h"
 
 #define GRID_MOST 1000  /* rows, columns */
 
@@ -72,7 +73,13 @@ static int add_row(fitting *x)
         return 0;
     if (rows == 0)
         g->count[1] = (unsigned)columns;
-    if (columns != g->count[1] || columns < 2 || columns > GRID_MOST || rows >= GRID_MOST)
+    if (columns > SCATTER_POINTS)
+        return tool_error(EX_DATAERR,
+                          "%s:%u: a row of %zu points: give at most %d in no order, or "
+                          "a grid of rows of at most %d",
+                          x->file, x->line, columns, SCATTER_POINTS, GRID_MOST);
+    if (rows > 0 &&
+        (columns != g->count[1] || columns < 2 || columns > GRID_MOST || rows >= GRID_MOST))
         return tool_error(EX_DATAERR,
                           "%s:%u: a row of %zu points after rows of %u: give a grid, 2 to %d rows "
                           "of 2 to %d points each",
@@ -84,13 +91,75 @@ static int add_row(fitting *x)
     return 0;
 }
 
+/* Too far from the points: why, and what to do. */
+static int refuse_off(const fitting *x, double off)
+{
+    return tool_error(EX_DATAERR,
+                      "%s: the surface of %s stays %.3g from a point, --tol is %g: give a larger "
+                      "--tol, more points, or --num f64",
+                      x->file, x->p.e->name, off, x->o.tol);
+}
+
+static void print_net(fitting *x, const unsigned degree[2], const unsigned points[2],
+                      const double net[][ENGINE_AXES], double *const knot[2])
+{
+    printf("nurbs-surface %u %u %u %u\n", degree[0], degree[1], points[0], points[1]);
+    x->p.solid = true;
+    for (size_t k = 0; k < (size_t)points[0] * points[1]; k++)
+        print_point(&x->p, net[k]);
+    for (int along = 0; along < 2; along++) {
+        const unsigned knots = points[along] + degree[along] + 1;
+        for (unsigned k = 0; k < knots; k++)
+            print_knot(x->p.e, along ? "knots v" : "knots u", knot[along][k], k, knots);
+    }
+}
+
+/* Rows are one: points in no order. */
+static int fit_scattered(fitting *x)
+{
+    scatter_fit f = { .p = (const double(*)[ENGINE_AXES])x->grid.p, .count = x->grid.count[1] };
+    int code = 0;
+
+    if (f.count < 4)
+        return tool_error(EX_DATAERR,
+                          "%s: %zu points in one row: give 4 or more in any order, or rows of a "
+                          "grid with empty lines between",
+                          x->file, f.count);
+    const int status = scatter_fit_make(&f, x->p.e, x->o.degree, x->o.tol);
+    if (status == LOFT_SINGULAR && f.loose == 0)
+        code = tool_error(EX_DATAERR, "%s: the points lie on a line: give points of a surface",
+                          x->file);
+    else if (status == LOFT_SINGULAR)
+        code = tool_error(EX_DATAERR,
+                          "%s: the points do not tell %u of %u control points: give points all "
+                          "over the rectangle around them, or a lower --degree",
+                          x->file, f.loose, f.points[0] * f.points[1]);
+    else if (status != 0)
+        code = tool_error(EX_DATAERR, "%s: %s", x->file, engine_status(status));
+    else if (!(f.off <= x->o.tol) && f.loose > 0)
+        code = tool_error(
+            EX_DATAERR,
+            "%s: %u x %u control points stay %.3g from a point, and the points do not "
+            "tell %u of a finer net: give points all over the rectangle around them, "
+            "or a larger --tol",
+            x->file, f.points[0], f.points[1], f.off, f.loose);
+    else if (!(f.off <= x->o.tol))
+        code = refuse_off(x, f.off);
+    if (code == 0) {
+        print_net(x, f.degree, f.points, (const double(*)[ENGINE_AXES])f.net, f.knot);
+        printf("# %u x %u control points for %zu points in no order, within %.3g\n", f.points[0],
+               f.points[1], f.count, f.off);
+    }
+    scatter_fit_free(&f);
+    return code;
+}
+
 static int fit_surface(fitting *x)
 {
     grid_fit *g = &x->grid;
 
-    if (g->count[0] < 2)
-        return tool_error(EX_DATAERR, "%s: %u rows: give two or more, with empty lines between",
-                          x->file, g->count[0]);
+    if (g->count[0] == 1)
+        return fit_scattered(x);
     const int status = grid_fit_make(g, x->p.e, x->o.degree, x->o.tol);
     if (status != 0)
         return tool_error(EX_DATAERR, "%s: %s", x->file,
@@ -98,19 +167,8 @@ static int fit_surface(fitting *x)
                                                     "points"
                                                   : engine_status(status));
     if (!(g->off <= x->o.tol))
-        return tool_error(EX_DATAERR,
-                          "%s: numbers of %s do not hold points within --tol %g: give a larger "
-                          "--tol, or --num f64",
-                          x->file, x->p.e->name, x->o.tol);
-    printf("nurbs-surface %u %u %u %u\n", g->degree[0], g->degree[1], g->points[0], g->points[1]);
-    x->p.solid = true;
-    for (size_t k = 0; k < (size_t)g->points[0] * g->points[1]; k++)
-        print_point(&x->p, g->net[k]);
-    for (int along = 0; along < 2; along++) {
-        const unsigned knots = g->points[along] + g->degree[along] + 1;
-        for (unsigned k = 0; k < knots; k++)
-            print_knot(x->p.e, along ? "knots v" : "knots u", g->knot[along][k], k, knots);
-    }
+        return refuse_off(x, g->off);
+    print_net(x, g->degree, g->points, (const double(*)[ENGINE_AXES])g->net, g->knot);
     printf("# %u x %u control points for %u x %u points, within %.3g\n", g->points[0], g->points[1],
            g->count[0], g->count[1], g->off);
     return 0;
@@ -212,7 +270,10 @@ static int run_fit(const tool_command *self, int argc, char **argv)
         TOOL_COUNT("degree", "N", &degree, 1, 9, "of the curves (3)"),
         TOOL_NUMBER("corner", "DEGREES", &corner, 0, 181,
                     "points that turn by more stay corners; 181: none does (50)"),
-        TOOL_SWITCH("surface", &surface, "rows of equal length are a grid: the surface near it"),
+        TOOL_SWITCH(
+            "surface", &surface,
+            "rows of equal length are a grid, one row is points in no order: the surface near "
+            "them"),
         TOOL_SWITCH("closed", &close, "each row goes on to its first point"),
         ENGINE_OPTION(&e, "number type (f64)"),
         TOOL_OPTIONS_END
@@ -246,6 +307,7 @@ const tool_command command_fit = {
     "point is its first one is closed. Prints B-splines in the format of host-tools/LOFT.md, in\n"
     "the order of the points: by least squares, with as many knots as the tolerance takes. They\n"
     "begin and end in points and corners; closed rows without a corner have a smooth seam.\n"
-    "With --surface the rows are a grid, v along them: prints the nurbs-surface near it.\n",
+    "With --surface the rows are a grid, v along them: prints the nurbs-surface near it. One row\n"
+    "alone is points in no order, 4 to 20000, of a surface that a plane shows without folds.\n",
     run_fit
 };

@@ -77,6 +77,7 @@ typedef struct curves {
     curve *curve;
     size_t count;
     bool solid;                 /* some point has a z */
+    bool any_weights;           /* asked for: `rational` may have weights of 0 and below */
 } curves;
 
 const char *curve_name(enum curve_kind kind);
@@ -108,7 +109,7 @@ void   curves_free(curves *all);
 
 /* Read `file` ("-" is standard input). If `text` is not NULL, read the control points of one Bezier
  * curve from it instead: "0,0 1,2 3,0". Returns 0, or an exit code after printing one line. `*all`
- * must be zeroed. */
+ * must be zeroed, but for any_weights. */
 int curves_read(curves *all, const char *file, const char *text);
 
 /* The text format: does the text look like it? Read it. */

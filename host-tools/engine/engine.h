@@ -204,6 +204,21 @@ typedef struct {
     unsigned count[2], points[2], degree[2];
 } engine_grid_fit;
 
+/* Points with their parameters, and a B-spline surface: its knots along u and v. */
+typedef struct {
+    const double (*p)[ENGINE_AXES], (*at)[2], *knot[2];
+    size_t count;
+    unsigned points[2], degree[2];
+} engine_net_fit;
+
+#define ENGINE_BASIS 10         /* a degree and one more */
+
+/* The B-splines that are not 0 at a parameter, from `first` on, and their slopes. */
+typedef struct {
+    unsigned first;
+    double value[ENGINE_BASIS], slope[ENGINE_BASIS];
+} engine_basis;
+
 /* A plan in progress: its memory does not depend on the number of moves. */
 typedef struct engine_plan engine_plan;
 
@@ -237,6 +252,10 @@ typedef struct {
     int (*fit)(const engine_fit *f, double out[][ENGINE_AXES]);
     /* Those of a surface, and the largest distance of a point from its place on it. */
     int (*fit_grid)(const engine_grid_fit *f, double out[][ENGINE_AXES], double *off);
+    /* The B-splines at the parameters of all points, [0] along u, `axis` of them. */
+    int (*fit_basis)(const engine_net_fit *f, int axis, engine_basis out[]);
+    /* The largest distance of a point from its place on the surface of this net. */
+    int (*fit_off)(const engine_net_fit *f, const double net[][ENGINE_AXES], double *off);
     /* The arc of an SVG path, at most about one turn, as cubics in the plane within tol of it.
      * turns is 1 from x to y, or -1. */
     int (*ellipse)(const double from[2], const double to[2], const double radii[2], double degrees,

@@ -5,10 +5,12 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "basis/knots_basis.h"      /* loft_knots_basis */
 #include "curve/fit.h"              /* loft_bspline_fit */
 #include "surface/tensor/nurbs_surface.h"   /* loft_nurbs_surface_eval */
 #include "surface/tensor/surface_fit.h"     /* loft_surface_fit */
 
+#include "base/space.h"             /* space_distance */
 #include "base/tool.h"              /* tool_grow */
 #include "engine/engine_fit.h"
 
@@ -104,6 +106,21 @@ static bool hold_grid(const engine_grid_fit *f, held_grid *h)
     return fits;
 }
 
+/* Raise *off to the distance of a point from its place. */
+static int take_distance(const loft_nurbs_surface *s, loft_real u, loft_real v,
+                         const double want[ENGINE_AXES], double *off)
+{
+    double got[ENGINE_AXES];
+    loft_vec p;
+    const int status = loft_nurbs_surface_eval(s, u, v, &p);
+
+    if (status == LOFT_OK) {
+        point_of(p, got);
+        *off = fmax(*off, space_distance(got, want));
+    }
+    return status;
+}
+
 static int measure_grid(const engine_grid_fit *f, const held_grid *h, double *off)
 {
     loft_nurbs_surface s;
@@ -112,18 +129,9 @@ static int measure_grid(const engine_grid_fit *f, const held_grid *h, double *of
 
     *off = 0;
     for (unsigned i = 0; i < f->count[0]; i++)
-        for (unsigned j = 0; j < f->count[1] && status == LOFT_OK; j++) {
-            const double *want = f->p[(size_t)i * f->count[1] + j];
-            double got[ENGINE_AXES], sum = 0;
-            loft_vec p;
-            status = loft_nurbs_surface_eval(&s, h->at[0][i], h->at[1][j], &p);
-            if (status != LOFT_OK)
-                break;
-            point_of(p, got);
-            for (int axis = 0; axis < ENGINE_AXES; axis++)
-                sum += (got[axis] - want[axis]) * (got[axis] - want[axis]);
-            *off = fmax(*off, sqrt(sum));
-        }
+        for (unsigned j = 0; j < f->count[1] && status == LOFT_OK; j++)
+            status = take_distance(&s, h->at[0][i], h->at[1][j], f->p[(size_t)i * f->count[1] + j],
+                                   off);
     return status;
 }
 
@@ -155,5 +163,65 @@ int ENGINE_OF(engine_fit_surface)(const engine_grid_fit *f, double out[][ENGINE_
     free(h.out);
     free(h.middle);
     free(h.memory);
+    return status;
+}
+
+
+// Points anywhere
+// ---------------
+
+int ENGINE_OF(engine_fit_basis)(const engine_net_fit *f, int axis, engine_basis out[])
+{
+    const unsigned degree = f->degree[axis];
+    loft_real *knot, u = 0;
+    loft_sci value[2][LOFT_DEGREE_MAX + 1];
+    loft_knots k;
+    int status = LOFT_ERR_RANGE;
+
+    if (hold_reals(f->knot[axis], f->points[axis] + degree + 1, &knot))
+        status = loft_knots_init(&k, knot, f->points[axis], degree);
+    for (size_t n = 0; n < f->count && status == LOFT_OK; n++) {
+        if (!real_of(f->at[n][axis], &u))
+            status = LOFT_ERR_RANGE;
+        u = loft_knots_clamp(&k, u);
+        const unsigned span = loft_knots_find(&k, u);
+        out[n].first = span - degree;
+        for (unsigned order = 0; order < 2; order++)
+            loft_knots_basis(&k, span, u, order, value[order]);
+        for (unsigned i = 0; i <= degree; i++) {
+            loft_acc wide[2] = { 0, 0 };
+            if (!loft_sci_to_acc(value[0][i], &wide[0]) || !loft_sci_to_acc(value[1][i], &wide[1]))
+                status = LOFT_ERR_RANGE;
+            out[n].value[i] = double_of_acc(wide[0]);
+            out[n].slope[i] = double_of_acc(wide[1]);
+        }
+    }
+    free(knot);
+    return status;
+}
+
+int ENGINE_OF(engine_fit_off)(const engine_net_fit *f, const double net[][ENGINE_AXES], double *off)
+{
+    const size_t points = (size_t)f->points[0] * f->points[1];
+    loft_vec *const held = tool_grow(NULL, points * sizeof *held);
+    loft_real *knot[2], at[2];
+    loft_nurbs_surface s;
+    bool fits = true;
+
+    for (int k = 0; k < 2; k++)
+        fits = hold_reals(f->knot[k], f->points[k] + f->degree[k] + 1, &knot[k]) && fits;
+    for (size_t k = 0; k < points; k++)
+        fits = vec_of(net[k], &held[k]) && fits;
+    *off = 0;
+    int status = fits ? loft_bspline_surface_init(&s, held, f->points[0], f->points[1], knot[0],
+                                                  f->degree[0], knot[1], f->degree[1])
+                      : LOFT_ERR_RANGE;
+    for (size_t k = 0; k < f->count && status == LOFT_OK; k++)
+        status = real_of(f->at[k][0], &at[0]) && real_of(f->at[k][1], &at[1])
+                     ? take_distance(&s, at[0], at[1], f->p[k], off)
+                     : LOFT_ERR_RANGE;
+    free(held);
+    free(knot[0]);
+    free(knot[1]);
     return status;
 }
