@@ -17,6 +17,7 @@ const tool_command command_make = {
     "  lower    the nearest curve with a degree lower by --of and the same ends, and how near\n"
     "  lowest   the lowest degree that stays within --of mm, and how near\n"
     "  join     neighbours that are parts of one polynomial curve within --of mm, as one\n"
+    "  insert   B-splines and NURBS, the same curves with the knots --of u,.. once more each\n"
     "  thin     B-splines and NURBS without knots that they do not need within --of mm; how near\n"
     "  cut      the part of each curve between two of its parameters, --of FROM,TO\n"
     "  pieces   curves of any kind as Bezier curves\n"

@@ -214,11 +214,21 @@ static bool read_way(reading *r, curve_point *p)
     return true;
 }
 
+/* 0 and negative weights are for those that ask for them. */
+static bool read_weight(reading *r, double *out)
+{
+    if (!lines_colon(&r->at))
+        return true;
+    if (r->all->any_weights && r->now->kind == CURVE_RATIONAL)
+        return read_scalar(r, out) && fabs(*out) <= LINES_WEIGHT_MOST;
+    return lines_weight(&r->at, out);
+}
+
 static bool what_is_behind(reading *r, enum behind behind, curve_point *p)
 {
     switch (behind) {
     case NOTHING:     return true;
-    case A_WEIGHT:    return !lines_colon(&r->at) || lines_weight(&r->at, &p->w);
+    case A_WEIGHT:    return read_weight(r, &p->w);
     case A_PARAMETER: return lines_colon(&r->at) && read_scalar(r, &p->w);
     case A_VECTOR:    return lines_colon(&r->at) && read_vector(r, p->d[0]) > 0;
     case A_SLOPE:     return read_slope(r, p);

@@ -7,7 +7,8 @@
  *     engine_parts.c      pieces of curves, frames, polynomials
  *     engine_simplex.c    lines, planes, triangles and tetrahedra
  *     engine_net.c        places, areas and volumes of surfaces with nets
- *     engine_thin.c       B-splines with fewer knots
+ *     engine_thin.c       B-splines with fewer knots, or more
+ *     engine_loops.c      where curves cross themselves
  *     engine_meet.c       where surfaces meet each other and curves
  *     engine_pieces.h     what all use
  *     decide.c            what the commands decide and make share
@@ -21,7 +22,14 @@
 struct curves;
 struct surfaces;
 
-enum decide_takes { DECIDE_NUMBERS, DECIDE_CURVES, DECIDE_SURFACES, DECIDE_EITHER, DECIDE_BOTH };
+enum decide_takes {
+    DECIDE_NUMBERS,
+    DECIDE_CURVES,
+    DECIDE_CONICS,              /* curves, also with weights of 0 and below */
+    DECIDE_SURFACES,
+    DECIDE_EITHER,
+    DECIDE_BOTH
+};
 
 /* What a question is asked of: numbers, the curves or surfaces of a file, or those of two files. */
 typedef struct {
@@ -43,12 +51,12 @@ typedef struct {
 
 #define DECIDE_ANY       1024
 #define DECIDE_WHY       160
-#define DECIDE_QUESTIONS 29
+#define DECIDE_QUESTIONS 31
 
 extern const decide_question decide_q16[DECIDE_QUESTIONS], decide_f32[DECIDE_QUESTIONS],
     decide_f64[DECIDE_QUESTIONS];
 
-#define MAKE_VERBS 25
+#define MAKE_VERBS 26
 
 extern const decide_question make_q16[MAKE_VERBS], make_f32[MAKE_VERBS], make_f64[MAKE_VERBS];
 

@@ -195,7 +195,8 @@ static int conic_of(void *context, const arc_piece *a, size_t number)
         status = loft_conic_init(&c, p);
     if (status != LOFT_OK)
         return status;
-    printf("%zu %s%s\n", number, c.circle ? "circle, " : "", word[c.kind]);
+    printf("%zu %s%s%s\n", number, c.circle ? "circle, " : "", word[c.kind],
+           c.kind < LOFT_CONIC_POINT && !c.finite ? ", through infinity" : "");
     if (c.kind > LOFT_CONIC_HYPERBOLA)
         return LOFT_OK;
     status = loft_conic_foci(p, focus, &foci);
@@ -253,7 +254,38 @@ static int bend_of(void *context, const arc_piece *a, size_t number)
 
 static int answer_bend(const decide_input *in) { return visit_pieces(in, bend_of, (void *)in); }
 
-static int answer_conic(const decide_input *in) { return visit_pieces(in, conic_of, (void *)in); }
+/* A rational curve, whose weights the library may not take otherwise. */
+static int weighted_of(const curve *c, arc_piece *out)
+{
+    out->b.degree = (uint8_t)c->degree;
+    out->b.p = out->p;
+    out->rational = true;
+    for (unsigned k = 0; k <= c->degree; k++) {
+        if (!vec_of(c->point[k].p, &out->p[k]) || !real_of(c->point[k].w, &out->w[k].w))
+            return LOFT_ERR_RANGE;
+        out->w[k].p = out->p[k];
+    }
+    return LOFT_OK;
+}
+
+static int answer_conic(const decide_input *in)
+{
+    size_t number = 0;
+    int status = LOFT_OK;
+    arc_piece a;
+
+    for (size_t i = 0; i < in->curves->count && status == LOFT_OK; i++) {
+        const curve *c = &in->curves->curve[i];
+        if (c->kind != CURVE_RATIONAL) {
+            status = visit_curve(in, i, conic_of, (void *)in, &number);
+            continue;
+        }
+        status = weighted_of(c, &a);
+        if (status == LOFT_OK)
+            status = conic_of((void *)in, &a, number++);
+    }
+    return status;
+}
 
 static int hold_polynomial(void *context, const arc_piece *a, size_t number)
 {
@@ -303,6 +335,27 @@ static int answer_enclosed(const decide_input *in)
     return status;
 }
 
+static int under_of(void *context, const arc_piece *a, size_t number)
+{
+    const decide_input *in = context;
+    loft_acc area = 0;
+    loft_real end[2];
+    int status = a->rational ? LOFT_ERR_ARG : numbers_of(in, end, 2);
+
+    if (a->rational)
+        return decide_refuse(in, "a piece has weights: give curves without");
+    if (status == LOFT_OK)
+        status = loft_bezier_area_under(&a->b, loft_unit_from(end[0]), loft_unit_from(end[1]),
+                                        &area);
+    if (status == LOFT_ERR_ARG)
+        return decide_refuse(in, "a parameter is not in 0..1: give others");
+    if (status == LOFT_OK)
+        printf("%zu %.9g\n", number, double_of_acc(area));
+    return status;
+}
+
+static int answer_under(const decide_input *in) { return visit_pieces(in, under_of, (void *)in); }
+
 const decide_question ENGINE_OF(decide)[DECIDE_QUESTIONS] = {
     { "positive", DECIDE_NUMBERS, 1, DECIDE_ANY, "Bernstein coefficients", answer_positive },
     { "convex", DECIDE_NUMBERS, 1, DECIDE_ANY, "Bernstein coefficients", answer_convex },
@@ -312,7 +365,9 @@ const decide_question ENGINE_OF(decide)[DECIDE_QUESTIONS] = {
     { "shares", DECIDE_NUMBERS, 8, 15, "corners and a point", ENGINE_OF(answer_shares) },
     { "plane", DECIDE_NUMBERS, 6, 12, "points of a line or a plane and one more",
       ENGINE_OF(answer_plane) },
-    { "weights", DECIDE_NUMBERS, 3, 4, "a degree, v,w or v,w,x", ENGINE_OF(answer_weights) },
+    { "sphere", DECIDE_NUMBERS, 7, 7, "a centre x,y,z, a radius, a point x,y,z",
+      ENGINE_OF(answer_sphere) },
+    { "weights", DECIDE_NUMBERS, 2, 4, "a degree, t, v,w or v,w,x", ENGINE_OF(answer_weights) },
     { "solid", DECIDE_NUMBERS, 4, DECIDE_ANY, "v,w,x, then coefficients", ENGINE_OF(answer_solid) },
     { "iterate", DECIDE_NUMBERS, 6, DECIDE_ANY, "times, v,w, then samples",
       ENGINE_OF(answer_triangle_operator) },
@@ -330,9 +385,10 @@ const decide_question ENGINE_OF(decide)[DECIDE_QUESTIONS] = {
     { "bend", DECIDE_CURVES, 1, DECIDE_ANY, "parameters t in 0..1", answer_bend },
     { "inflections", DECIDE_CURVES, 0, 0, "nothing", ENGINE_OF(answer_inflections) },
     { "loops", DECIDE_CURVES, 1, 1, "a tolerance above 0", ENGINE_OF(answer_loops) },
-    { "conic", DECIDE_CURVES, 0, 0, "nothing", answer_conic },
+    { "conic", DECIDE_CONICS, 0, 0, "nothing", answer_conic },
     { "meet", DECIDE_CURVES, 0, 0, "nothing", answer_meet },
     { "enclosed", DECIDE_CURVES, 0, 0, "nothing", answer_enclosed },
+    { "under", DECIDE_CURVES, 2, 2, "two parameters in 0..1", answer_under },
     { "nearest", DECIDE_SURFACES, 3, 3, "a point x,y,z", ENGINE_OF(answer_nearest) },
     { "ray", DECIDE_SURFACES, 6, 6, "a point and a direction x,y,z,dx,dy,dz",
       ENGINE_OF(answer_ray) },

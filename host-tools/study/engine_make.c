@@ -264,7 +264,7 @@ static int revolve_piece(void *context, const arc_piece *a, size_t number)
 {
     decide_input in = *(const decide_input *)context;
     loft_weighted net[3 * MOST];
-    curves solid = { NULL, 0, true };
+    curves solid = { .solid = true };
     loft_rational r;
     int status = a->b.degree > 0 ? loft_rational_init(&r, a->w, a->b.degree) : LOFT_ERR_ARG;
 
@@ -292,6 +292,7 @@ const decide_question ENGINE_OF(make)[MAKE_VERBS] = {
     { "lowest", DECIDE_CURVES, 1, 1, "a tolerance above 0", ENGINE_OF(make_lowest) },
     { "join", DECIDE_CURVES, 1, 1, "a tolerance above 0", ENGINE_OF(make_join) },
     { "thin", DECIDE_CURVES, 1, 1, "a tolerance", ENGINE_OF(make_thin) },
+    { "insert", DECIDE_CURVES, 1, DECIDE_ANY, "knots u,..", ENGINE_OF(make_insert) },
     { "cut", DECIDE_CURVES, 2, 2, "two parameters of the curve, the lower one first",
       ENGINE_OF(make_cut) },
     { "pieces", DECIDE_CURVES, 0, 0, "nothing", ENGINE_OF(make_pieces) },

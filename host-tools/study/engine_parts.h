@@ -20,6 +20,7 @@ int ENGINE_OF(make_lowest)(const decide_input *in);
 int ENGINE_OF(answer_inflections)(const decide_input *in);
 int ENGINE_OF(answer_loops)(const decide_input *in);
 int ENGINE_OF(make_thin)(const decide_input *in);         /* engine_thin.c */
+int ENGINE_OF(make_insert)(const decide_input *in);
 int ENGINE_OF(answer_frame)(const decide_input *in);
 int ENGINE_OF(answer_power)(const decide_input *in);
 int ENGINE_OF(answer_integral)(const decide_input *in);

@@ -18,6 +18,7 @@ int ENGINE_OF(answer_join)(const decide_input *in);
 /* engine_simplex.c: of lines, planes, triangles, tetrahedra */
 int ENGINE_OF(answer_shares)(const decide_input *in);
 int ENGINE_OF(answer_plane)(const decide_input *in);
+int ENGINE_OF(answer_sphere)(const decide_input *in);
 int ENGINE_OF(answer_weights)(const decide_input *in);
 int ENGINE_OF(answer_solid)(const decide_input *in);
 int ENGINE_OF(answer_triangle_operator)(const decide_input *in);

@@ -6,6 +6,7 @@
 
 #include "surface/barycentric.h"                    /* loft_bary_from_point */
 #include "surface/plane.h"                          /* loft_facet_equation */
+#include "surface/sphere.h"                         /* loft_sphere_value */
 #include "surface/tetra.h"                          /* loft_tetra_eval */
 #include "surface/triangle/triangle.h"              /* loft_triangle_polar */
 #include "surface/triangle/triangle_integral.h"     /* loft_triangle_integral */
@@ -144,13 +145,57 @@ int ENGINE_OF(answer_plane)(const decide_input *in)
     return status;
 }
 
+/* A sphere, and a point. */
+int ENGINE_OF(answer_sphere)(const decide_input *in)
+{
+    loft_real x[NUMBERS], value, distance;
+    loft_vec p[2], direction;
+    int status = take(in, x);
+
+    if (status != LOFT_OK)
+        return status;
+    points_of(x, 1, 3, p);
+    points_of(x + 4, 1, 3, p + 1);
+    const loft_sphere s = { p[0], x[3] };
+    status = loft_sphere_value(&s, p[1], &value);
+    if (status == LOFT_ERR_ARG)
+        return decide_refuse(in, "a radius below 0: give one of 0 or more");
+    if (status == LOFT_OK)
+        print_reals(in, "value", &value, 1);
+    if (status == LOFT_OK)
+        status = loft_sphere_distance(&s, p[1], &distance);
+    if (status == LOFT_OK)
+        print_reals(in, "distance", &distance, 1);
+    if (status == LOFT_OK)
+        status = loft_sphere_direction(&s, p[1], &direction);
+    if (status == LOFT_OK)
+        print_reals(in, "normal", direction.axis, 3);
+    return status == LOFT_SINGULAR ? LOFT_OK : status;      /* the centre has none */
+}
+
 
 // Polynomials
 // -----------
 
-/* The Bernstein polynomials of a degree at v, w, or v, w, x. */
+static int print_weights(const decide_input *in)
+{
+    const double t = in->of->value[1];
+    loft_acc w[MOST];
+    unsigned n;
+
+    if (!whole_of(in->of->value[0], LOFT_DEGREE_MAX, &n) || !(t >= 0 && t <= 1))
+        return decide_refuse(in, "give a degree 0 to 9, and a parameter of 0 to 1");
+    loft_bernstein_weights(n, LOFT_UNIT(t), w);
+    for (unsigned k = 0; k <= n; k++)
+        printf("%u %u %.9g\n", n - k, k, double_of_acc(w[k]));
+    return LOFT_OK;
+}
+
+/* The Bernstein polynomials of a degree at t, at v, w, or at v, w, x. */
 int ENGINE_OF(answer_weights)(const decide_input *in)
 {
+    if (in->of->count == 2)
+        return print_weights(in);
     const double *of = in->of->value;
     const bool solid = in->of->count == 4;
     loft_acc w[LOFT_TETRA_MAX];

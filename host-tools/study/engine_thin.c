@@ -1,5 +1,5 @@
-/* host-tools/study/engine_thin.c -- B-splines without the knots that they do not need; compiled
- * once per number type
+/* host-tools/study/engine_thin.c -- B-splines without the knots that they do not need, and with
+ * more; compiled once per number type
  * SPDX-License-Identifier: MIT
  */
 #include <stdlib.h>
@@ -86,7 +86,8 @@ static void write_spline(const decide_input *in, const thinning *x, double far)
     }
     for (unsigned k = 0; k < knots; k++)
         print_knot(in->e, "knots", double_of(x->k[0][k]), k, knots);
-    printf("# within %.9g\n", far);
+    if (far >= 0)
+        printf("# within %.9g\n", far);
 }
 
 static int read_spline(const curve *c, thinning *x)
@@ -103,31 +104,43 @@ static int read_spline(const curve *c, thinning *x)
     return LOFT_OK;
 }
 
-/* Knots go one by one, as long as the sum of their distances is within the tolerance. */
-static int thin_curve(const decide_input *in, const curve *c)
+/* A curve with room for so many more points. */
+static int open_spline(const decide_input *in, const curve *c, unsigned more, thinning *x)
 {
-    thinning x = { .weighted = c->kind == CURVE_NURBS, .points = c->count, .degree = c->degree };
-    double sum = 0, far = 0;
-
+    *x = (thinning){ .weighted = c->kind == CURVE_NURBS, .points = c->count, .degree = c->degree };
     if (c->kind != CURVE_BSPLINE && c->kind != CURVE_NURBS)
         return decide_refuse(in, "a curve is no `bspline` and no `nurbs`: give curves with knots");
     if (c->knot_count != c->count + c->degree + 1)
         return decide_refuse(in, "a B-spline has no knots: give as many as points + degree + 1");
     for (int i = 0; i < 3; i++) {
-        x.p[i] = tool_grow(NULL, c->count * sizeof *x.p[i]);
-        x.w[i] = tool_grow(NULL, c->count * sizeof *x.w[i]);
-        x.k[i] = tool_grow(NULL, c->knot_count * sizeof *x.k[i]);
+        x->p[i] = tool_grow(NULL, (c->count + more) * sizeof *x->p[i]);
+        x->w[i] = tool_grow(NULL, (c->count + more) * sizeof *x->w[i]);
+        x->k[i] = tool_grow(NULL, (c->knot_count + more) * sizeof *x->k[i]);
     }
-    const int status = read_spline(c, &x);
+    return read_spline(c, x);
+}
+
+static void close_spline(thinning *x)
+{
+    for (int i = 0; i < 3; i++) {
+        free(x->p[i]);
+        free(x->w[i]);
+        free(x->k[i]);
+    }
+}
+
+/* Knots go one by one, as long as the sum of their distances is within the tolerance. */
+static int thin_curve(const decide_input *in, const curve *c)
+{
+    double sum = 0, far = 0;
+    thinning x;
+    const int status = open_spline(in, c, 0, &x);
+
     while (status == LOFT_OK && remove_least(&x, in->of->value[0] - sum, &far))
         sum += far;
     if (status == LOFT_OK)
         write_spline(in, &x, sum);
-    for (int i = 0; i < 3; i++) {
-        free(x.p[i]);
-        free(x.w[i]);
-        free(x.k[i]);
-    }
+    close_spline(&x);
     return status;
 }
 
@@ -138,5 +151,41 @@ int ENGINE_OF(make_thin)(const decide_input *in)
 
     for (size_t c = 0; c < in->curves->count && status == LOFT_OK; c++)
         status = thin_curve(in, &in->curves->curve[c]);
+    return status;
+}
+
+static int insert_knot(const decide_input *in, thinning *x, double at)
+{
+    loft_bspline b;
+    loft_nurbs n;
+    loft_real u;
+    int status = !real_of(at, &u) ? LOFT_ERR_RANGE
+                 : x->weighted    ? (int)loft_nurbs_init(&n, x->w[0], x->points, x->k[0], x->degree)
+                               : (int)loft_bspline_init(&b, x->p[0], x->points, x->k[0], x->degree);
+
+    if (status == LOFT_OK)
+        status = x->weighted ? loft_nurbs_insert(&n, u, x->w[0], x->k[0])
+                             : loft_bspline_insert(&b, u, x->p[0], x->k[0]);
+    if (status == LOFT_ERR_ARG)
+        return decide_refuse(in, "a knot beyond the curve, or there as often as the degree and one "
+                                 "more: give others");
+    x->points += status == LOFT_OK;
+    return status;
+}
+
+/* The same curves with more knots. */
+int ENGINE_OF(make_insert)(const decide_input *in)
+{
+    int status = LOFT_OK;
+
+    for (size_t c = 0; c < in->curves->count && status == LOFT_OK; c++) {
+        thinning x;
+        status = open_spline(in, &in->curves->curve[c], (unsigned)in->of->count, &x);
+        for (size_t k = 0; k < in->of->count && status == LOFT_OK; k++)
+            status = insert_knot(in, &x, in->of->value[k]);
+        if (status == LOFT_OK)
+            write_spline(in, &x, -1);
+        close_spline(&x);
+    }
     return status;
 }

@@ -1490,6 +1490,26 @@ case_decide() {
         printf 'rational 3\n3 0 : 3\n3 6 : 1\n-3 6 : 1\n-3 0 : 3\n' >"$tmp/half.loft"
         run 0 "$loft" decide conic --num $num "$tmp/half.loft"
         says out '^0 circle, ellipse'; says out '^centre 0 0'; says out '^axes 3 3'
+        # a whole circle; its other part, with a negative weight; weights of 0: a line, a hyperbola
+        { printf 'rational 2\n5 0 : 1\n5 5 : 1\n0 5 : 2\n'
+          printf 'rational 2\n0 5 : 2\n-5 5 : 1\n-5 0 : 1\n'
+          printf 'rational 2\n-5 0 : 1\n-5 -5 : 1\n0 -5 : 2\n'
+          printf 'rational 2\n0 -5 : 2\n5 -5 : 1\n5 0 : 1\n'; } >"$tmp/whole.loft"
+        run 0 "$loft" decide conic --num $num "$tmp/whole.loft"
+        [ "$(grep -c '^[0-3] circle, ellipse$' "$tmp/out")" = 4 ] ||
+            job_fails "whole circle $num: $(cat "$tmp/out")"
+        printf 'rational 2\n5 0 : 1\n5 5 : -1\n0 5 : 2\n' >"$tmp/other.loft"
+        run 0 "$loft" decide conic --num $num "$tmp/other.loft"
+        says out '^0 circle, ellipse$'; says out '^centre 0 0$'; says out '^axes 5 5$'
+        printf 'rational 2\n5 0 : 1\n5 5 : 0\n0 5 : 1\n' >"$tmp/zero.loft"
+        run 0 "$loft" decide conic --num $num "$tmp/zero.loft"
+        says out '^0 line$'
+        printf 'rational 2\n1 0 : 1\n0 0 : 0\n0 1 : -1\n' >"$tmp/infinite.loft"
+        run 0 "$loft" decide conic --num $num "$tmp/infinite.loft"
+        says out '^0 line, through infinity$'
+        printf 'rational 2\n1 0 : 1\n1 1 : 1\n0 1 : -1\n' >"$tmp/branches.loft"
+        run 0 "$loft" decide conic --num $num "$tmp/branches.loft"
+        says out '^0 hyperbola, through infinity$'
         printf 'tensor 1 1\n0 0 0\n0 2 0\n2 0 0\n2 2 0\n' >"$tmp/plane.loft"
         run 0 "$loft" decide ray --num $num --of=1,0.5,5,0,0,-2 "$tmp/plane.loft"
         [ "$(cat "$tmp/out")" = "0 t 2.5 u 0.5 v 0.25" ] ||
@@ -1553,6 +1573,15 @@ case_simplex() {
         says out '^equation -4 3 0$'; says out '^distance -4$'
         run 0 "$loft" decide plane --num $num --of 0,0,1,1,0,1,0,1,1,5,5,3
         says out '^normal 0 0 1$'; says out '^distance 2$'
+        run 0 "$loft" decide sphere --num $num --of=1,0,0,3,1,3,4
+        says out '^value 16$'; says out '^distance 2$'; says out '^normal 0 0.6'
+        run 0 "$loft" decide sphere --num $num --of=1,0,0,3,1,0,0
+        says out '^distance -3$'
+        printf 'bezier 2\n0 0\n3 6\n6 0\n' >"$tmp/hill.loft"
+        run 0 "$loft" decide under --num $num --of 0,1 "$tmp/hill.loft"; says out '^0 12$'
+        run 0 "$loft" decide under --num $num --of 1,0.5 "$tmp/hill.loft"; says out '^0 -6$'
+        run 0 "$loft" decide weights --num $num --of 3,0.5
+        says out '^3 0 0.125$'; says out '^1 2 0.375$'
         run 0 "$loft" decide weights --num $num --of 2,0.25,0.25
         says out '^1 1 0 0.25$'; says out '^0 0 2 0.0625$'
         run 0 "$loft" decide weights --num $num --of 1,0.25,0.25,0.25; says out '^1 0 0 0 0.25$'
@@ -1585,9 +1614,41 @@ case_fit_surface() {
     done
     one_line 65 'a row of 1 points after rows of 10' "$loft" fit --surface "$tmp/short.csv"
     printf '0 0 0\n1 0 0\n' >"$tmp/one.csv"
-    one_line 65 '1 rows: give two or more' "$loft" fit --surface "$tmp/one.csv"
+    one_line 65 '2 points in one row: give 4 or more' "$loft" fit --surface "$tmp/one.csv"
     one_line 65 'two rows or columns are one' "$loft" fit --surface \
         <(cat "$tmp/one.csv"; echo; cat "$tmp/one.csv")
+}
+# the wave again, in no order and turned by 30 degrees; what a plane does not show, or not all over
+case_fit_scattered() {
+    awk 'BEGIN { srand(7); n = 600
+                 for (k = 0; k < n; k++) {
+                     x = k < 100 ? (k % 10) / 9 * 10 : 10 * rand()
+                     y = k < 100 ? int(k / 10) / 9 * 8 : 8 * rand()
+                     z = sin(x / 2) * cos(y / 3)
+                     printf "%.6f,%.6f,%.6f\n", x * cos(.5236) - y * sin(.5236),
+                            x * sin(.5236) + y * cos(.5236), z } }' >"$tmp/cloud.csv"
+    for num in q16 f32 f64; do
+        "$loft" fit --surface --num $num --tol 0.02 "$tmp/cloud.csv" >"$tmp/cloud.loft" ||
+            job_fails "cloud $num"
+        grep -qE '^# .* for 600 points in no order, within 0.0[01]' "$tmp/cloud.loft" ||
+            job_fails "cloud $num: $(tail -1 "$tmp/cloud.loft")"
+        # a place that was no point: x = 5, y = 4
+        run 0 "$loft" decide nearest --num $num --of 2.330148,5.964076,0.140792 "$tmp/cloud.loft"
+        awk '{ exit !($7 < 0.03) }' "$tmp/out" || job_fails "cloud $num: $(cat "$tmp/out")"
+    done
+    # the same points in another order: the same surface
+    sort "$tmp/cloud.csv" | "$loft" fit --surface --tol 0.02 - | tail -1 >"$tmp/sorted"
+    "$loft" fit --surface --tol 0.02 "$tmp/cloud.csv" | tail -1 | diff - "$tmp/sorted" ||
+        job_fails "the order counts"
+    # three lines tell three control points of four; a disc leaves corners of a finer net empty
+    one_line 65 'do not tell 4 of 16 control points' "$loft" fit --surface <(awk 'BEGIN {
+        for (k = 0; k < 60; k++) print k % 3, k / 20, k % 3 }')
+    one_line 65 'do not tell [0-9]* of a finer net' "$loft" fit --surface --tol 0.002 <(awk 'BEGIN {
+        srand(3); for (k = 0; k < 2000; k++) { x = 2 * rand() - 1; y = 2 * rand() - 1
+            if (x * x + y * y < 1) print 20 * x, 20 * y, 5 * sqrt(1.5 - x * x - y * y) } }')
+    one_line 65 'lie on a line' "$loft" fit --surface <(awk 'BEGIN { for (k = 0; k < 9; k++)
+        print k, 2 * k, -k }')
+    one_line 65 'stays [0-9.e-]* from a point' "$loft" fit --surface --tol 0.00001 "$tmp/cloud.csv"
 }
 # a parabola as a B-spline with five inner knots needs none
 case_thin() {
@@ -1612,6 +1673,16 @@ case_thin() {
         says out '^nurbs 2$'; says out '^knots 0 0 0 3 4 4 4$'; says out '^1 0 : 1$'
     done
     one_line 65 'is no `bspline`' "$loft" make thin --of 1 tests/drawings/curves.loft
+    # a knot more changes nothing: the points at 0 and 1.5 are as before
+    for num in q16 f32 f64; do
+        "$loft" eval --num $num --t 0,1.5,6 "$tmp/many.loft" >"$tmp/before"
+        run 0 "$loft" make insert --num $num --of 1.5,1.5,4 "$tmp/many.loft"
+        says out '^bspline 2$'; says out '^knots 0 0 0 1 1.5 1.5 2 3$'
+        cp "$tmp/out" "$tmp/more.loft"
+        run 0 "$loft" eval --num $num --t 0,1.5,6 "$tmp/more.loft"
+        diff "$tmp/before" "$tmp/out" >/dev/null || job_fails "insert $num: $(cat "$tmp/out")"
+    done
+    one_line 65 'a knot beyond the curve' "$loft" make insert --of 7 "$tmp/many.loft"
 }
 # (2 t - 1)^5 over t has a flat inflection; a circle is none; a loop of degree 5, and one of two
 # pieces
@@ -1632,6 +1703,24 @@ case_shape_of_any_degree() {
         [ "$(wc -l <"$tmp/out")" = 1 ] || job_fails "bent $num: $(cat "$tmp/out")"
     done
     one_line 65 'a tolerance of 0' "$loft" decide loops --of 0 "$tmp/loop.loft"
+    # a cubic with a loop, its projection by 1 + x / 8; two quarters of a circle and a part that
+    # crosses the first one
+    printf 'bezier 3\n0 0\n8 8\n-4 8\n4 0\n' >"$tmp/plain.loft"
+    printf 'rational 3\n0 0 : 1\n4 4 : 2\n-8 16 : 0.5\n2.6666667 0 : 1.5\n' >"$tmp/weighted.loft"
+    { printf 'nurbs 2\n5 0 : 1\n5 5 : 0.70710678\n0 5 : 1\n-5 5 : 0.70710678\n-5 0 : 1\n'
+      printf -- '-4 -1 : 1\n8 4 : 1\nknots 0 0 0 1 1 2 2 3 3 3\n'; } >"$tmp/arch.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" decide loops --num $num --of 0.002 "$tmp/plain.loft"
+        cut -d' ' -f3,4 "$tmp/out" >"$tmp/at"
+        run 0 "$loft" decide loops --num $num --of 0.002 "$tmp/weighted.loft"
+        [ "$(wc -l <"$tmp/out")" = 1 ] || job_fails "weighted $num: $(cat "$tmp/out")"
+        paste -d' ' "$tmp/at" "$tmp/out" |
+            awk '{ exit !(($1 - $5) ^ 2 + ($2 - $6) ^ 2 < 1e-10) }' ||
+            job_fails "weighted $num: $(cat "$tmp/at" "$tmp/out")"
+        run 0 "$loft" decide loops --num $num --of 0.002 "$tmp/arch.loft"
+        [ "$(wc -l <"$tmp/out")" = 1 ] || job_fails "arch $num: $(cat "$tmp/out")"
+        says out '^0 2 '
+    done
 }
 # an octant of radius 8 and the plane z = 3 meet in a quarter of a circle, a line in one place; two
 # equal parabolas across each other in the diagonals of their square
