@@ -10,7 +10,7 @@
 #define UNIT    0x1p-24
 #define WHOLE   (1 << 24)
 
-/* Ways of 0.01 to 1 mm, each up to four times as long as the one before, that bend and turn back. */
+/* Ways of 0.01 to 1 mm that bend and turn back, each up to four times as long as the one before. */
 static loft_path_place places[6];
 
 static void arb_places(arb *a)
