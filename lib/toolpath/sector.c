@@ -52,7 +52,9 @@ unsigned loft_sector_count(const loft_disk *d)
 /* The sides whose parameters are those of the sector: the one before its corner, the one after. */
 static unsigned first_side(const loft_sector *c)
 {
-    return c->disk->sides == 3 ? 0 : (c->number + c->disk->sides - 1u) % c->disk->sides;
+    const unsigned n = c->disk->sides;
+
+    return n == 3 ? 0 : (c->number + n - 1) % n;
 }
 
 static enum loft_status ring_at(const loft_sector *c, loft_unit u, loft_unit v, loft_vec *out)
