@@ -121,16 +121,18 @@ static int64_t time_to(const loft_guess_round *g, unsigned k)
     return time;
 }
 
-/* The next sharp knot, or the last that is sure. */
+/* The next knot that is sharp or a tip, or the last that is sure. */
 static unsigned next_sharp(const loft_guess_round *g, unsigned end)
 {
+    const loft_knot *at = g->knot;
     unsigned k = g->at + 1;
-    while (k < end && !g->knot[k].is.on.sharp)
+    while (k < end && !at[k].is.on.sharp &&
+           !loft_path_turns_back(&at[k - 1].is.on, &at[k].is.on, &at[k + 1].is.on))
         k++;
     return k;
 }
 
-/* Whole periods to the next sharp place. */
+/* Whole periods to such a place. */
 static int64_t step_of(const loft_guess_round *g, unsigned sharp, bool known)
 {
     const int64_t left = time_to(g, sharp);
@@ -154,9 +156,8 @@ static void place_at(const loft_guess_round *g, int64_t time, loft_position *out
     const int64_t whole = loft_timing_time(g->knot, g->at);
     const int64_t v0 = loft_coord_sqrt((uint64_t)((int64_t)k[0].is.pace.v2 + k[1].is.pace.v2) << 7),
                   v1 = loft_coord_sqrt((uint64_t)((int64_t)k[1].is.pace.v2 + k[2].is.pace.v2) << 7);
-    int64_t z = v0 * time + (v1 - v0) * time / whole * time / 2;   /* 2^-32 */
+    const int64_t z = (v0 * time + (v1 - v0) * time / whole * time / 2) >> 8;   /* 2^-24 */
 
-    z = z >> 8;
     around(g, at);
     loft_path_between(at, z < INT32_C(1) << 24 ? (int32_t)z : INT32_C(1) << 24, out);
 }
@@ -257,8 +258,7 @@ static void pop_place(loft_guess_round *g, loft_path_place *out)
         at[k] = &g->queue[k < n ? k : n - 1].on;
     for (int k = 0; k < 3 && n > 2; k++) {
         const int32_t quarter = (int32_t)(k + 1) * (INT32_C(1) << 22);
-        const loft_coord x = loft_path_off(at, quarter, &g->queue[1].inner[k]);
-        off = x > off ? x : off;
+        off = loft_coord_most(off, loft_path_off(at, quarter, &g->queue[1].inner[k]));
     }
     *out = g->queue[1].on;
     loft_path_set_skip(out, n > 2 ? loft_path_skip(out) + off : 0);

@@ -328,7 +328,9 @@ static unsigned too_long(const loft_path *path, unsigned k)
     if (most < 2 * (int64_t)p->tol)
         return 0;
     places_from(path, k - 2, 5, at);
-    const loft_coord even = most < 2 * least && !loft_path_turns_back(at) ? p->tol / 4 : 0;
+    const loft_coord even = most < 2 * least && !loft_path_turns_back(at[1], at[2], at[3])
+                                ? p->tol / 4
+                                : 0;
     if (loft_path_missed(at, left + even))
         return longest;
     if (most <= 2 * (q[k].s - q[k - 1].s) + 18 * (int64_t)left)

@@ -164,13 +164,14 @@ loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const lo
 }
 
 
-bool loft_path_turns_back(const loft_path_place *const at[5])
+bool loft_path_turns_back(const loft_path_place *a, const loft_path_place *b,
+                          const loft_path_place *c)
 {
     loft_coord before[LOFT_AXES], behind[LOFT_AXES];
     int64_t dot = 0;
 
-    legs_of(&at[1]->at, &at[2]->at, before);
-    legs_of(&at[2]->at, &at[3]->at, behind);
+    legs_of(&a->at, &b->at, before);
+    legs_of(&b->at, &c->at, behind);
     for (int i = 0; i < LOFT_AXES; i++)
         dot += (int64_t)(before[i] >> 2) * (behind[i] >> 2);
     return dot < 0;
@@ -178,7 +179,7 @@ bool loft_path_turns_back(const loft_path_place *const at[5])
 
 loft_coord loft_path_miss(const loft_path_place *const at[5], const loft_position *p)
 {
-    if (loft_path_turns_back(at))
+    if (loft_path_turns_back(at[1], at[2], at[3]))
         return loft_position_distance(&at[2]->at, p);
     const loft_coord before = loft_path_off(at, PART_ONE, p), behind = loft_path_off(at + 1, 0, p);
     return loft_coord_least(before, behind);

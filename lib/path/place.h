@@ -58,8 +58,9 @@ loft_path_cubic loft_path_cubic_of(const loft_path_place *const at[4]);
 /* As loft_path_off. */
 loft_coord loft_path_cubic_off(const loft_path_cubic *cubic, int32_t z, const loft_position *p);
 
-/* Does the path turn back at the middle one of five places? */
-bool loft_path_turns_back(const loft_path_place *const at[5]);
+/* Does the path from a by b to c turn back at b? */
+bool loft_path_turns_back(const loft_path_place *a, const loft_path_place *b,
+                          const loft_path_place *c);
 
 /* How far p is from the cubics around the middle one of five places. Where the path turns back
  * there, its tip is as far from p as any of it. */

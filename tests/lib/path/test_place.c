@@ -120,7 +120,7 @@ static void where_the_path_turns_back_its_tip_counts(arb *a)
         size += fabs(before) + fabs(behind);
     }
     if (fabs(dot) > 16 * size)
-        CHECK(loft_path_turns_back(at) == (dot < 0));
+        CHECK(loft_path_turns_back(at[1], at[2], at[3]) == (dot < 0));
     if (dot < -16 * size)
         CHECK(loft_path_miss(at, &at[3]->at) >= distance(&at[2]->at, &at[3]->at) - 4);
 }
