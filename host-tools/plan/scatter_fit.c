@@ -163,9 +163,11 @@ typedef struct {
 
 static engine_net_fit given(const scatter_fit *f)
 {
-    return (
-        engine_net_fit){ f->p,     (const double(*)[2])f->at,      { f->knot[0], f->knot[1] },
-                         f->count, { f->points[0], f->points[1] }, { f->degree[0], f->degree[1] } };
+    const engine_net_fit all = {
+        f->p,     (const double(*)[2])f->at,      { f->knot[0], f->knot[1] },
+        f->count, { f->points[0], f->points[1] }, { f->degree[0], f->degree[1] }
+    };
+    return all;
 }
 
 static int find_basis(const scatter_fit *f, room *r)
@@ -182,9 +184,8 @@ static int find_basis(const scatter_fit *f, room *r)
 static size_t solve(const scatter_fit *f, room *r)
 {
     const size_t rows = f->count, columns = (size_t)f->points[0] * f->points[1];
-    long double *const a = least_room((columns + 3) * rows * sizeof *a), *const x = least_room(
-                                                                             3 * columns *
-                                                                             sizeof *x);
+    long double *const a = least_room((columns + 3) * rows * sizeof *a);
+    long double *const x = least_room(3 * columns * sizeof *x);
 
     memset(a, 0, columns * rows * sizeof *a);
     for (size_t k = 0; k < rows; k++) {
@@ -356,20 +357,20 @@ int scatter_fit_make(scatter_fit *f, const engine *e, unsigned degree, double to
         f->points[axis] = degree + 1;
         r.basis[axis] = tool_grow(NULL, f->count * sizeof *r.basis[axis]);
     }
-    scatter_fit kept = { 0 };
+    unsigned kept[2] = { 0, 0 };
+    double off = INFINITY;
     for (;;) {
         status = fit_once(f, &r, tol);
         if (status != LOFT_OK || f->off <= tol)
             break;
-        memcpy(kept.points, f->points, sizeof kept.points);
-        kept.off = f->off;
-        kept.count = 1;
+        memcpy(kept, f->points, sizeof kept);
+        off = f->off;
         if (!refine(f))
             break;
     }
-    if (status == LOFT_SINGULAR && kept.count) {        /* the last net without loose points */
-        memcpy(f->points, kept.points, sizeof f->points);
-        f->off = kept.off;
+    if (status == LOFT_SINGULAR && kept[0] > 0) {       /* the last net without loose points */
+        memcpy(f->points, kept, sizeof f->points);
+        f->off = off;
         set_knots(f);
         status = LOFT_OK;
     }

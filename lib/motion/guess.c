@@ -142,12 +142,6 @@ static int64_t step_of(const loft_guess_round *g, unsigned sharp, bool known)
     return n > 1 ? left / n : left;
 }
 
-static void around(const loft_guess_round *g, const loft_path_place *at[4])
-{
-    for (unsigned i = 0; i < 4; i++)
-        at[i] = &g->knot[g->at + i - 1].is.on;
-}
-
 /* The place that is `time` after knot `at`. */
 static void place_at(const loft_guess_round *g, int64_t time, loft_position *out)
 {
@@ -158,7 +152,7 @@ static void place_at(const loft_guess_round *g, int64_t time, loft_position *out
                   v1 = loft_coord_sqrt((uint64_t)((int64_t)k[1].is.pace.v2 + k[2].is.pace.v2) << 7);
     const int64_t z = (v0 * time + (v1 - v0) * time / whole * time / 2) >> 8;   /* 2^-24 */
 
-    around(g, at);
+    loft_tube_places(g->knot, g->at - 1u, 4, at);
     loft_path_between(at, z < INT32_C(1) << 24 ? (int32_t)z : INT32_C(1) << 24, out);
 }
 /* sqrt(2 b 2^24 2^7) = 2^16 sqrt b */

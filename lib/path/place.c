@@ -163,7 +163,6 @@ loft_coord loft_path_off(const loft_path_place *const at[4], int32_t z, const lo
     return loft_path_cubic_off(&w, z, p);
 }
 
-
 bool loft_path_turns_back(const loft_path_place *a, const loft_path_place *b,
                           const loft_path_place *c)
 {
@@ -188,20 +187,23 @@ loft_coord loft_path_miss(const loft_path_place *const at[5], const loft_positio
 /* It is off by a 36th of the fourth difference. */
 bool loft_path_missed(const loft_path_place *const at[5], loft_coord most)
 {
+    int64_t d4[LOFT_AXES], size = 0;
     loft_position p;
-    int64_t size = 0;
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const loft_coord x = at[2]->at.axis[i];
         const int64_t near = (int64_t)loft_coord_sub(at[1]->at.axis[i], x) +
                              loft_coord_sub(at[3]->at.axis[i], x),
                       far = (int64_t)loft_coord_sub(at[0]->at.axis[i], x) +
-                            loft_coord_sub(at[4]->at.axis[i], x),
-                      d4 = far - 4 * near;
-        p.axis[i] = loft_coord_add(x, -(loft_coord)(d4 / 36));
-        size += loft_long_abs(d4);
+                            loft_coord_sub(at[4]->at.axis[i], x);
+        d4[i] = far - 4 * near;
+        size += loft_long_abs(d4[i]);
     }
-    return size >= 36 * (int64_t)most && loft_path_miss(at, &p) > most;
+    if (size < 36 * (int64_t)most)
+        return false;
+    for (int i = 0; i < LOFT_AXES; i++)
+        p.axis[i] = loft_coord_add(at[2]->at.axis[i], -(loft_coord)(d4[i] / 36));
+    return loft_path_miss(at, &p) > most;
 }
 
 /* There it is off the middle of the chord by (a + 16 b - 16 d - e) / 288, with the two ways before

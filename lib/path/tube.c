@@ -74,12 +74,6 @@ static loft_coord off_between(const loft_knot knot[], unsigned k, const loft_pat
     return loft_path_off(at, INT32_C(1) << 23, &p);
 }
 
-static void places_from(const loft_knot knot[], unsigned k, unsigned n, const loft_path_place *at[])
-{
-    for (unsigned i = 0; i < n; i++)
-        at[i] = &knot[k + i].is.on;
-}
-
 /* The same at knot k, where it is D4 / 36 off. */
 static loft_coord off_at(const loft_knot knot[], unsigned k)
 {
@@ -87,7 +81,7 @@ static loft_coord off_at(const loft_knot knot[], unsigned k)
     loft_coord a[LOFT_AXES], b[LOFT_AXES], c[LOFT_AXES];
     loft_position p;
 
-    places_from(knot, k - 2, 5, around);
+    loft_tube_places(knot, k - 2, 5, around);
     centre_of(knot, k - 1, a);
     centre_of(knot, k, b);
     centre_of(knot, k + 1, c);
@@ -103,7 +97,7 @@ static loft_coord left_between(const loft_period *p, const loft_knot knot[], uns
 {
     const loft_path_place *here[4];
 
-    places_from(knot, k - 1, 4, here);
+    loft_tube_places(knot, k - 1, 4, here);
     const loft_coord x = *off, y = off_at(knot, k + 1), z = off_between(knot, k, here);
     *off = y;
     return p->tube + (knot[k].is.on.loose ? p->more : 0) - loft_path_skip(&knot[k].is.on) -

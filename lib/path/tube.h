@@ -43,6 +43,14 @@ typedef struct {
     loft_knot_state is;
 } loft_knot;
 
+/* The places of n knots from k on. */
+static inline void loft_tube_places(const loft_knot knot[], unsigned k, unsigned n,
+                                    const loft_path_place *at[])
+{
+    for (unsigned i = 0; i < n; i++)
+        at[i] = &knot[k + i].is.on;
+}
+
 /* Put the control points from..to - 1 where the path through the knots has them.
  *
  *   range   0 < from <= to < n

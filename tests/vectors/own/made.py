@@ -10,7 +10,7 @@ import mpmath
 from curves import basis, insertion
 from exact import (F, add, bernstein_of, casteljau, cross, deriv, digits, dot, grid, mul, numbers,
                    points, power_of, raw, root, roots, scale, sub, value, write)
-from sheets import Sheet
+from sheets import Level, Sheet
 from surfaces import arb_graph, arb_sheet, cylinder, sheet_columns, sphere, torus
 
 rnd = random.Random(1975)
@@ -350,24 +350,18 @@ def sections():
         middle = s.point(F(rnd.randint(20, 44), 64), F(rnd.randint(20, 44), 64))
         far = grid(dot(middle, d) / length)
         for size in (16, 32, 64):
-            found, slope, fine = [], None, True
+            level = Level(size)
             for i in range(size + 1):
                 h = s.line(0, F(i, size))
                 f = sub(add(add(scale(h[0], d[0]), scale(h[1], d[1])), scale(h[2], d[2])),
                         scale(h[3], far * length))
                 if not f:
                     continue
-                here = [t for t, _ in roots(f)]
-                cells = [(t * size).__floor__() for t in here]
-                fine = fine and len(set(cells)) == len(cells) and \
-                    all(t * size != j for t, j in zip(here, cells))
-                for t in here:
-                    rise = abs(value(deriv(f), t) / value(h[3], t)) / length
-                    slope = rise if slope is None or rise < slope else slope
-                    found.append((F(i, size), t))
-            if fine and found and slope > F(1, 100):
-                rows.append(sheet_columns(s) + [numbers(d, raw), raw(far), size, len(found),
-                                                digits(slope), points(found, digits)])
+                level.add([t for t, _ in roots(f)],
+                          lambda t: abs(value(deriv(f), t) / value(h[3], t)) / length,
+                          lambda t: (F(i, size), t))
+            if level.good():
+                rows.append(sheet_columns(s) + [numbers(d, raw), raw(far)] + level.columns())
                 break
     return rows
 

@@ -5,7 +5,8 @@
 equation that is 0 on it, and a test whether a point that solves it lies within its border."""
 import math
 
-from exact import F, add, dot, grid, mul, power_of, root, roots, scale, sub, value
+from exact import (F, add, digits, dot, grid, mul, points, power_of, root, roots, scale, sub,
+                   value)
 
 
 class Sheet:
@@ -256,3 +257,32 @@ def circle2(u, v, r):
 
 def cosine(normal, d):
     return dot(normal, d) / (root(dot(normal, normal)) * root(dot(d, d)))
+
+
+def light_slope(normal, d, t):
+    """How fast the cosine of D and the normal, polynomials of t, changes there."""
+    e = F(1, 1 << 40) * (1 if t < F(1, 2) else -1)
+    light = [cosine([value(x, y) for x in normal], d) for y in (t, t + e)]
+    return abs((light[1] - light[0]) / e)
+
+
+class Level:
+    """Where lines of a grid of so many cells meet a level: once in a cell at most, not on a line of
+    it, and aslant."""
+    def __init__(self, size):
+        self.size, self.found, self.slope, self.fine = size, [], None, True
+
+    def add(self, here, slope, place):
+        cells = [(t * self.size).__floor__() for t in here]
+        self.fine = self.fine and len(set(cells)) == len(cells) and \
+            all(t * self.size != k for t, k in zip(here, cells))
+        for t in here:
+            rise = slope(t)
+            self.slope = rise if self.slope is None or rise < self.slope else self.slope
+            self.found.append(place(t))
+
+    def good(self):
+        return self.fine and self.found and self.slope > F(1, 100)
+
+    def columns(self):
+        return [self.size, len(self.found), digits(self.slope), points(self.found, digits)]

@@ -7,6 +7,7 @@ import sys
 
 from exact import (F, add, bernstein_of, cross, digits, dot, mul, numbers, points, raw, root, scale,
                    sub, trim, value, write)
+from sheets import Level, cosine, light_slope
 
 rnd = random.Random(1976)
 POLYGONS = [[(40, -35), (10, 45), (-50, 5)],
@@ -236,10 +237,6 @@ def simple_roots(p):
     return sorted(found)
 
 
-def cosine(n, d):
-    return dot(n, d) / (root(dot(n, n)) * root(dot(d, d)))
-
-
 def isophotes():
     rows = []
     for k in range(40):
@@ -259,8 +256,8 @@ def isophotes():
         if k // 4 % 2 == 0:
             d = [F((3 * x * 65536).__floor__(), 65536) for x in cross(n, d)]
             c = F(0)
-        size, found, slope, fine = 8 * sides, [], None, True
-        for i in range(size):
+        level = Level(8 * sides)
+        for i in range(level.size):
             side, share = i // 8, F(i % 8, 8)
             end = [(1 - share) * v[side][a] + share * v[(side + 1) % sides][a] for a in (0, 1)]
             n = slopes(v, net, depth, middle, [e - m for e, m in zip(end, middle)])
@@ -275,21 +272,14 @@ def isophotes():
                 f = sub(mul(along, along), scale(square, c * c * dot(d, d)))
             here = simple_roots(f)
             if here is None:
-                fine = False
+                level.fine = False
                 break
             here = [t for t in here if c == 0 or value(along, t) > 0]
-            cells = [(t * size).__floor__() for t in here]
-            fine = fine and len(set(cells)) == len(cells) and \
-                all(t * size != x for t, x in zip(here, cells)) and size - 1 not in cells
-            for t in here:
-                e = F(1, 1 << 40) * (1 if t < F(1, 2) else -1)
-                light = [cosine([value(x, y) for x in n], d) for y in (t, t + e)]
-                rise = abs((light[1] - light[0]) / e)
-                slope = rise if slope is None or rise < slope else slope
-                found.append((t, F(i, size)))
-        if fine and found and slope > F(1, 100):
-            rows.append([sides, depth, points(v, raw), points(net, raw), numbers(d, raw), raw(c),
-                         size, len(found), digits(slope), points(found, digits)])
+            level.fine = level.fine and all(t * level.size < level.size - 1 for t in here)
+            level.add(here, lambda t: light_slope(n, d, t), lambda t: (t, F(i, level.size)))
+        if level.good():
+            rows.append([sides, depth, points(v, raw), points(net, raw), numbers(d, raw), raw(c)] +
+                        level.columns())
     return rows
 
 

@@ -9,8 +9,8 @@ import mpmath
 from curves import basis, solve
 from exact import (F, add, cross, digits, dot, grid, mul, numbers, points, power_of, raw, roots,
                    scale, sub, value, write)
-from sheets import (Over, Sheet, bernstein2, branches, circle2, cosine, cylinder, graph, places,
-                    plane, product2, sphere, torus)
+from sheets import (Level, Over, Sheet, bernstein2, branches, circle2, cosine, cylinder, graph,
+                    light_slope, places, plane, product2, sphere, torus)
 
 rnd = random.Random(1974)
 SIDE = 12
@@ -163,7 +163,7 @@ def isophotes():
         c = F(c)
         for size in (16, 32, 64):
             d = [arb(3), arb(3), arb(3) if c == 0 else F(4)]
-            found, slope, fine = [], None, True
+            level = Level(size)
             for i in range(size + 1):
                 n = normals(s, F(i, size))
                 along = sum_of(scale(n[k], d[k]) for k in range(3))
@@ -173,18 +173,9 @@ def isophotes():
                     continue
                 here = [t for t, _ in roots(f)
                         if c == 0 or (value(along, t) > 0) == (c > 0)]
-                cells = [(t * size).__floor__() for t in here]
-                fine = fine and len(set(cells)) == len(cells) and \
-                    all(t * size != k for t, k in zip(here, cells))
-                for t in here:
-                    e = F(1, 1 << 40) * (1 if t < F(1, 2) else -1)
-                    light = [cosine([value(x, y) for x in n], d) for y in (t, t + e)]
-                    rise = abs((light[1] - light[0]) / e)
-                    slope = rise if slope is None or rise < slope else slope
-                    found.append((F(i, size), t))
-            if fine and found and slope > F(1, 100):
-                rows.append(sheet_columns(s) + [numbers(d, raw), raw(c), size, len(found),
-                                                digits(slope), points(found, digits)])
+                level.add(here, lambda t: light_slope(n, d, t), lambda t: (F(i, size), t))
+            if level.good():
+                rows.append(sheet_columns(s) + [numbers(d, raw), raw(c)] + level.columns())
                 break
     return rows
 
