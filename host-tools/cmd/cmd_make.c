@@ -13,7 +13,8 @@ const tool_command command_make = {
     "make", "VERB [--of NUMBER,..] [FILE|-]",
     "raise, lower, cut, join or reverse curves; surfaces from curves and around holes",
     "Of the curves in FILE (host-tools/LOFT.md), piece by piece, in the same format:\n"
-    "  raise    with a degree higher by --of\n"
+    "  raise    with a degree higher by --of, up to 32 (with weights 18): `loft plot --control`\n"
+    "           and other drawings take such degrees, and what computes takes up to 9\n"
     "  lower    the nearest curve with a degree lower by --of and the same ends, and how near\n"
     "  lowest   the lowest degree that stays within --of mm, and how near\n"
     "  join     neighbours that are parts of one polynomial curve within --of mm, as one\n"

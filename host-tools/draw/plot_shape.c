@@ -10,8 +10,7 @@
 #include <string.h>
 
 #include "engine/curve.h"
-#include "engine/engine.h"  /* engine_f64: pieces of a curve */
-#include "engine/piece.h"   /* piece_bend */
+#include "engine/drawn.h"   /* drawn_pieces, piece_bend */
 #include "draw/plot.h"
 #include "base/tool.h"      /* tool_grow */
 
@@ -25,26 +24,11 @@
 // Pieces
 // ------
 
-typedef void piece_taker(void *context, const piece *p, bool fresh);
-
-static void pieces_of(const curve *c, piece_taker *take, void *context)
-{
-    const engine_curves *make = engine_f64.curve;
-    engine_curve *held;
-    piece p;
-
-    if (make->open(c, &held) != 0)
-        return;
-    for (unsigned i = 0; i < make->pieces(held); i++)
-        if (make->piece(held, i, &p) == 0)
-            take(context, &p, i == 0);
-    make->close(held);
-}
-
-static void every_piece(const drawing *d, piece_taker *take, void *context)
+/* The curves have been drawn: that they have pieces is known. */
+static void every_piece(const drawing *d, drawn_sink *take, void *context)
 {
     for (size_t i = 0; d->of != NULL && i < d->of->count; i++)
-        pieces_of(&d->of->curve[i], take, context);
+        (void)drawn_pieces(&d->of->curve[i], take, context);
     for (size_t i = 0; d->of == NULL && i < d->count; i++) {
         piece p = { .degree = 3, .w = { 1, 1, 1, 1 } };
         for (int k = 0; k < 4; k++)
@@ -270,7 +254,7 @@ static void control_curves(const plot_view *v)
     cairo_set_source_rgb(v->cairo, 0.13, 0.20, 0.34);
     for (size_t i = 0; i < all->count; i++)
         if (all->curve[i].knot_count > 0)
-            pieces_of(&all->curve[i], knot_ring, &v);
+            (void)drawn_pieces(&all->curve[i], knot_ring, &v);
     cairo_stroke(v->cairo);
 }
 

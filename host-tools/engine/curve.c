@@ -19,6 +19,11 @@ bool curve_is_rational(const curve *c)
     return c->kind == CURVE_RATIONAL || c->kind == CURVE_NURBS;
 }
 
+bool curve_is_high(const curve *c)
+{
+    return (c->kind == CURVE_BEZIER || c->kind == CURVE_RATIONAL) && c->degree > CURVE_DEGREE_MAX;
+}
+
 bool curve_extends(const curve *c) { return c->kind == CURVE_BEZIER || c->kind == CURVE_PARABOLA; }
 
 bool curve_hides_ends(const curve *c)

@@ -6,6 +6,7 @@
  *     curve_read.c  detects the format: SVG, G-code, eight numbers per line, control points, .loft
  *     curve_text.c  the text format .loft (LOFT.md)
  *     piece.h       what a curve becomes: Bezier pieces
+ *     drawn.h       the pieces of drawings and pictures, of higher degrees too
  *     reference.h   its definition in long double
  *
  * A curve has its own parameter, from curve_from to curve_to: 0..1 for Bezier curves and arcs, 0..n
@@ -19,6 +20,7 @@
 
 #define CURVE_AXES       3
 #define CURVE_DEGREE_MAX 9          /* of the library */
+#define CURVE_DRAWN_MAX  32         /* of `bezier` and `rational` in drawings: drawn.h    */
 #define CURVE_POINTS_MAX 4000000    /* of a curve in a file                       */
 #define CURVE_HUNG_MAX   32000      /* of B-splines: LOFT_KNOTS_POINTS_MAX        */
 
@@ -78,6 +80,7 @@ typedef struct curves {
     size_t count;
     bool solid;                 /* some point has a z */
     bool any_weights;           /* asked for: `rational` may have weights of 0 and below */
+    bool drawn;                 /* asked for: degrees up to CURVE_DRAWN_MAX              */
 } curves;
 
 const char *curve_name(enum curve_kind kind);
@@ -85,6 +88,9 @@ const char *curve_name(enum curve_kind kind);
 /* Does it have weights? Is it a single Bezier curve, which extends beyond its ends? */
 bool curve_is_rational(const curve *c);
 bool curve_extends(const curve *c);
+
+/* Is it a Bezier curve of a degree above those of the library? */
+bool curve_is_high(const curve *c);
 
 /* Has it a first and a last point that only give directions? Does it end where it began? */
 bool curve_hides_ends(const curve *c);
@@ -109,7 +115,7 @@ void   curves_free(curves *all);
 
 /* Read `file` ("-" is standard input). If `text` is not NULL, read the control points of one Bezier
  * curve from it instead: "0,0 1,2 3,0". Returns 0, or an exit code after printing one line. `*all`
- * must be zeroed, but for any_weights. */
+ * must be zeroed, but for what is asked for. */
 int curves_read(curves *all, const char *file, const char *text);
 
 /* The text format: does the text look like it? Read it. */

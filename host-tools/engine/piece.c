@@ -9,7 +9,7 @@
 #define WIDE (CURVE_AXES + 1)
 
 typedef struct {
-    double b[CURVE_DEGREE_MAX + 1][WIDE];       /* homogeneous, the weight last */
+    double b[CURVE_DRAWN_MAX + 1][WIDE];        /* homogeneous, the weight last */
     unsigned degree;
 } lifted;
 
@@ -95,6 +95,26 @@ void piece_eval(const piece *c, double t, double out[3][CURVE_AXES])
         out[1][i] /= share;
         out[2][i] /= share * share;
     }
+}
+
+static void project(const lifted *l, piece *out)
+{
+    out->degree = l->degree;
+    for (unsigned k = 0; k <= l->degree; k++) {
+        out->w[k] = l->b[k][CURVE_AXES];
+        for (int i = 0; i < CURVE_AXES; i++)
+            out->p[k][i] = l->b[k][i] / out->w[k];
+    }
+}
+
+void piece_split(const piece *c, double t, piece *left, piece *right)
+{
+    const lifted l = lift(c);
+    lifted part[2];
+
+    split(&l, t, &part[0], &part[1]);
+    project(&part[0], left);
+    project(&part[1], right);
 }
 
 bool piece_bend(const piece *c, double t, double *out)

@@ -37,6 +37,15 @@ typedef struct {
 } row;
 
 
+static bool has_knots(const curve *c) { return c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS; }
+
+/* The library computes up to degree 9; a picture of a Bezier curve is drawn by the host. */
+static unsigned most_degree(const reading *r, const curve *c)
+{
+    return r->all->drawn && !has_knots(c) ? CURVE_DRAWN_MAX : CURVE_DEGREE_MAX;
+}
+
+
 // First lines
 // -----------
 
@@ -51,17 +60,21 @@ static int head_bare(reading *r)
 static int head_degree(reading *r)
 {
     double degree = -1;
-    const bool least = r->now->kind != CURVE_BEZIER;
+    const bool least = r->now->kind != CURVE_BEZIER, knots = has_knots(r->now);
+    const unsigned most = most_degree(r, r->now);
     const int count = lines_numbers_alone(&r->at, &degree, 1);
 
-    if (count < 0 ||
-        (count == 1 && (degree != floor(degree) || degree < least || degree > CURVE_DEGREE_MAX)))
-        return lines_wrong(&r->at, "not a degree",
-                           least ? "give a whole number from 1 to 9"
-                                 : "give a whole number from 0 to 9");
+    if (count < 0 || (count == 1 && (degree != floor(degree) || degree < least || degree > most))) {
+        char remedy[96];
+        snprintf(remedy, sizeof remedy, "give a whole number from %d to %u%s", least, most,
+                 most < CURVE_DRAWN_MAX && !knots && degree > most && degree <= CURVE_DRAWN_MAX
+                     ? "; only drawings take up to 32, as `loft plot`"
+                     : "");
+        return lines_wrong(&r->at, "not a degree", remedy);
+    }
     r->counted = count == 1;
     r->now->degree = r->counted ? (unsigned)degree : 0;
-    if (!r->counted && (r->now->kind == CURVE_BSPLINE || r->now->kind == CURVE_NURBS))
+    if (!r->counted && knots)
         return lines_wrong(&r->at, "no degree", "give it after the kind, as `bspline 3`");
     return 0;
 }
@@ -240,8 +253,6 @@ static bool what_is_behind(reading *r, enum behind behind, curve_point *p)
     return false;
 }
 
-static bool has_knots(const curve *c) { return c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS; }
-
 static unsigned most_points(const curve *c)
 {
     return has_knots(c) ? CURVE_HUNG_MAX : CURVE_POINTS_MAX;
@@ -389,7 +400,7 @@ static int end_curve(reading *r)
                            : curve_hides_ends(c) ? 4
                            : curve_is_closed(c)  ? 3
                                                  : kind->least;
-    const unsigned most = bezier ? (r->counted ? c->degree + 1 : CURVE_DEGREE_MAX + 1)
+    const unsigned most = bezier ? (r->counted ? c->degree + 1 : most_degree(r, c) + 1)
                           : c->kind == CURVE_PARABOLA || c->kind == CURVE_ARC ? kind->least
                                                                               : most_points(c);
     if (c->count < least || c->count > most) {

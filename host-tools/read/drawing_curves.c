@@ -6,15 +6,14 @@
  */
 #include "engine/curve.h"
 #include "read/drawing.h"
-#include "engine/engine.h"  /* engine_f64: pieces of a curve, and cubics */
-#include "engine/piece.h"
+#include "engine/drawn.h"   /* drawn_pieces, drawn_cubics */
 #include "base/tool.h"      /* tool_error, sysexits */
 
 typedef struct {
     drawing *d;
     const curve *c;
     const char *file;
-    int code;
+    int code, status;
 } pen;
 
 static void draw(void *context, double p[4][CURVE_AXES])
@@ -25,22 +24,20 @@ static void draw(void *context, double p[4][CURVE_AXES])
         out->code = drawing_join_space(out->d, out->file, out->c->line, p, 0);
 }
 
+static void draw_piece(void *context, const piece *p, bool first)
+{
+    pen *out = context;
+
+    (void)first;
+    if (out->code == 0 && out->status == 0)
+        out->status = drawn_cubics(p, DRAWING_TOL, draw, out);
+}
+
 static int draw_curve(pen *out)
 {
-    const engine_curves *make = engine_f64.curve;
-    engine_curve *held;
-    int status = make->open(out->c, &held);
+    const int opened = drawn_pieces(out->c, draw_piece, out),
+              status = opened != 0 ? opened : out->status;
 
-    if (status != 0)
-        return tool_error(EX_DATAERR, "%s:%u: %s: %s", out->file, out->c->line,
-                          curve_name(out->c->kind), engine_status(status));
-    for (unsigned i = 0; i < make->pieces(held) && out->code == 0 && status == 0; i++) {
-        piece p;
-        status = make->piece(held, i, &p);
-        if (status == 0)
-            status = engine_f64.piece->cubics(&p, DRAWING_TOL, draw, out);
-    }
-    make->close(held);
     if (status != 0)
         return tool_error(EX_DATAERR, "%s:%u: %s: %s", out->file, out->c->line,
                           curve_name(out->c->kind), engine_status(status));
@@ -52,10 +49,10 @@ int drawing_read_curves(drawing *d, const char *file, const char *text)
     curves *all = d->of = tool_grow(NULL, sizeof *d->of);
     int code;
 
-    *all = (curves){ 0 };
+    *all = (curves){ .drawn = true };
     code = curves_read_text(all, file, text);
     for (size_t i = 0; i < all->count && code == 0; i++) {
-        pen out = { d, &all->curve[i], file, 0 };
+        pen out = { d, &all->curve[i], file, 0, 0 };
         code = draw_curve(&out);
     }
     return code;

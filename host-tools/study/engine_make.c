@@ -68,17 +68,23 @@ static int raise_piece(void *context, const arc_piece *a, size_t number)
     loft_vec p[LOFT_BEZIER_ELEVATE_MAX + 1];
     loft_weighted w[LOFT_ELEVATE_MAX + 1];
     loft_rational r;
+    const unsigned most = a->rational ? LOFT_ELEVATE_MAX : LOFT_BEZIER_ELEVATE_MAX;
     unsigned times;
-    int status = times_of(in, LOFT_DEGREE_MAX - a->b.degree, &times) ? LOFT_OK : LOFT_ERR_ARG;
+    int status = LOFT_OK;
 
-    (void)number;
-    if (status == LOFT_OK && a->rational) {
+    if (!times_of(in, most - a->b.degree, &times)) {
+        snprintf(in->why, DECIDE_WHY,
+                 "piece %zu, of degree %u%s, goes to degree %u: give --of 1 to %u", number,
+                 a->b.degree, a->rational ? " with weights" : "", most, most - a->b.degree);
+        return LOFT_ERR_ARG;
+    }
+    if (a->rational) {
         status = loft_rational_init(&r, a->w, a->b.degree);
         if (status == LOFT_OK)
             status = loft_rational_elevate(&r, times, w);
         if (status == LOFT_OK)
             write_rational(in, w, a->b.degree + times);
-    } else if (status == LOFT_OK) {
+    } else {
         status = loft_bezier_elevate(&a->b, times, p);
         if (status == LOFT_OK)
             write_bezier(in, p, a->b.degree + times);

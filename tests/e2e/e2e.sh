@@ -1958,7 +1958,16 @@ case_make() {
              END { exit n != 4 }' "$tmp/out" || job_fails "revolve $num: $(cat "$tmp/out")"
     done
     one_line 64 'not known to make' "$loft" make nothing "$tmp/curve.loft"
-    one_line 65 raise "$loft" make raise --of 40 "$tmp/curve.loft"
+    one_line 65 'piece 0, of degree 2, goes to degree 32: give --of 1 to 30' \
+        "$loft" make raise --of 31 "$tmp/curve.loft"
+    "$loft" make raise --of 30 "$tmp/curve.loft" >"$tmp/high.loft"      # for drawings
+    run 0 "$loft" plot --control --comb -o "$tmp/high.svg" "$tmp/high.loft"
+    run 0 "$loft" plan --total "$tmp/high.loft"; cp "$tmp/out" "$tmp/total"
+    run 0 "$loft" plan --total "$tmp/curve.loft"
+    cmp -s "$tmp/out" "$tmp/total" || job_fails "a raised curve: $(cat "$tmp/out" "$tmp/total")"
+    one_line 65 'only drawings take up to 32' "$loft" eval --t 0.5 "$tmp/high.loft"
+    printf 'rational 2\n1 0\n1 1 : 0.7\n0 1\n' >"$tmp/weighted.loft"
+    one_line 65 'with weights, goes to degree 18' "$loft" make raise --of 17 "$tmp/weighted.loft"
     one_line 64 'raise: --of has 2 numbers' "$loft" make raise --of 1,2 "$tmp/curve.loft"
 }
 case_make_surfaces_of_curves() {

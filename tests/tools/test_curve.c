@@ -351,6 +351,59 @@ static void rational_curves_become_cubics(arb *a)
     drawing_free(&d);
 }
 
+/* Of degrees above those of the library, in drawings alone: y over x, and a circle with weights
+ * that was raised. */
+static void curves_of_high_degree_become_cubics(arb *a)
+{
+    const unsigned n = 10 + arb_below(a, CURVE_DRAWN_MAX - 9);
+    double y[CURVE_DRAWN_MAX + 1],
+        w[CURVE_DRAWN_MAX + 1] = { 1, sqrt(0.5), 1 },
+                            x[CURVE_DRAWN_MAX + 1][2] = { { 9, 0 },
+                                                          { 9 * sqrt(0.5), 9 * sqrt(0.5) },
+                                                          { 0, 9 } };
+    char text[4096], high[4096];
+    size_t used = 0, also = 0;
+    drawing d;
+    curves all;
+
+    for (unsigned m = 2; m < n; m++)
+        for (unsigned k = m + 1; k > 0; k--) {
+            const double share = (double)k / (m + 1);
+            w[k] = (k > m ? 0 : (1 - share) * w[k]) + share * w[k - 1];
+            for (int i = 0; i < 2; i++)
+                x[k][i] = (k > m ? 0 : (1 - share) * x[k][i]) + share * x[k - 1][i];
+        }
+    for (unsigned k = 0; k <= n; k++) {
+        y[k] = (double)arb_below(a, 50000) / 1000;
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s%u %.17g\n",
+                                 k ? "" : "bezier\n", 10 * k, y[k]);
+        also += (size_t)snprintf(high + also, sizeof high - also, "%s%.17g %.17g : %.17g\n",
+                                 k ? "" : "rational\n", x[k][0] / w[k], x[k][1] / w[k], w[k]);
+    }
+    CHECK(read_drawing(&d, text) == 0 && d.count >= 1 && d.curve[d.count - 1].path == 0);
+    for (size_t i = 0; i < d.count; i++)
+        for (int j = 0; j <= 16; j++) {
+            double p[2], row[CURVE_DRAWN_MAX + 1];
+            drawing_eval(&d.curve[i], j / 16.0, p);
+            memcpy(row, y, sizeof row);
+            for (unsigned m = n; m > 0; m--)
+                for (unsigned k = 0; k < m; k++)
+                    row[k] += p[0] / (10 * n) * (row[k + 1] - row[k]);
+            CHECK_NEAR(p[1], row[0], 6e-4);             /* slopes are at most 5 */
+        }
+    drawing_free(&d);
+    CHECK(read_drawing(&d, high) == 0 && d.count >= 1);
+    for (size_t i = 0; i < d.count; i++)
+        for (int j = 0; j <= 16; j++) {
+            double p[2];
+            drawing_eval(&d.curve[i], j / 16.0, p);
+            CHECK_NEAR(hypot(p[0], p[1]), 9, 1e-4);
+        }
+    drawing_free(&d);
+    CHECK(read_text(&all, text) == EX_DATAERR && strstr(caught, "give at most 10") != NULL);
+    curves_free(&all);
+}
+
 int main(void)
 {
     PROPERTY(every_kind_is_read, 1);
@@ -360,5 +413,6 @@ int main(void)
     PROPERTY(a_curve_may_have_many_points, 2);
     PROPERTY(curves_become_paths, 1);
     PROPERTY(rational_curves_become_cubics, 50);
+    PROPERTY(curves_of_high_degree_become_cubics, 100);
     return check_failures();
 }
