@@ -10,6 +10,21 @@ void gate_init(struct gate *g)
     loft_frame_init(&g->from_machine);
 }
 
+/* Frames that have been answered, and those that are sent again, are in flight no more. */
+static void take_frame(struct gate *g, uint32_t first, uint32_t count)
+{
+    uint32_t gone = 0, kept = 0;
+
+    while (gone < g->flights && (int32_t)(g->flight[gone] - g->ack.next) <= 0)
+        gone++;
+    for (; gone < g->flights && (int32_t)(g->flight[gone] - first) <= 0; gone++)
+        g->flight[kept++] = g->flight[gone];
+    if (kept < LOFT_WINDOW_FRAMES)
+        g->flight[kept++] = first + count;
+    g->flights = kept;
+    g->sent    = first + count;
+}
+
 /* The seal of a frame of items is not checked: this line damages no byte. The number of its first
  * item has 16 bits, and is near `next`. */
 static void take_items(struct gate *g)
@@ -19,13 +34,15 @@ static void take_items(struct gate *g)
 
     if (loft_data_first(&g->from_host, &first) == LOFT_OK &&
         loft_data_decode(&g->from_host, &u) == LOFT_OK)
-        g->sent = (uint32_t)((int64_t)g->ack.next +
-                             (int16_t)(uint16_t)(first - (g->ack.next & 0xFFFFu))) +
-                  u.count;
+        take_frame(
+            g,
+            (uint32_t)((int64_t)g->ack.next + (int16_t)(uint16_t)(first - (g->ack.next & 0xFFFFu))),
+            u.count);
 }
 
 void gate_host(struct gate *g, uint8_t byte)
 {
+    loft_control control;
     uint32_t total;
     loft_job job;
 
@@ -34,7 +51,7 @@ void gate_host(struct gate *g, uint8_t byte)
     if (loft_data_carried(&g->from_host)) {
         take_items(g);
     } else if (loft_message_type(&g->from_host) == LOFT_JOB) {
-        g->sent = 0;
+        g->sent = g->flights = 0;
         g->ended = false;
         if (loft_job_decode(&g->from_host, &job) == LOFT_OK) {
             const uint16_t most = job.kind == LOFT_POINTS ? g->points : g->queue;
@@ -44,6 +61,9 @@ void gate_host(struct gate *g, uint8_t byte)
         g->ended = true;                        /* another sender owes nothing */
     } else if (loft_message_type(&g->from_host) == LOFT_END) {
         g->ended = loft_end_decode(&g->from_host, &total) == LOFT_OK;
+    } else if (loft_message_type(&g->from_host) == LOFT_CONTROL) {
+        g->ended |= loft_control_decode(&g->from_host, &control) == LOFT_OK &&
+                    control.verb == LOFT_ABORT;
     }
 }
 
@@ -53,7 +73,8 @@ static void take(struct gate *g, const loft_ack *ack)
         g->ack.state >= LOFT_STATE_DONE)
         g->jobs++;
     if (ack->flags & LOFT_FLAG_NAK) {
-        g->sent = ack->next;
+        g->sent    = ack->next;
+        g->flights = 0;
         g->naks++;
     }
     g->ack = *ack;

@@ -14,8 +14,6 @@
 
 /* of real time without an expected byte: the sender is gone, not only busy */
 #define QUIET_MS    10000
-/* the same while it may wait for the machine's answer to its last frames */
-#define WINDOW_MS   400
 #define LEAVE_MS    10000           /* time to read the last answer */
 
 static volatile sig_atomic_t stop_wanted;
@@ -117,7 +115,7 @@ static void wait_for_host(struct chip_line *l)
         take_bytes(l);
         if (stop_wanted || (busy ? !gate_owed(&l->gate) : l->taken != before))
             return;
-        if (busy && now_ms() - began > (gate_answered(&l->gate) ? QUIET_MS : WINDOW_MS)) {
+        if (busy && now_ms() - began > QUIET_MS) {
             l->given_up = l->gate.ack.limit;
             l->waits++;
             return;
