@@ -398,7 +398,8 @@ static APART size_t answer_set(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX])
 static void act_on_event(loft_machine *m, enum loft_event event, const loft_event_data *what)
 {
     switch (event) {
-    case LOFT_EVENT_NONE:                                               break;
+    case LOFT_EVENT_NONE:
+    case LOFT_EVENT_ITEMS:                                              break;
     case LOFT_EVENT_JOB:        begin_job(m, &what->job);                   break;
     case LOFT_EVENT_ITEM:       take_item(m, &what->item);                   break;
     case LOFT_EVENT_END:        end_job(m);                                 break;
@@ -412,31 +413,28 @@ static void act_on_event(loft_machine *m, enum loft_event event, const loft_even
     }
 }
 
-/* Act on the next event of the frame, or on all its points. False if there is no more. */
-static APART bool act_on_frame(loft_machine *m)
+/* Act on the events of the frame. To check one, to unpack an item and to take it may each outlast a
+ * short span on 8 bits. */
+static APART void act_on_frame(loft_machine *m)
 {
     const loft_snapshot now = snapshot_of(m);
     loft_event_data what;
     enum loft_event event;
 
     do {
+        loft_drive_prepare(&m->drive);
         event = loft_receiver_next(&m->receiver, &now, &what);
         act_on_event(m, event, &what);
         (void)loft_machine_plan(m);
-    } while (event != LOFT_EVENT_NONE && m->drive.kind == LOFT_POINTS);
-    return event != LOFT_EVENT_NONE;
+    } while (event != LOFT_EVENT_NONE);
 }
 
 void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count)
 {
     loft_drive_prepare(&m->drive);              /* here and in poll: each takes 1 ms on 8 bits */
-    for (size_t i = 0; i < count; i++) {
-        if (!loft_receiver_push(&m->receiver, byte[i]))
-            continue;
-        do
-            loft_drive_prepare(&m->drive);      /* a frame or an item may outlast a short span */
-        while (act_on_frame(m));
-    }
+    for (size_t i = 0; i < count; i++)
+        if (loft_receiver_push(&m->receiver, byte[i]))
+            act_on_frame(m);
 }
 
 size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX])

@@ -189,7 +189,7 @@ static enum loft_event take_data(loft_receiver *r, const loft_snapshot *now)
 
     r->unpacker = u;
     r->due |= DUE_ACK;
-    return LOFT_EVENT_NONE;
+    return LOFT_EVENT_ITEMS;
 }
 
 static enum loft_event take_end(loft_receiver *r)

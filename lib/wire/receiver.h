@@ -63,6 +63,7 @@ enum loft_event {
     LOFT_EVENT_JOB,         /* `job` wants to begin: answer with loft_receiver_answer. For curves,
                              * loft_job_limits_decode(&r->frame, ..) has the limits until the next
                              * byte */
+    LOFT_EVENT_ITEMS,       /* a frame of them is sound: they follow, one each */
     LOFT_EVENT_ITEM,        /* `item`, the next one: queue it */
     LOFT_EVENT_END,         /* no more items follow: DONE once all are executed */
     LOFT_EVENT_HOLD,
@@ -121,7 +122,7 @@ bool loft_receiver_push(loft_receiver *r, uint8_t byte);
 /* Give the next event of the waiting frame.
  *
  *   shape   the `now` of the first event of a frame may serve for all its events
- *   cost    one item unpacked
+ *   cost    one item unpacked, or the seal of a frame checked
  */
 enum loft_event loft_receiver_next(loft_receiver *r, const loft_snapshot *now,
                                    loft_event_data *out);
