@@ -4,8 +4,8 @@
  *
  * It listens to both directions of the line. Time stops while no job is running and the machine has
  * nothing more to send, and while the host may send items but has not. It may while fewer than
- * LOFT_WINDOW_FRAMES frames lack an answer (wire/window.h). So no result depends on the speed of the
- * host.
+ * LOFT_WINDOW_FRAMES frames lack an answer: see wire/window.h. So no result depends on how fast the
+ * host is.
  */
 #ifndef TARGET_GATE_H
 #define TARGET_GATE_H
