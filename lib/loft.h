@@ -180,6 +180,7 @@
 #include "polygon/disk.h"
 #include "polygon/disk_part.h"
 #include "polygon/spatch.h"
+#include "polygon/spatch_triangle.h"
 #include "polygon/toric.h"
 #include "polygon/wachspress.h"
 #include "toolpath/cutter.h"

@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "engine/engine_num.h"      /* ENGINE_OF */
+#include "engine/engine_sided.h"    /* engine_sided */
 #include "engine/surface.h"         /* engine_surface */
 #include "surface/net.h"            /* loft_net */
 #include "surface/sphere.h"         /* loft_sphere */
@@ -30,23 +31,26 @@ int ENGINE_OF(engine_sheets)(engine_surface *e, unsigned level, engine_sheet_lis
 int ENGINE_OF(engine_sectors)(const loft_disk *disk, loft_sector sector[], unsigned level,
                               engine_sheet_list *out);
 
-/* A net as a part of its surface: parameter k of the surface is from[k] + share[k] times that of
+/* A net as a part of its surface: parameter k of the surface is from[k] + share[k] . those of
  * the net. On a sphere it is a share of an angle: `round`. */
 typedef struct {
-    double from[2], share[2];
+    double from[2], share[2][2];
     bool round;
 } engine_net_part;
 
-static inline double engine_net_at(const engine_net_part *p, int k, double t)
+static inline double engine_net_at(const engine_net_part *p, int k, double u, double v)
 {
-    return p->from[k] + p->share[k] * (p->round ? 4 / acos(-1) * atan(t) : t);
+    const double turn = 4 / acos(-1),
+                 at[2] = { p->round ? turn * atan(u) : u, p->round ? turn * atan(v) : v };
+    return p->from[k] + p->share[k][0] * at[0] + p->share[k][1] * at[1];
 }
 
-/* Visit the nets of a surface: the spans of a NURBS surface, the octants of a sphere, or one. A
- * visit that returns other than 0 ends it. Returns 0, what the visit returned, or a negative enum
- * loft_status: LOFT_ERR_ARG for kinds without nets. */
+/* Visit the nets of a surface: the spans of a NURBS surface, the octants of a sphere, the triangles
+ * of an S-patch, or one. A visit that returns other than 0 ends it. Returns 0, what the visit
+ * returned, or a negative enum loft_status: LOFT_ERR_ARG for kinds without nets. */
 typedef int engine_net_visit(void *context, loft_net net, const engine_net_part *part);
 int ENGINE_OF(engine_nets)(engine_surface *e, engine_net_visit *visit, void *context);
 int ENGINE_OF(engine_ball_nets)(const loft_sphere *s, engine_net_visit *visit, void *context);
+int ENGINE_OF(engine_sided_nets)(const engine_sided *e, engine_net_visit *visit, void *context);
 
 #endif

@@ -12,6 +12,7 @@
 #include "polygon/zheng_ball.h"     /* loft_zheng_ball */
 #include "polygon/disk.h"           /* loft_disk */
 #include "polygon/spatch.h"         /* loft_spatch */
+#include "polygon/spatch_triangle.h"    /* loft_spatch_triangle */
 #include "polygon/toric.h"          /* loft_toric */
 #include "polygon/wachspress.h"     /* loft_wachspress_eval */
 
@@ -413,6 +414,32 @@ static int sided_sheets(engine_sided *e, unsigned level, engine_sheet_list *out)
 
     return status ? status
                   : ENGINE_OF(engine_sectors)(&e->round, e->sector, level ? level + finer : 2, out);
+}
+
+/* The triangles around the middle of an S-patch, where it is a quotient of polynomials of the
+ * library's degrees. */
+int ENGINE_OF(engine_sided_nets)(const engine_sided *e, engine_net_visit *visit, void *context)
+{
+    const unsigned n = e->s->n;
+    engine_net_part part = { .round = false };
+    loft_weighted p[LOFT_SPATCH_TRIANGLE_MAX];
+    loft_triangle_rational t;
+    int status = e->s->coordinates == COORDINATES_WACHSPRESS ? LOFT_OK : LOFT_ERR_ARG;
+
+    for (unsigned i = 0; i < n; i++)
+        for (int k = 0; k < 2; k++)
+            part.from[k] += double_of(e->v[i].at[k]) / n;
+    for (unsigned edge = 0; edge < n && status == LOFT_OK; edge++) {
+        for (unsigned corner = 0; corner < 2; corner++)
+            for (int k = 0; k < 2; k++)
+                part.share[k][corner] = double_of(e->v[(edge + corner) % n].at[k]) - part.from[k];
+        status = loft_spatch_triangle(&e->as.spatch, &e->domain, edge, p);
+        if (status == LOFT_OK)
+            status = loft_triangle_rational_init(&t, p, e->s->m * (n - 2));
+        if (status == LOFT_OK)
+            status = visit(context, loft_net_from_triangle_rational(&t), &part);
+    }
+    return status;
 }
 
 /* The first vertex at which a polygon does not turn left. */

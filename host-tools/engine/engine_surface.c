@@ -531,7 +531,7 @@ static int visit_spans(const engine_surface *e, engine_net_visit *visit, void *c
             const loft_real *at = knots[k]->k, low = at[knots[k]->degree];
             const double all = (double)at[knots[k]->points] - (double)low;
             part.from[k]  = ((double)at[span[k]] - (double)low) / all;
-            part.share[k] = ((double)at[span[k] + 1] - (double)at[span[k]]) / all;
+            part.share[k][k] = ((double)at[span[k] + 1] - (double)at[span[k]]) / all;
         }
         if (s->weighted) {
             status = loft_tensor_rational_init(&r, weighted, m, n);
@@ -550,7 +550,7 @@ static int visit_spans(const engine_surface *e, engine_net_visit *visit, void *c
 
 int ENGINE_OF(engine_nets)(engine_surface *e, engine_net_visit *visit, void *context)
 {
-    static const engine_net_part all = { { 0, 0 }, { 1, 1 }, false };
+    static const engine_net_part all = { { 0, 0 }, { { 1, 0 }, { 0, 1 } }, false };
     const enum surface_kind kind = e->s->kind;
     const bool weighted = e->s->rational || kind == SURFACE_OCTANT;
 
@@ -561,6 +561,8 @@ int ENGINE_OF(engine_nets)(engine_surface *e, engine_net_visit *visit, void *con
     }
     if (kind == SURFACE_SPHERE)
         return ENGINE_OF(engine_ball_nets)(&e->as.sphere, visit, context);
+    if (kind == SURFACE_SPATCH)
+        return ENGINE_OF(engine_sided_nets)(e->sided, visit, context);
     if (kind == SURFACE_BICUBIC || kind == SURFACE_COONS || kind == SURFACE_PN) {
         const int status = convert_surface(e);
         if (status != LOFT_OK)

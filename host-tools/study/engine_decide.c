@@ -393,7 +393,7 @@ const decide_question ENGINE_OF(decide)[DECIDE_QUESTIONS] = {
     { "ray", DECIDE_SURFACES, 6, 6, "a point and a direction x,y,z,dx,dy,dz",
       ENGINE_OF(answer_ray) },
     { "pierce", DECIDE_BOTH, 1, 1, "a tolerance above 0", ENGINE_OF(answer_pierce) },
-    { "area", DECIDE_SURFACES, 0, 0, "nothing", ENGINE_OF(answer_area) },
-    { "volume", DECIDE_SURFACES, 0, 0, "nothing", ENGINE_OF(answer_volume) },
+    { "area", DECIDE_SURFACES, 0, 1, "a tolerance, or nothing", ENGINE_OF(answer_area) },
+    { "volume", DECIDE_SURFACES, 0, 1, "a tolerance, or nothing", ENGINE_OF(answer_volume) },
     { "join", DECIDE_SURFACES, 0, 2, "nothing, or shares of T2 and T3", ENGINE_OF(answer_join) },
 };

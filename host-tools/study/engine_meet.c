@@ -30,10 +30,7 @@ static int refuse(const meeting *m, size_t number, int status)
     const surface *s = &m->in->surfaces->surface[number];
 
     if (status == LOFT_ERR_ARG)
-        snprintf(m->in->why, DECIDE_WHY,
-                 "surface %zu is of kind %s: give tensor, triangle, coons, bicubic, pn, "
-                 "nurbs-surface, sphere or octant",
-                 number, surface_name(s->kind));
+        decide_refuse_kind(m->in, number, s);
     else if (status == LOFT_ERR_RANGE)
         snprintf(m->in->why, DECIDE_WHY, "%g mm is too fine: give a larger --of",
                  m->in->of->value[0]);
@@ -169,9 +166,10 @@ static int pierce_net(void *context, loft_net net, const engine_net_part *part)
 
     for (unsigned k = 0; k < m->count && status == LOFT_OK; k++) {
         const loft_net_meeting *o = &m->out[k];
+        const double u = double_of_unit(o->at[2]), v = double_of_unit(o->at[3]);
         printf("%zu %zu t %.9g u %.9g v %.9g%s at ", m->piece, m->first, double_of_unit(o->at[0]),
-               engine_net_at(part, 0, double_of_unit(o->at[2])),
-               engine_net_at(part, 1, double_of_unit(o->at[3])), o->touch ? " touch" : "");
+               engine_net_at(part, 0, u, v), engine_net_at(part, 1, u, v),
+               o->touch ? " touch" : "");
         write_solid(m->in, &o->point, 1);
     }
     return status;

@@ -4,7 +4,7 @@
  */
 #include <stdio.h>
 
-#include "surface/area.h"           /* loft_net_area */
+#include "surface/area.h"           /* loft_net_area, loft_net_cone_volume */
 #include "surface/net_nearest.h"    /* loft_net_nearest */
 #include "surface/net_ray.h"        /* loft_net_ray */
 #include "surface/volume.h"         /* loft_net_volume */
@@ -26,10 +26,11 @@ typedef struct {
     double hit_at[64][2];
     unsigned hits;
     bool more;
+    loft_real tol;
     double area, volume;
 } net_question;
 
-static int ask_nets(net_question *q, engine_net_visit *visit, bool weights)
+static int ask_nets(net_question *q, engine_net_visit *visit)
 {
     const surface *s = &q->in->surfaces->surface[q->number];
     engine_surface *held;
@@ -40,15 +41,11 @@ static int ask_nets(net_question *q, engine_net_visit *visit, bool weights)
     status = ENGINE_OF(engine_nets)(held, visit, q);
     ENGINE_OF(engine_surfaces).close(held);
     if (status == LOFT_ERR_ARG)
-        snprintf(q->in->why, DECIDE_WHY, "surface %zu is of kind %s%s: give %s", q->number,
-                 s->rational ? "rational " : "", surface_name(s->kind),
-                 weights ? "tensor, triangle, coons, bicubic, pn, nurbs-surface or octant"
-                         : "those without weights, or take `loft surface --tol`");
+        decide_refuse_kind(q->in, q->number, s);
     return status;
 }
 
-static int ask_each(net_question *q, engine_net_visit *visit, bool weights,
-                    void (*tell)(const net_question *q))
+static int ask_each(net_question *q, engine_net_visit *visit, void (*tell)(const net_question *q))
 {
     int status = LOFT_OK;
 
@@ -58,7 +55,7 @@ static int ask_each(net_question *q, engine_net_visit *visit, bool weights,
         q->hits = 0;
         q->more = false;
         q->area = 0;
-        status = ask_nets(q, visit, weights);
+        status = ask_nets(q, visit);
         if (status == LOFT_OK)
             tell(q);
     }
@@ -78,8 +75,8 @@ static int nearest_of(void *context, loft_net net, const engine_net_part *part)
         return LOFT_OK;
     q->found = true;
     q->near = near;
-    q->at[0] = engine_net_at(part, 0, double_of_unit(near.u));
-    q->at[1] = engine_net_at(part, 1, double_of_unit(near.v));
+    for (int k = 0; k < 2; k++)
+        q->at[k] = engine_net_at(part, k, double_of_unit(near.u), double_of_unit(near.v));
     return LOFT_OK;
 }
 
@@ -98,7 +95,7 @@ int ENGINE_OF(answer_nearest)(const decide_input *in)
 
     for (int axis = 0; axis < 3 && status == LOFT_OK; axis++)
         q.point.axis[axis] = x[axis];
-    return status ? status : ask_each(&q, nearest_of, true, tell_nearest);
+    return status ? status : ask_each(&q, nearest_of, tell_nearest);
 }
 
 /* Insert, sorted by t; a hit on the border of two spans is one. */
@@ -130,9 +127,10 @@ static int hits_of(void *context, loft_net net, const engine_net_part *part)
     unsigned count = 0;
     const int status = loft_net_ray(net, q->point, q->direction, hit, 64, &count);
 
-    for (unsigned k = 0; k < count; k++)
-        keep_hit(q, &hit[k], engine_net_at(part, 0, double_of_unit(hit[k].u)),
-                 engine_net_at(part, 1, double_of_unit(hit[k].v)));
+    for (unsigned k = 0; k < count; k++) {
+        const double u = double_of_unit(hit[k].u), v = double_of_unit(hit[k].v);
+        keep_hit(q, &hit[k], engine_net_at(part, 0, u, v), engine_net_at(part, 1, u, v));
+    }
     q->more = q->more || status == LOFT_MORE;
     return status < 0 ? status : LOFT_OK;
 }
@@ -158,14 +156,24 @@ int ENGINE_OF(answer_ray)(const decide_input *in)
         q.point.axis[axis] = x[axis];
         q.direction.axis[axis] = x[axis + 3];
     }
-    return status ? status : ask_each(&q, hits_of, true, tell_hits);
+    return status ? status : ask_each(&q, hits_of, tell_hits);
+}
+
+static loft_sci memory[LOFT_NET_AREA_MEMORY(LOFT_DEGREE_MAX, LOFT_DEGREE_MAX)];
+
+static int tolerance_of(const decide_input *in, loft_real *out)
+{
+    *out = LOFT_REAL(0.001);
+    if (in->of->count == 0 || (real_of(in->of->value[0], out) && *out > 0))
+        return LOFT_OK;
+    return decide_refuse(in, "not a tolerance: give --of a number above 0, or nothing for 0.001");
 }
 
 static int area_of(void *context, loft_net net, const engine_net_part *part)
 {
     net_question *q = context;
     loft_acc area = 0;
-    const int status = loft_net_area(net, LOFT_REAL(0.001), &area);
+    const int status = loft_net_area(net, q->tol, memory, &area);
 
     (void)part;
     q->area += double_of_acc(area);
@@ -177,17 +185,20 @@ static void tell_area(const net_question *q) { printf("%zu area %.9g\n", q->numb
 int ENGINE_OF(answer_area)(const decide_input *in)
 {
     net_question q = { .in = in };
+    const int status = tolerance_of(in, &q.tol);
 
-    return ask_each(&q, area_of, false, tell_area);
+    return status ? status : ask_each(&q, area_of, tell_area);
 }
 
-/* The cone from the origin over a net, a part of the volume. */
+/* The cone from q->point over a net, a part of the volume. Without weights it is exact: a net that
+ * is that point alone gives the point to the library. */
 static int volume_of(void *context, loft_net net, const engine_net_part *part)
 {
     net_question *q = context;
     const loft_net both[2] = { { &q->point, NULL, 0, 0, false }, net };
     loft_acc volume = 0;
-    const int status = loft_net_volume(both, 2, &volume);
+    const int status = net.weighted ? loft_net_cone_volume(net, q->point, q->tol, memory, &volume)
+                                    : loft_net_volume(both, 2, &volume);
 
     (void)part;
     q->volume += double_of_acc(volume);
@@ -196,15 +207,18 @@ static int volume_of(void *context, loft_net net, const engine_net_part *part)
 
 static void tell_nothing(const net_question *q) { (void)q; }
 
-/* Cones from one point over all nets; a net that is that point alone gives it to the library. */
+/* Cones from one point over all nets. */
 int ENGINE_OF(answer_volume)(const decide_input *in)
 {
     net_question q = { .in = in };
+    int status = tolerance_of(in, &q.tol);
 
+    if (status != LOFT_OK)
+        return status;
     if (in->surfaces->surface[0].count > 0 &&
         !vec_of(in->surfaces->surface[0].point[0].p, &q.point))
         return LOFT_ERR_RANGE;
-    const int status = ask_each(&q, volume_of, false, tell_nothing);
+    status = ask_each(&q, volume_of, tell_nothing);
     if (status == LOFT_OK)
         printf("volume %.9g\n", q.volume);
     return status;

@@ -5,7 +5,10 @@
 #ifndef LOFT_HOST_ENGINE_PATCH_H
 #define LOFT_HOST_ENGINE_PATCH_H
 
+#include <stdio.h>
+
 #include "engine/engine_num.h"      /* ENGINE_OF */
+#include "engine/surface.h"         /* surface_name */
 #include "study/decide.h"
 
 /* engine_patch.c: of tensor patches and triangles without weights */
@@ -40,5 +43,25 @@ int ENGINE_OF(answer_pierce)(const decide_input *in);
 int ENGINE_OF(make_patches)(const decide_input *in);
 int ENGINE_OF(raise_weighted)(const decide_input *in, size_t number, unsigned by);
 int ENGINE_OF(split_weighted)(const decide_input *in, size_t number, loft_unit u, loft_unit w);
+
+/* It has no net: say why, and what has. */
+static inline void decide_refuse_kind(const decide_input *in, size_t number, const surface *s)
+{
+    if (s->kind == SURFACE_SPATCH)
+        snprintf(in->why, DECIDE_WHY,
+                 "surface %zu: of a spatch give wachspress coordinates on a convex polygon, and "
+                 "depth (sides - 2) up to 9: its degree as triangles",
+                 number);
+    else if (surface_is_sided(s))
+        snprintf(in->why, DECIDE_WHY,
+                 "surface %zu: a %s is no quotient of polynomials up to degree 9: give another "
+                 "kind, or cut it by planes: `loft contour`",
+                 number, surface_name(s->kind));
+    else
+        snprintf(in->why, DECIDE_WHY,
+                 "surface %zu is of kind %s: give tensor, triangle, coons, bicubic, pn, "
+                 "nurbs-surface, spatch, sphere or octant",
+                 number, surface_name(s->kind));
+}
 
 #endif

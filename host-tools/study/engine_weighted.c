@@ -84,10 +84,7 @@ int ENGINE_OF(make_patches)(const decide_input *in)
     for (; v.number < in->surfaces->count && status == LOFT_OK; v.number++) {
         status = visit_nets(&v, write_net);
         if (status == LOFT_ERR_ARG)
-            snprintf(in->why, DECIDE_WHY,
-                     "surface %zu is of kind %s: give tensor, triangle, coons, bicubic, pn, "
-                     "nurbs-surface or octant",
-                     v.number, surface_name(in->surfaces->surface[v.number].kind));
+            decide_refuse_kind(in, v.number, &in->surfaces->surface[v.number]);
     }
     return status;
 }

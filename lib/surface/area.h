@@ -1,5 +1,14 @@
-/* lib/surface/area.h -- the area of a patch or a triangle within a proven tolerance
+/* lib/surface/area.h -- area of a net and volume of a cone over it, within a proven tolerance
  * SPDX-License-Identifier: MIT
+ *
+ * Of patches and triangles, with weights or without. Cones from one apex over nets that close a
+ * body give its volume; without weights loft_net_volume gives it exactly.
+ *
+ *     loft_sci memory[LOFT_NET_AREA_MEMORY(2, 1)];
+ *     status = loft_net_area(loft_net_from_tensor_rational(&s), LOFT_REAL(0.01), memory, &area);
+ *
+ * In the `error` lines A is m n R^3 times the product of the largest steps of the net along x and
+ * y (a triangle: of its form, net.h), R the largest weight over the smallest.
  */
 #ifndef LOFT_SURFACE_AREA_H
 #define LOFT_SURFACE_AREA_H
@@ -8,23 +17,39 @@
 
 LOFT_BEGIN_C
 
+/* Numbers that nets of degrees m, n need, 16 bytes each in q16, 8 in floats. */
+#define LOFT_NET_AREA_MEMORY(m, n)                                                                 \
+    (6u * (3u * (m) + 1) * (3u * (n) + 1) + 2u * ((m) + 1) * ((n) + 1) +                           \
+     (3u * (m) + 1) * (4u * (m) + 2) + (3u * (n) + 1) * (4u * (n) + 2))
+
 /* The area, in the first three axes. Folds count more than once.
  *
- *   range   no weights and tol > 0, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the area does not
- *           fit a loft_acc (q16: 2^31), in f32 and f64 when loft_exact_valid refuses a coordinate,
- *           or when 24 halvings of the patch do not prove `tol` (a tolerance finer than about 2^-18
- *           of the area); *out is then untouched
- *   error   tol, in units squared, plus q16: 2^-32 + 2^-48 A   f32, f64: 2^-40 A with A = m n times
- *           the product of the largest steps of the net along u and v (a triangle: of its form,
- *           net.h). A plane patch without folds has only the second part
- *   cost    per piece 16 m^2 n^2 cross products in numbers of num/sci.h (bicubic: 144 with equal
- *           factors joined); the number of pieces is about the squared turning of the patch in
- *           radians times the area over 4 tol, and twice that for a twisted net; 13 kB of stack
- *           in q16, 7 kB in floats; not for an ISR
- *   see     Gravesen: Adaptive subdivision and the length and energy of Bezier curves, 1997, the
- *           same method for curves
+ *   shape   memory[LOFT_NET_AREA_MEMORY(m, n)]
+ *   range   tol > 0, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the area does not fit a loft_acc
+ *           (q16: 2^31), in f32 and f64 when loft_exact_valid refuses a coordinate, or when 24
+ *           halvings of the patch do not prove `tol`; *out is then untouched
+ *   error   tol, in units squared, plus q16: 2^-32 + 2^-48 A   f32, f64: 2^-40 A. A plane patch
+ *           without weights and folds has only the second part
+ *   cost    once up to m^3 n^3 products of num/sci.h; per piece about 100 m n (m + n) of them, and
+ *           300 m n (m + n) with weights. The number of pieces grows with tol^(-2/3): 300 for a
+ *           hemisphere of radius 10 within 0.01; 3 kB of stack in q16; not for an ISR
+ *   see     Gravesen: Adaptive subdivision and the length and energy of Bezier curves, 1997, bounds
+ *           of the second order for curves
  */
-enum loft_status loft_net_area(loft_net s, loft_real tol, loft_acc *out) LOFT_CHECKED;
+enum loft_status loft_net_area(loft_net s, loft_real tol, loft_sci memory[],
+                               loft_acc *out) LOFT_CHECKED;
+
+/* The volume of the cone from `apex` over the net: positive where P_x x P_y points away from it.
+ *
+ *   shape   memory[LOFT_NET_AREA_MEMORY(m, n)]
+ *   range   three axes or more; otherwise as loft_net_area
+ *   error   tol, in units cubed, plus q16: 2^-32 + 2^-48 A L   f32, f64: 2^-40 A L, L the largest
+ *           distance from the apex. Without weights only the second part
+ *   cost    as loft_net_area, a third of that per piece
+ *   see     the divergence theorem, as volume.h
+ */
+enum loft_status loft_net_cone_volume(loft_net s, loft_vec apex, loft_real tol, loft_sci memory[],
+                                      loft_acc *out) LOFT_CHECKED;
 
 LOFT_END_C
 

@@ -1533,7 +1533,17 @@ case_decide() {
         done >"$tmp/tetra.loft"
         run 0 "$loft" decide volume --num $num "$tmp/tetra.loft"; says out '^volume 36$'
     done
-    one_line 65 'of kind octant: give those without weights' "$loft" decide area "$tmp/octant.loft"
+    printf 'sphere 10\n' >"$tmp/ball.loft"
+    for num in q16 f32 f64; do          # an octant of that ball, the ball
+        run 0 "$loft" decide area --num $num --of 0.05 "$tmp/octant.loft"
+        awk '{ exit !(($3 - 628.3185)^2 < 0.003) }' "$tmp/out" ||
+            job_fails "area $num: $(cat "$tmp/out")"
+        run 0 "$loft" decide volume --num $num --of 0.05 "$tmp/ball.loft"
+        awk '{ exit !(($2 - 4188.79)^2 < 0.2) }' "$tmp/out" || job_fails "$num: $(cat "$tmp/out")"
+    done
+    one_line 65 'not a tolerance' "$loft" decide area --of=-1 "$tmp/octant.loft"
+    printf 'ring 3 2\n0 0\n5 0\n9 0\n5 5\n0 9\n0 5\n3 3 1\n' >"$tmp/sided.loft"
+    one_line 65 'a ring is no quotient of polynomials' "$loft" decide area "$tmp/sided.loft"
     one_line 64 'not known to decide'  "$loft" decide nothing
     one_line 64 'positive: --of has 0 numbers: give Bernstein'   "$loft" decide positive
     one_line 64 'bend: --of has 0 numbers: give parameters'      "$loft" decide bend -
@@ -1780,6 +1790,31 @@ case_meet() {
     cat "$tmp/cut.loft" "$tmp/octant.loft" >"$tmp/twice.loft"
     run 0 "$loft" make meet --of 0.01 "$tmp/twice.loft"
     grep -q 'surfaces 0 and 2 coincide' "$tmp/out" || job_fails "twice: $(cat "$tmp/out")"
+    # a pentagon, z = 12 - 3 (x^2 + y^2) / 100 at its net, as triangles of degree 6; the plane x = 3
+    awk 'BEGIN { print "spatch 5 2"; a = atan2(0, -1)
+                 for (i = 0; i < 5; i++) for (j = i; j < 5; j++) {
+                     x = 10 * (cos(a * (0.5 + 0.4 * i)) + cos(a * (0.5 + 0.4 * j)))
+                     y = 10 * (sin(a * (0.5 + 0.4 * i)) + sin(a * (0.5 + 0.4 * j)))
+                     printf "%.9f %.9f %.9f\n", x, y, 12 - 3 * (x * x + y * y) / 100 } }' \
+        >"$tmp/five.loft"
+    { cat "$tmp/five.loft"; printf 'tensor 1 1\n3 -30 -9\n3 -30 30\n3 30 -9\n3 30 30\n'; } \
+        >"$tmp/wall.loft"
+    for num in f32 f64; do
+        run 0 "$loft" make meet --num $num --of 0.01 "$tmp/wall.loft"
+        awk '/^line/ { n++; next } { if (($1 - 3) * ($1 - 3) > 1e-6) bad = 1 }
+             END { exit bad || n != 1 || NR < 10 }' "$tmp/out" ||
+            job_fails "wall $num: $(cat "$tmp/out")"
+    done
+    run 0 "$loft" make patches --num f64 "$tmp/five.loft"; cp "$tmp/out" "$tmp/parts.loft"
+    [ "$(grep -c 'triangle 6' "$tmp/parts.loft")" = 5 ] || job_fails "patches: $(cat "$tmp/out")"
+    for file in five parts; do
+        "$loft" decide area --num f64 --of 0.01 "$tmp/$file.loft" >"$tmp/$file.txt"
+    done
+    awk 'FNR < NR { sum -= $3; next } { sum = $3 } END { exit !(sum < 0.1 && sum > -0.1) }' \
+        "$tmp/five.txt" "$tmp/parts.txt" || job_fails "areas: $(cat "$tmp"/{five,parts}.txt)"
+    { sed 's/spatch 5 2/spatch 5 2 meanvalue/' "$tmp/five.loft"; cat "$tmp/octant.loft"; } \
+        >"$tmp/other.loft"
+    one_line 65 'give wachspress coordinates' "$loft" make meet --of 0.01 "$tmp/other.loft"
     one_line 65 'no two surfaces meet'     "$loft" make meet --of 0.01 "$tmp/octant.loft"
     one_line 65 'a tolerance of 0'         "$loft" make meet --of 0 "$tmp/cut.loft"
     one_line 64 'give a file of curves, then one of surfaces' \

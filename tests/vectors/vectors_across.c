@@ -269,6 +269,7 @@ static void surface_fit(row *r)
 static void net_area(row *r)
 {
     static sheet_of_row s;
+    static loft_sci memory[LOFT_NET_AREA_MEMORY(LOFT_DEGREE_MAX, LOFT_DEGREE_MAX)];
     const loft_real tol = LOFT_REAL(0.0078125);
     loft_acc area = 0;
     const unsigned m = row_count(r, "m", LOFT_DEGREE_MAX), n = row_count(r, "n", LOFT_DEGREE_MAX);
@@ -278,7 +279,7 @@ static void net_area(row *r)
         row_complain(r, "the patch was refused");
     if (!as_given(r) || r->complaint[0])
         return;
-    if (loft_net_area(loft_net_from_tensor(&s.tensor), tol, &area) != LOFT_OK)
+    if (loft_net_area(loft_net_from_tensor(&s.tensor), tol, memory, &area) != LOFT_OK)
         row_complain(r, "the area was refused");
     const char *text = row_text(r, "area");
     const long double want = row_next(&text);
