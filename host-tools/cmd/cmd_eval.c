@@ -271,11 +271,44 @@ static int eval_surfaces(const surfaces *all, const evaluation *asked, const too
     return every_surface(&v, all);
 }
 
+/* Points of tetrahedra. */
+static int eval_solids(const char *file, const engine *e, const tool_list *uvw)
+{
+    const print_options p = { e, true };
+    surfaces all = { .solids = true };
+    int code = surfaces_read_only(&all, file);
+
+    if (code == 0 && uvw->count % 3 != 0)
+        code = tool_error(EX_USAGE, "--uvw: %zu numbers: give triples, V,W,X,..", uvw->count);
+    for (size_t i = 0; i < all.count && code == 0; i++) {
+        const surface *s = &all.surface[i];
+        if (s->kind != SURFACE_TETRA)
+            code = tool_error(EX_DATAERR, "%s:%u: --uvw: is for tetra: give this %s --uv U,V",
+                              source_name(file), s->line, surface_name(s->kind));
+        for (size_t k = 0; k < uvw->count && code == 0; k += 3) {
+            const double *at = &uvw->value[k];
+            double point[ENGINE_AXES];
+            if (!(at[0] >= 0 && at[1] >= 0 && at[2] >= 0 && at[0] + at[1] + at[2] <= 1))
+                code = tool_error(EX_USAGE,
+                                  "--uvw: %g, %g, %g: give shares of T2, T3, T4 from 0 "
+                                  "on, together at most 1",
+                                  at[0], at[1], at[2]);
+            else if (e->solid(s, at, point) != 0)
+                code = tool_error(EX_DATAERR, "%s:%u: tetra: %s", source_name(file), s->line,
+                                  engine_status(LOFT_ERR_RANGE));
+            else
+                print_point((void *)&p, point);
+        }
+    }
+    surfaces_free(&all);
+    return code;
+}
+
 static int run_eval(const tool_command *self, int argc, char **argv)
 {
     const engine *e  = &engine_q16;
     const char *text = NULL;
-    tool_list t = { .count = 0 }, uv = { .count = 0 };
+    tool_list t = { .count = 0 }, uv = { .count = 0 }, uvw = { .count = 0 };
     curves all       = { 0 };
     surfaces patches = { 0 };
     evaluation v     = { .t = &t };
@@ -286,6 +319,7 @@ static int run_eval(const tool_command *self, int argc, char **argv)
         TOOL_LIST("t", "T,..", &t, -1e6, 1e6, "parameters, 0..1 on a Bezier curve (the middle)"),
         TOOL_LIST("uv", "U,V,..", &uv, -32768, 32767,
                   "pairs of parameters on a surface (the middle)"),
+        TOOL_LIST("uvw", "V,W,X,..", &uvw, 0, 1, "shares of T2, T3, T4 in a tetrahedron"),
         TOOL_SWITCH("deriv", &v.deriv,
                     "behind each point its derivatives: first to third, of an arc those of cubics; "
                     "of a surface by u, v, uu, uv, vv"),
@@ -308,6 +342,8 @@ static int run_eval(const tool_command *self, int argc, char **argv)
     if (shape && t.count > 0)
         return tool_error(EX_USAGE,
                           "--shape and --t: give one of them: a shape is that of the whole curve");
+    if (uvw.count > 0)
+        return eval_solids(text ? "-" : file, e, &uvw);
     v.p.e  = e;
     v.file = text ? "--points" : source_name(file);
     if (text == NULL)
@@ -341,5 +377,6 @@ const tool_command command_eval = { "eval", "[--t T,..|--uv U,V,..] [FILE|-]",
                                     "number and kind, what it is as a cubic in the plane of x and "
                                     "y (decided exactly) and where, the smallest box around\n"
                                     "it, or, if it has weights, around its control points. Of "
-                                    "surfaces (the same format) prints one point per pair --uv.\n",
+                                    "surfaces (the same format) prints one point per pair --uv, of "
+                                    "tetra per triple --uvw.\n",
                                     run_eval };

@@ -41,7 +41,7 @@ const tool_command command_make = {
     "Through a grid of points, one row in a curve, bicubic patches with the twists\n"
     "  ferguson 0   adini  of Coons patches   bessel  of parabolas\n"
     "Of the surfaces in FILE; tensor patches and triangles without weights:\n"
-    "  raise    with degrees higher by --of\n"
+    "  raise    with degrees higher by --of; `tetra` too\n"
     "  split    at --of u,v: four parts, or the three triangles around that point\n"
     "  quarter  four parts, cut in the middles\n"
     "  patches  tensor patches and triangles of coons, bicubic, pn, octant, nurbs-surface, spatch\n"

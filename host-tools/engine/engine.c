@@ -11,6 +11,7 @@
 #include "machine/step.h"   /* loft_steps_of */
 
 #include "engine/engine_fit.h"      /* engine_fit_spline */
+#include "engine/engine_solid.h"
 #include "engine/engine_num.h"     /* real_of, vec_of, point_of */
 
 static int hold_number(double x, double *out)
@@ -113,6 +114,7 @@ const engine ENGINE_OF(engine) = { .name = ENGINE_TEXT(LOFT_TAG),
                                    .fit_grid = ENGINE_OF(engine_fit_surface),
                                    .fit_basis = ENGINE_OF(engine_fit_basis),
                                    .fit_off = ENGINE_OF(engine_fit_off),
+                                   .solid   = ENGINE_OF(engine_solid_eval),
                                    .ellipse = ellipse,
                                    .arc = arc,
                                    .surface = &ENGINE_OF(engine_surfaces),

@@ -266,6 +266,8 @@ typedef struct {
                const double centre[ENGINE_AXES], int turns, double tol, engine_cubic_sink *sink,
                void *context);
     const engine_surfaces *surface;
+    /* The point at v, w, x of a tetrahedron. */
+    int (*solid)(const struct surface *s, const double at[3], double out[ENGINE_AXES]);
     const engine_maps *maps;
     int (*flatten)(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink,
                    void *context);

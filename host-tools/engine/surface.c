@@ -24,6 +24,7 @@ const char *surface_name(enum surface_kind kind)
                                                       [SURFACE_OCTANT] = "octant",
                                                       [SURFACE_GREGORY] = "gregory",
                                                       [SURFACE_NURBS] = "nurbs-surface",
+                                                      [SURFACE_TETRA] = "tetra",
                                                       [SURFACE_SPATCH] = "spatch",
                                                       [SURFACE_TORIC] = "toric",
                                                       [SURFACE_BASEPOINT] = "basepoint",
@@ -79,6 +80,7 @@ unsigned surface_points(const surface *s)
     switch (s->kind) {
     case SURFACE_TENSOR:   return (s->m + 1) * (s->n + 1);
     case SURFACE_TRIANGLE: return (s->m + 1) * (s->m + 2) / 2;
+    case SURFACE_TETRA:    return (s->m + 1) * (s->m + 2) * (s->m + 3) / 6;
     case SURFACE_COONS:    return 2 * s->orders * (s->m + s->n + 2);
     case SURFACE_BICUBIC:  return 16;
     case SURFACE_GREGORY:  return 20;
@@ -144,8 +146,8 @@ int surfaces_read_only(surfaces *all, const char *file)
     if (code == 0 && all->count == 0)
         return tool_error(EX_DATAERR,
                           "%s: no surface in it: begin with tensor, triangle, coons, bicubic, pn, "
-                          "sphere, octant, gregory, nurbs-surface, spatch, toric, basepoint, ring "
-                          "or gb",
+                          "sphere, octant, gregory, nurbs-surface, tetra, spatch, toric, "
+                          "basepoint, ring or gb",
                           source_name(file));
     return code;
 }

@@ -7,6 +7,7 @@
  *     engine.h        their representation in the library
  *     mesh.h          triangles of them, normals and curvatures; STL and PLY
  *     sided.h         surfaces with n sides: their polygons, nets and grids
+ *     solid.h         tetrahedra: their faces
  *     surface_plot.h  pictures
  *
  * The parameters of a surface are u, v in 0..1. Over a triangle u + v <= 1 as well: u is the share
@@ -34,6 +35,7 @@ enum surface_kind {
     SURFACE_OCTANT,
     SURFACE_GREGORY,
     SURFACE_NURBS,
+    SURFACE_TETRA,              /* three parameters: solid.h */
     /* with n sides */
     SURFACE_SPATCH,
     SURFACE_TORIC,
@@ -61,8 +63,8 @@ typedef struct {
 
 typedef struct surface {
     enum surface_kind kind;
-    unsigned m, n;              /* degrees along u and v; a triangle has only m; for n sides m is
-                                 * the degree or depth */
+    unsigned m, n;              /* degrees along u and v; triangle and tetra have m; for n sides m
+                                 * is the degree or depth */
     unsigned orders;            /* coons: 1 bilinear, 2 with slopes, 3 with curvatures */
     unsigned rows, columns;     /* nurbs: of its net                                        */
     double *knot[2];            /* nurbs: along u and v                                     */
@@ -84,6 +86,7 @@ typedef struct surface {
 typedef struct surfaces {
     surface *surface;
     size_t count;
+    bool solids;                /* asked for: tetrahedra stay what they are, else their faces */
 } surfaces;
 
 const char *surface_name(enum surface_kind kind);
@@ -113,7 +116,7 @@ void     surfaces_free(surfaces *all);
 
 /* Read `file` ("-" is standard input) if it contains surfaces. Otherwise *all stays empty, and the
  * file may be read as something else. Returns 0, or an exit code after printing one line. `*all`
- * must be zeroed. */
+ * must be zeroed, but for what is asked for. */
 int surfaces_read(surfaces *all, const char *file);
 
 /* The same, but a file without surfaces is an error. */

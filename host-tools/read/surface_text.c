@@ -17,6 +17,7 @@
 #include "base/lines.h"             /* lines_numbers, lines_wrong */
 #include "base/scan.h"              /* scan_word */
 #include "engine/sided.h"           /* sided_regular, sided_is_lattice */
+#include "engine/solid.h"           /* solid_faces */
 #include "engine/surface.h"
 
 typedef struct {
@@ -206,6 +207,7 @@ static const row rows[] = {
     { SURFACE_OCTANT, head_radius, false, "`x y z`: the centre" },
     { SURFACE_GREGORY, head_bare, false, "`x y z`" },
     { SURFACE_NURBS, head_nurbs, WEIGHTED },
+    { SURFACE_TETRA, head_triangle, false, "`x y z`" },
     { SURFACE_SPATCH, head_spatch, WEIGHTED },
     { SURFACE_TORIC, head_bare, true,
       "`x y z`, `x y z : weight` or `x y z : weight coefficient`, a weight of 1/256 to 256" },
@@ -268,8 +270,9 @@ static int point_line(reading *r)
                            "32, convex, counterclockwise");
     if (lines_vector(&r->at, p.p) == 0 || !what_is_behind(r, &p) || !lines_over(&r->at))
         return lines_wrong(&r->at, "not a point", row_of(r->now)->point);
-    const unsigned most = r->now->kind == SURFACE_TRIANGLE && !r->counted ? 55
-                                                                          : surface_points(r->now);
+    const unsigned most = r->counted                       ? surface_points(r->now)
+                          : r->now->kind == SURFACE_TRIANGLE ? 55
+                                                             : 220;
     if (r->now->count == most) {
         snprintf(words, sizeof words, "more than the %u point%s of this %s", most,
                  most == 1 ? "" : "s", surface_name(r->now->kind));
@@ -359,14 +362,13 @@ static int end_knots(const lines *at, surface *s)
 // Surfaces
 // --------
 
-/* The degree of a triangle with this many points; 10 if there is none. */
-static unsigned triangle_degree(unsigned count)
+/* Take the degree of a triangle or tetrahedron from the number of its points; 10 if there is none
+ * of so many. */
+static void count_degree(surface *s)
 {
-    unsigned m = 0;
-
-    while (m <= SURFACE_DEGREE_MAX && (m + 1) * (m + 2) / 2 != count)
-        m++;
-    return m;
+    s->m = 0;
+    while (s->m <= SURFACE_DEGREE_MAX && surface_points(s) != s->count)
+        s->m++;
 }
 
 /* Sides are counted from 1: side k goes from vertex k to the next one. */
@@ -456,8 +458,8 @@ static int end_surface(reading *r)
         return 0;
     if ((s->kind == SURFACE_SPHERE || s->kind == SURFACE_OCTANT) && s->count == 0)
         surface_add_point(s, &(surface_point){ .w = 1, .c = 1 });
-    if (s->kind == SURFACE_TRIANGLE && !r->counted)
-        s->m = triangle_degree(s->count);
+    if (!r->counted)
+        count_degree(s);
     const int code = surface_is_sided(s)          ? end_domain(&at, s)
                      : s->kind == SURFACE_NURBS ? end_knots(&at, s)
                                                 : 0;
@@ -469,8 +471,10 @@ static int end_surface(reading *r)
              s->count == 1 ? "" : "s");
     snprintf(remedy, sizeof remedy, "give %u", surface_points(s));
     return lines_wrong(&at, words,
-                       s->m > SURFACE_DEGREE_MAX ? "give 1, 3, 6, 10, 15, 21, 28, 36, 45 or 55"
-                                                 : remedy);
+                       s->m <= SURFACE_DEGREE_MAX    ? remedy
+                       : s->kind == SURFACE_TRIANGLE ? "give 1, 3, 6, 10, 15, 21, 28, 36, 45 or 55"
+                                                     : "give 1, 4, 10, 20, 35, 56, 84, 120, 165 or "
+                                                       "220");
 }
 
 static int word_line(reading *r)
@@ -489,10 +493,11 @@ static int word_line(reading *r)
     if (kind == NULL) {
         snprintf(words, sizeof words, "`%.*s` is not a kind of surface", length > 20 ? 20 : length,
                  r->at.rest);
-        return lines_wrong(&r->at, words,
-                           "give tensor triangle coons bicubic pn sphere octant gregory "
-                           "nurbs-surface spatch toric basepoint ring or gb; curves go into a file "
-                           "of their own");
+        return lines_wrong(
+            &r->at, words,
+            "give tensor triangle coons bicubic pn sphere octant gregory "
+            "nurbs-surface tetra spatch toric basepoint ring or gb; curves go into a "
+            "file of their own");
     }
     r->now     = surfaces_add(r->all, kind->kind, r->at.line);
     r->counted = true;
@@ -510,7 +515,11 @@ static int read_line(void *context)
 int surfaces_read_text(surfaces *all, const char *file, const char *text)
 {
     reading r = { .all = all, .at = { .file = file } };
-    const int code = lines_read(&r.at, text, read_line, &r);
+    int code = lines_read(&r.at, text, read_line, &r);
 
-    return code ? code : end_surface(&r);
+    if (code == 0)
+        code = end_surface(&r);
+    if (code == 0 && !all->solids)
+        solid_faces(all);
+    return code;
 }

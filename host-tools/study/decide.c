@@ -55,10 +55,11 @@ static int ask_of_file(const decide_question *q, const decide_input *numbers, co
 {
     decide_input in = *numbers;
     curves all = { .any_weights = q->takes == DECIDE_CONICS };
-    surfaces patches = { 0 };
+    surfaces patches = { .solids = q->takes == DECIDE_SOLIDS };
     const bool only_curves = q->takes == DECIDE_CURVES || q->takes == DECIDE_CONICS;
     int code = only_curves ? 0 : surfaces_read(&patches, file);
-    const bool curved = only_curves || (q->takes == DECIDE_EITHER && patches.count == 0);
+    const bool curved = only_curves || ((q->takes == DECIDE_EITHER || q->takes == DECIDE_SOLIDS) &&
+                                        patches.count == 0);
 
     if (code == 0 && curved)
         code = curves_read(&all, file, NULL);

@@ -28,6 +28,7 @@ enum decide_takes {
     DECIDE_CONICS,              /* curves, also with weights of 0 and below */
     DECIDE_SURFACES,
     DECIDE_EITHER,
+    DECIDE_SOLIDS,              /* curves, or surfaces with tetrahedra as what they are */
     DECIDE_BOTH
 };
 

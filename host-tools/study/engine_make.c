@@ -292,7 +292,7 @@ static int make_revolve(const decide_input *in)
 }
 
 const decide_question ENGINE_OF(make)[MAKE_VERBS] = {
-    { "raise", DECIDE_EITHER, 1, 1, "a number of degrees", make_raise },
+    { "raise", DECIDE_SOLIDS, 1, 1, "a number of degrees", make_raise },
     { "lower", DECIDE_CURVES, 1, 1, "a number of degrees", make_lower },
     { "split", DECIDE_EITHER, 1, DECIDE_ANY, "t,.. between 0 and 1; of a surface u,v", make_split },
     { "lowest", DECIDE_CURVES, 1, 1, "a tolerance above 0", ENGINE_OF(make_lowest) },

@@ -8,6 +8,7 @@
 #include "surface/triangle/triangle_join.h"     /* loft_triangle_join_order */
 #include "surface/triangle/triangle_pieces.h"   /* loft_triangle_split */
 
+#include "engine/engine_solid.h"                /* engine_solid_open */
 #include "engine/surface.h"
 #include "study/engine_patch.h"
 #include "study/engine_pieces.h"                /* write_tensor */
@@ -49,9 +50,10 @@ static void write_triangle(const decide_input *in, unsigned degree, const loft_v
 
 typedef int sheet_visit(const decide_input *in, const sheet *s);
 
+/* Tetrahedra come here as such when they are raised alone. */
 static bool is_weighted(const surface *s)
 {
-    return s->kind == SURFACE_OCTANT ||
+    return s->kind == SURFACE_OCTANT || s->kind == SURFACE_TETRA ||
            (s->rational && (s->kind == SURFACE_TENSOR || s->kind == SURFACE_TRIANGLE));
 }
 
@@ -180,10 +182,32 @@ static int continue_sheet(const decide_input *in, const sheet *s)
     return status;
 }
 
+static int raise_solid(const decide_input *in, size_t number)
+{
+    static loft_vec p[LOFT_TETRA_MAX], out[LOFT_TETRA_MAX];
+    const surface *s   = &in->surfaces->surface[number];
+    const double times = in->of->value[0];
+    const unsigned by  = times >= 1 && times <= LOFT_DEGREE_MAX ? (unsigned)times : 0;
+    loft_tetra t;
+
+    if (by == 0 || s->m + by > LOFT_DEGREE_MAX)
+        return LOFT_ERR_ARG;
+    int status = ENGINE_OF(engine_solid_open)(s, p, &t);
+    if (status == LOFT_OK)
+        status = loft_tetra_elevate(&t, by, out);
+    if (status == LOFT_OK) {
+        printf("tetra %u\n", s->m + by);
+        write_solid(in, out, LOFT_TETRA_POINTS(s->m + by));
+    }
+    return status;
+}
+
 static int raise_with_weights(const decide_input *in, size_t number)
 {
     const double times = in->of->value[0];
 
+    if (in->surfaces->surface[number].kind == SURFACE_TETRA)
+        return raise_solid(in, number);
     if (!(times >= 1 && times <= LOFT_DEGREE_MAX))
         return LOFT_ERR_ARG;
     return ENGINE_OF(raise_weighted)(in, number, (unsigned)times);

@@ -54,7 +54,7 @@ static loft_sci area_at(const loft_domain *d, unsigned edge, unsigned vertex)
     return loft_sci_cross(a->at, b->at, a->at, d->v[vertex].at);
 }
 
-/* Twice the areas of edge j with the middle and the ends of `edge`, over the size of the polygon. */
+/* Twice the areas of edge j with the middle and the ends of `edge`, over that of the polygon. */
 static void load_area(const loft_domain *d, unsigned j, unsigned edge, loft_sci size,
                       loft_sci out[3])
 {

@@ -1607,6 +1607,48 @@ case_simplex() {
     one_line 65 'give a degree 0 to 9' "$loft" decide weights --of 10,0,0
 }
 # a grid of points of z = x y / 8 needs one bicubic patch; of a wave more; a row that is short
+# A tetrahedron bent by a net of degree 3: raised it is the same, its faces close, the coordinates
+# of a point are those of three fields, and its volume is that of the mesh.
+case_solids() {
+    awk 'BEGIN { print "tetra"
+                 for (m = 0; m <= 3; m++) for (n = 0; n <= m; n++) for (l = 0; l <= n; l++) {
+                     x = 3 * (m - n); y = 3 * (n - l); z = 3 * l; k++
+                     print x + (k * 7) % 5 / 4, y + (k * 3) % 4 / 4, z + (k * 5) % 3 / 4 } }' \
+        >"$tmp/bent.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" make raise --num $num --of 2 "$tmp/bent.loft"; cp "$tmp/out" "$tmp/high.loft"
+        says out '^tetra 5$'
+        for file in bent high; do
+            "$loft" eval --num $num --uvw 0.25,0.125,0.5,0,0,1 "$tmp/$file.loft" >"$tmp/$file.at"
+            "$loft" decide volume --num $num "$tmp/$file.loft" >>"$tmp/$file.at"
+        done
+        paste -d' ' "$tmp/bent.at" "$tmp/high.at" |
+            awk '{ for (i = 1; i <= NF / 2; i++) { d = $i - $(i + NF / 2)
+                       if (d > 0.02 || d < -0.02) bad = 1 } } END { exit bad || NR != 3 }' ||
+            job_fails "raised $num: $(cat "$tmp/bent.at" "$tmp/high.at")"
+        for axis in 1 2 3; do
+            "$loft" decide solid --num $num \
+                --of="0.25,0.125,0.5$(awk -v a=$axis 'NR > 1 { printf ",%s", $a }' \
+                                      "$tmp/bent.loft")"
+        done 2>&1 | awk '/^value/ { printf "%s%s", sep, $2; sep = " " }
+                         END { print "" }' >"$tmp/fields"
+        head -1 "$tmp/bent.at" | paste -d' ' - "$tmp/fields" |
+            awk '{ for (i = 1; i <= 3; i++) if (($i - $(i + 3))^2 > 1e-9) exit 1; exit NF != 6 }' ||
+            job_fails "fields $num: $(cat "$tmp/fields" "$tmp/bent.at")"
+    done
+    run 0 "$loft" surface --num f64 --tol 0.005 -o "$tmp/bent.stl" "$tmp/bent.loft"
+    says out 'Euler number 2, closed$'
+    awk -v v="$(tail -1 "$tmp/bent.at" | cut -d' ' -f2)" \
+        '/^volume/ { exit !(($2 + 0 - v)^2 < 0.1 && v > 50) }' "$tmp/out" ||
+        job_fails "volume: $(cat "$tmp/out" "$tmp/bent.at")"
+    run 0 "$loft" plot --control -o "$tmp/bent.png" "$tmp/bent.loft"; says out ': 4 surfaces$'
+    one_line 64 'numbers: give triples' "$loft" eval --uvw 0,1 "$tmp/bent.loft"
+    one_line 64 'together at most 1'    "$loft" eval --uvw 1,1,0 "$tmp/bent.loft"
+    printf 'triangle 1\n0 0 0\n1 0 0\n0 1 0\n' >"$tmp/flat.loft"
+    one_line 65 'uvw: is for tetra'     "$loft" eval --uvw 0,1,0 "$tmp/flat.loft"
+    printf 'tetra 2\n0 0 0\n' >"$tmp/few.loft"
+    one_line 65 'tetra with 1 point: give 10' "$loft" decide volume "$tmp/few.loft"
+}
 case_fit_surface() {
     awk 'BEGIN { for (i = 0; i <= 8; i++) { for (j = 0; j <= 9; j++) print i, j, i * j / 8
                                             print "" } }' >"$tmp/saddle.csv"

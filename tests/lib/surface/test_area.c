@@ -15,7 +15,7 @@
 
 #define PI 3.14159265358979323846264338327950288L
 
-static loft_sci memory[LOFT_NET_AREA_MEMORY(LOFT_DEGREE_MAX, LOFT_DEGREE_MAX)];
+static loft_sci memory[LOFT_NET_AREA_MEMORY(LOFT_DEGREE_MAX, 5)];
 
 static long double density(const loft_tensor *s, long double u, long double v)
 {
@@ -120,7 +120,8 @@ static void a_finer_tolerance_is_kept_too(arb *a)
 static void a_plane_patch_is_exact(arb *a)
 {
     static tensor x;
-    const unsigned m = 1 + arb_below(a, LOFT_DEGREE_MAX), n = 1 + arb_below(a, LOFT_DEGREE_MAX);
+    const unsigned large = 1 + arb_below(a, LOFT_DEGREE_MAX), small = 1 + arb_below(a, 5),
+                   m = arb_below(a, 2) ? large : small, n = m == large ? small : large;
     const int64_t wide = 65536 + arb_below(a, 1u << 30), high = 65536 + arb_below(a, 1u << 30);
     loft_acc area;
 
