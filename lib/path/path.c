@@ -13,6 +13,7 @@
 #define STEPS       12                              /* and more to the next corner */
 #define AHEAD       8                               /* places that are settled */
 #define SPARE       2
+#define EVENS       (LOFT_PLAN_EFFORT < 2)          /* ways are shared */
 
 
 // Places
@@ -269,6 +270,19 @@ static int64_t middle_of(const loft_path_waiting *q, unsigned count, unsigned k)
                                            : before * way / (before + after));
 }
 
+/* Place k is at s, not farther than it was. */
+static void put(loft_path *path, unsigned k, int64_t s)
+{
+    loft_path_waiting *q = &path->queue[k];
+    loft_chain_walk w = *walk_before(path, s);
+
+    q->s = s;
+    q->on.feed = loft_coord_least(loft_chain_go(&path->chain, &w, s), q[1].on.feed);
+    loft_chain_place(&w, s, &q->on.at);
+    q->on.number = w.number;
+    q->on.sharp = q->on.loose = false;
+}
+
 /* A place between place k and the next. */
 static void halve(loft_path *path, unsigned k)
 {
@@ -278,12 +292,23 @@ static void halve(loft_path *path, unsigned k)
     for (unsigned i = path->queued - k; i > 1; i--)
         q[i] = q[i - 1];
     path->queued++;
-    q[1].s = s;
-    loft_chain_walk w = *walk_before(path, q[1].s);
-    q[1].on.feed = loft_coord_least(loft_chain_go(&path->chain, &w, q[1].s), q[2].on.feed);
-    loft_chain_place(&w, q[1].s, &q[1].on.at);
-    q[1].on.number = w.number;
-    q[1].on.sharp = q[1].on.loose = false;
+    put(path, k + 1, s);
+}
+
+/* A coarse way much longer than the next one gives it a part: a place in it would make the way
+ * before coarse, and so on back, to ways that are given already. Where all places are made again
+ * (guess.h), that does not matter. */
+static bool shared(loft_path *path, unsigned k)
+{
+    const loft_path_waiting *q = &path->queue[k];
+
+    if (!EVENS || k + 2 >= path->queued || q[1].on.sharp ||
+        2 * (q[1].s - q[0].s) <= 3 * (q[2].s - q[1].s))
+        return false;
+    const loft_coord feed = loft_coord_least(q[1].on.feed, q[2].on.feed);
+    put(path, k + 1, q[0].s + (q[2].s - q[0].s) / 7 * 4);
+    path->queue[k + 2].on.feed = feed;
+    return true;
 }
 
 /* A place in the middle, if less than `whole` is skipped then: not of teeth that the tolerance
@@ -359,6 +384,10 @@ static void settle(loft_path *path)
         const unsigned k = path->settled + 1u;
         const loft_coord skip = coarse(path, k);
         const bool full = path->queued >= LOFT_PATH_QUEUE - (k > 2 ? SPARE : 0);
+        if (skip > 0 && shared(path, k)) {
+            path->settled = (uint8_t)(k > 2 ? k - 2 : 0);
+            continue;
+        }
         if (skip > 0 && full && k > 1)
             break;
         unsigned at = skip > 0 && !full && is_better_halved(path, k, skip) ? k : 0;
