@@ -307,7 +307,7 @@ int32_t loft_bump_part(const loft_period *period, const loft_knot knot[], unsign
     set_pace(v2, pace);
     set_pace(add, more);
     for (int n = 0; n < 3; n++) {
-        const int32_t to = by_speed(pace[n], more[n], n > 0 ? top : LOFT_V2_MAX);
+        const int32_t to = by_speed(pace[n], more[n], top);
         part = to < part ? to : part;
     }
     for (; part > 0; part /= 4) {
