@@ -201,6 +201,7 @@
 #include "machine/step.h"
 #include "wire/frame.h"
 #include "wire/codec.h"
+#include "wire/patch_code.h"
 #include "wire/message.h"
 #include "wire/session.h"
 #include "machine/latch.h"

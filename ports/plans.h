@@ -4,7 +4,8 @@
  * Include it after `CELLS`, the size of the queue, is defined. Call loft_port_plans before the
  * configuration is returned. Half of the curves should be longer than the braking distance. Cost:
  * about 15 kB of RAM, 52 bytes of them for each knot, 52 more bytes for each curve, and 33 to 37 kB
- * of flash on a Cortex-M.
+ * of flash on a Cortex-M. Patches (LOFT_MACHINE_PATCHES), with LOFT_PORT_COLUMNS curves of a line:
+ * 5.4 kB more of RAM, 24 bytes of them for each column, and 15 kB of flash.
  */
 #ifndef LOFT_PLANS_H
 #define LOFT_PLANS_H
@@ -16,6 +17,10 @@
 #endif
 #ifndef LOFT_PORT_KNOTS
 #  define LOFT_PORT_KNOTS 176
+#endif
+
+#ifndef LOFT_PORT_COLUMNS
+#  define LOFT_PORT_COLUMNS 64
 #endif
 
 static void loft_port_plans(loft_machine_config *config)
@@ -31,6 +36,14 @@ static void loft_port_plans(loft_machine_config *config)
                                           .passed = passed,
                                           .move_room = LOFT_PORT_CURVES,
                                           .knot_room = LOFT_PORT_KNOTS };
+#if LOFT_MACHINE_PATCHES
+    static loft_patches patches;
+    static loft_tip row[LOFT_PORT_COLUMNS + 1];
+
+    config->plan.patches = &patches;
+    config->plan.row     = row;
+    config->plan.columns = LOFT_PORT_COLUMNS;
+#endif
 }
 
 #endif

@@ -138,6 +138,8 @@ static int run_simulate(const tool_command *self, int argc, char **argv)
         TOOL_COUNT("ramp", "TICKS", &o.ramp, 1, 32767, "from full pace to a stop in a hold (100)"),
         TOOL_COUNT("curves", "N", &o.curves, 0, 4096,
                    "curves that fit its plan; 0: it does not plan (64)"),
+        TOOL_COUNT("columns", "N", &o.columns, 0, 1024,
+                   "curves of a line of a patch; 0: it takes no patches (64)"),
         TOOL_COUNT("queue", "N", &o.queue, 2, 32768, "items that fit the queue (256)"),
         TOOL_TEXT("limits", "x-=MM,..", &limits,
                   "limit switches: axis, - or + end, and mm from the start, where it closes; "

@@ -223,6 +223,11 @@ static int report_refused(const talk *t, const job *j)
             "%s: item %u leaves the table, where the machine was homed: it is stopped "
             "on the path before; move the drawing, or `loft home` again",
             t->port, (unsigned)t->sender.ack.next);
+    case LOFT_REFUSAL_PATCH:
+        return tool_error(EX_DATAERR,
+                          "%s: the machine cannot cut this patch so: give a smaller ball, more "
+                          "columns, or --plan host",
+                          t->port);
     case LOFT_REFUSAL_FAULT:
         return tool_error(EX_UNAVAILABLE,
                           "%s: the machine does not know its position: restart and home it",

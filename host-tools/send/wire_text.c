@@ -60,8 +60,8 @@ static void print_places(FILE *out, const char *name, const int32_t place[LOFT_A
 static void print_ack(FILE *out, const loft_ack *a)
 {
     static const char *const refusals[] = {
-        "",      "busy",       "wrong start",  "unknown kind",    "bad item",
-        "fault", "bad limits", "closed input", "beyond the table"
+        "",      "busy",       "wrong start",  "unknown kind",     "bad item",
+        "fault", "bad limits", "closed input", "beyond the table", "cannot cut the patch"
     };
 
     fprintf(out, " next %" PRIu32 " limit %" PRIu32 " executed %" PRIu32 " %s", a->next, a->limit,

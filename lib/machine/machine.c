@@ -40,6 +40,9 @@ static enum loft_status init_planner(loft_machine *m, loft_machine_config *confi
         return LOFT_OK;
     config->info.kinds = (uint8_t)(config->info.kinds | 1u << LOFT_CURVES);
     config->info.curves = config->plan.move_room;
+#if LOFT_MACHINE_PATCHES
+    config->info.columns = config->plan.patches ? config->plan.columns : 0;
+#endif
     return loft_planner_init(m->planner, &config->plan, config->cells);
 }
 
@@ -63,12 +66,13 @@ static void count_curves(loft_machine *m, loft_snapshot *now)
                         : loft_planner_executed(m->planner, now->executed);
 }
 
-static enum loft_status take_curve(loft_machine *m, const loft_item *item)
+static enum loft_refusal take_curve(loft_machine *m, const loft_item *item)
 {
-    return m->drive.active && !m->drive.abort ? loft_planner_push(m->planner, item) : LOFT_OK;
+    return m->drive.active && !m->drive.abort ? loft_planner_push(m->planner, item)
+                                              : LOFT_REFUSAL_NONE;
 }
 
-static void end_planner(loft_machine *m)        { loft_planner_end(m->planner); }
+static enum loft_refusal end_planner(loft_machine *m) { return loft_planner_end(m->planner); }
 
 bool loft_machine_plan(loft_machine *m)
 {
@@ -81,7 +85,9 @@ bool loft_machine_plan(loft_machine *m)
         queue_item(m, &span);
         return true;
     }
-    if (loft_planner_done(m->planner))
+    if (loft_planner_failed(m->planner))
+        give_up_job(m, LOFT_REFUSAL_PATCH);
+    else if (loft_planner_done(m->planner))
         loft_drive_end(d);
     return loft_planner_busy(m->planner);
 }
@@ -111,13 +117,17 @@ static void count_curves(loft_machine *m, loft_snapshot *now)
     (void)m;
     (void)now;
 }
-static enum loft_status take_curve(loft_machine *m, const loft_item *item)
+static enum loft_refusal take_curve(loft_machine *m, const loft_item *item)
 {
     (void)m;
     (void)item;
-    return LOFT_ERR_ARG;
+    return LOFT_REFUSAL_KIND;
 }
-static void end_planner(loft_machine *m)                                            { (void)m; }
+static enum loft_refusal end_planner(loft_machine *m)
+{
+    (void)m;
+    return LOFT_REFUSAL_NONE;
+}
 bool loft_machine_plan(loft_machine *m)
 {
     (void)m;
@@ -155,7 +165,7 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
                                    (config->settings.get ? LOFT_TAKES_SETTINGS : 0) |
                                    (LOFT_MACHINE_OUTPUTS ? LOFT_TAKES_ACTIONS : 0) |
                                    (config->senses ? LOFT_TAKES_GUARDS : 0));
-    config->info.curves = 0;
+    config->info.curves = config->info.columns = 0;
     m->job.kind = LOFT_SPANS;
     m->job.id = m->job.away = 0;
     m->closed = m->ended_by = 0;
@@ -277,18 +287,24 @@ static void begin_job(loft_machine *m, const loft_job *job)
 
 static void take_item(loft_machine *m, const loft_item *item)
 {
-    if (!job_has_curves(m))
+    const bool curve                = job_has_curves(m);
+    const enum loft_refusal refusal = curve ? take_curve(m, item) : LOFT_REFUSAL_NONE;
+
+    if (!curve)
         queue_item(m, item);
-    else if (take_curve(m, item) != LOFT_OK)
-        give_up_job(m, LOFT_REFUSAL_ITEM);
+    else if (refusal != LOFT_REFUSAL_NONE)
+        give_up_job(m, refusal);
 }
 
 static void end_job(loft_machine *m)
 {
-    if (job_has_curves(m))
-        end_planner(m);
-    else
+    const bool curves               = job_has_curves(m);
+    const enum loft_refusal refusal = curves ? end_planner(m) : LOFT_REFUSAL_NONE;
+
+    if (!curves)
         loft_drive_end(&m->drive);
+    else if (refusal != LOFT_REFUSAL_NONE)
+        give_up_job(m, refusal);
 }
 
 void loft_machine_control(loft_machine *m, enum loft_verb verb)

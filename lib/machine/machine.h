@@ -30,7 +30,8 @@ LOFT_BEGIN_C
 #define LOFT_RAW(x) ((int32_t)((x) * 65536.0 + 0.5))
 
 typedef struct {
-    loft_machine_info info;             /* init fills in `queue`, `points`, `curves`, `kinds` */
+    loft_machine_info info;             /* init fills in `queue`, `points`, `curves`, `kinds` and
+                                         * `columns` */
     int32_t  position[LOFT_AXES];       /* steps: the position at the start */
     uint16_t ramp;                      /* ticks from full pace to a stop in a hold */
     volatile loft_cell *cell;           /* the queue: LOFT_MACHINE_QUEUE cells, or any number */
@@ -80,8 +81,8 @@ typedef struct {
 
 /* Prepare, idle and listening.
  *
- *   shape   config stays borrowed; its `queue`, `points`, `curves` and `kinds` are filled in, and
- *           its axes and wiring are those of the settings that are kept
+ *   shape   config stays borrowed; its `queue`, `points`, `curves`, `kinds` and `columns` are
+ *           filled in, and its axes and wiring are those of the settings that are kept
  *   range   that of loft_receiver_init (LOFT_ERR_ARG), of loft_drive_init (LOFT_ERR_RANGE) and of
  *           loft_planner_init (LOFT_ERR_SPACE) */
 enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config) LOFT_CHECKED;

@@ -3,6 +3,51 @@
  */
 #include "machine/planner.h"
 
+// Patches
+// -------
+
+static loft_patches *patches_of(const loft_planner *p)
+{
+#if LOFT_MACHINE_PATCHES
+    return p->memory.patches;
+#else
+    (void)p;
+    return NULL;
+#endif
+}
+
+static enum loft_patch_state patch_state(const loft_planner *p)
+{
+    return LOFT_MACHINE_PATCHES && patches_of(p) ? (enum loft_patch_state)patches_of(p)->state
+                                                 : LOFT_PATCH_NONE;
+}
+
+static enum loft_refusal take_part(loft_planner *p, const loft_item *item)
+{
+    if (!LOFT_MACHINE_PATCHES || !patches_of(p))
+        return LOFT_REFUSAL_KIND;
+    const enum loft_refusal refusal = loft_patches_take(patches_of(p), item, &p->at);
+    if (refusal == LOFT_REFUSAL_NONE) {
+        p->parts++;
+        p->taken++;
+    }
+    return refusal;
+}
+
+static void init_patches(loft_planner *p)
+{
+#if LOFT_MACHINE_PATCHES
+    if (p->memory.patches)
+        loft_patches_init(p->memory.patches, p->memory.row, p->memory.columns);
+#else
+    (void)p;
+#endif
+}
+
+
+// Curves
+// ------
+
 enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *memory,
                                    uint16_t cells)
 {
@@ -10,10 +55,11 @@ enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *m
         return LOFT_ERR_SPACE;
     p->memory = *memory;
     p->marks  = (uint16_t)(cells + LOFT_PLANNER_AHEAD);
-    p->taken  = p->told = p->spans = 0;
+    p->taken  = p->told = p->spans = p->parts = 0;
     p->mark   = 0;
-    p->ended  = p->rests = true;
-    p->busy   = false;
+    p->closed = p->ended = p->rests = true;
+    p->busy   = p->failed = false;
+    init_patches(p);
     return LOFT_OK;
 }
 
@@ -39,9 +85,11 @@ enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *ma
     limits.tol     = loft_real_from_raw(asked->tol);
     limits.exact   = 0;
     limits.tick_hz = machine->tick_hz;
-    p->taken = p->told = p->spans = 0;
+    p->taken = p->told = p->spans = p->parts = 0;
     p->mark  = 0;
-    p->ended = p->rests = p->busy = false;
+    p->closed = p->ended = p->rests = p->busy = p->failed = false;
+    if (LOFT_MACHINE_PATCHES && patches_of(p))
+        loft_patches_begin(patches_of(p));
     return loft_plan_init(&p->plan, &limits, p->memory.moves, p->memory.move_room, p->memory.knots,
                           p->memory.knot_room);
 }
@@ -52,28 +100,68 @@ static loft_real feed_of(uint16_t per_minute)
     return loft_acc_round(loft_acc_ratio(loft_to_acc(LOFT_REAL(1)) * per_minute, 60));
 }
 
-enum loft_status loft_planner_push(loft_planner *p, const loft_item *item)
+static enum loft_status push_move(loft_planner *p, const loft_move *move)
+{
+    const enum loft_status status = loft_plan_push(&p->plan, move);
+
+    if (status == LOFT_OK) {
+        p->at = move->curve.p[3];
+        p->rests = false;
+    }
+    return status;
+}
+
+enum loft_refusal loft_planner_push(loft_planner *p, const loft_item *item)
 {
     loft_move move;
 
+    if (item->ticks == 0)
+        return take_part(p, item);
+    if (patch_state(p) != LOFT_PATCH_NONE)
+        return LOFT_REFUSAL_ITEM;
     move.feed = feed_of(item->ticks);
     move.curve.p[0] = p->at;
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < LOFT_AXES; i++)
             move.curve.p[k + 1].axis[i] = loft_real_from_raw(item->p[k][i]);
-    const enum loft_status status = loft_plan_push(&p->plan, &move);
-    if (status == LOFT_OK) {
-        p->at = move.curve.p[3];
-        p->rests = false;
-        p->taken++;
-    }
-    return status;
+    if (push_move(p, &move) != LOFT_OK)
+        return LOFT_REFUSAL_ITEM;
+    p->taken++;
+    return LOFT_REFUSAL_NONE;
 }
 
-void loft_planner_end(loft_planner *p)
+static void end_curves(loft_planner *p)
 {
     p->ended = true;
     loft_plan_end(&p->plan);
+}
+
+enum loft_refusal loft_planner_end(loft_planner *p)
+{
+    if (patch_state(p) == LOFT_PATCH_GATHERED)
+        return LOFT_REFUSAL_ITEM;
+    p->closed = true;
+    if (patch_state(p) != LOFT_PATCH_CUT)
+        end_curves(p);
+    return LOFT_REFUSAL_NONE;
+}
+
+/* Push the next curve of a patch. Returns true if there was room, so that more may follow. */
+static bool cut_patch(loft_planner *p)
+{
+    loft_move move;
+    uint16_t feed;
+
+    if (!LOFT_MACHINE_PATCHES || patch_state(p) != LOFT_PATCH_CUT || loft_plan_room(&p->plan) == 0)
+        return false;
+    if (loft_patches_next(patches_of(p), &move.curve, &feed)) {
+        move.feed = feed_of(feed);
+        p->failed = p->failed || push_move(p, &move) != LOFT_OK;
+        return !p->failed;
+    }
+    if (p->closed)
+        end_curves(p);
+    return false;
 }
 
 /* Each span is marked with the number of curves that end before its end. They are executed when the
@@ -88,16 +176,23 @@ static bool give_span(loft_planner *p, const loft_span *span, loft_item *out)
 
 bool loft_planner_next(loft_planner *p, bool hurry, loft_item *out)
 {
+    const bool cuts = cut_patch(p);
     loft_span span;
     enum loft_plan_state state = loft_plan_part(&p->plan, &span);
 
-    if (state == LOFT_PLAN_WAIT && hurry && loft_planner_room(p) <= p->memory.move_room / 2) {
+    if (state == LOFT_PLAN_WAIT && hurry && !cuts &&
+        loft_plan_room(&p->plan) <= p->memory.move_room / 2) {
         loft_plan_end(&p->plan);
         state = loft_plan_part(&p->plan, &span);
     }
     p->rests = state == LOFT_PLAN_REST;
-    p->busy  = state == LOFT_PLAN_BUSY;
+    p->busy  = state == LOFT_PLAN_BUSY || cuts;
     return state == LOFT_PLAN_SPAN && give_span(p, &span, out);
+}
+
+uint16_t loft_planner_room(const loft_planner *p)
+{
+    return patch_state(p) > LOFT_PATCH_GATHERED ? 0 : loft_plan_room(&p->plan);
 }
 
 uint32_t loft_planner_executed(loft_planner *p, uint32_t spans)
@@ -109,5 +204,5 @@ uint32_t loft_planner_executed(loft_planner *p, uint32_t spans)
         const uint16_t passed = p->memory.passed[at < p->marks ? at : at - p->marks];
         p->told += (uint16_t)(passed - (uint16_t)(p->told & 0xFFFFu));
     }
-    return p->told;
+    return p->told < p->taken - p->parts ? p->told : p->taken - p->parts;
 }

@@ -13,6 +13,7 @@
 #ifndef LOFT_MACHINE_PLANNER_H
 #define LOFT_MACHINE_PLANNER_H
 
+#include "machine/patches.h"    /* loft_patches */
 #include "motion/plan.h"    /* loft_plan                                            */
 #include "wire/receiver.h"  /* loft_machine_info, loft_item, loft_job_limits              */
 
@@ -33,6 +34,11 @@ typedef struct {
     loft_knot *knots;                   /* all but 52 of them look ahead, a period each */
     uint16_t  *passed;                  /* cells of the queue + LOFT_PLANNER_AHEAD      */
     uint16_t   move_room, knot_room;
+#if LOFT_MACHINE_PATCHES
+    uint16_t   columns;                 /* curves of a line of a patch */
+    loft_tip  *row;                     /* columns + 1 places */
+    loft_patches *patches;              /* NULL: it takes none */
+#endif
 } loft_planner_memory;
 
 /* The struct is complete so that it can be static; the fields may change without notice. */
@@ -40,10 +46,12 @@ typedef struct {
     loft_plan plan;
     loft_planner_memory memory;
     loft_vec at;                        /* where the last curve ends */
-    uint32_t taken, told, spans;        /* curves pushed; curves known as executed; spans given */
+    uint32_t taken, told, spans;        /* items pushed; curves known as executed; spans given */
+    uint32_t parts;                     /* of a patch, among the items */
     uint16_t marks, mark;               /* places in `passed`; the place of the next span */
-    bool ended, rests, busy;            /* no more curves follow; all are planned; a part of that
-                                         * has been done */
+    bool closed, ended;                 /* no more items follow; no more curves */
+    bool rests, busy, failed;           /* all are planned; a part of that has been done; a patch
+                                         * led out of what can be planned */
 } loft_planner;
 
 /* Prepare, with memory for a queue of `cells` spans. A job must begin before any other call.
@@ -60,23 +68,26 @@ enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *ma
                                     const loft_job_limits *asked,
                                     const int32_t start[LOFT_AXES]) LOFT_CHECKED;
 
-/* Append a curve.
+/* Append a curve, or a part of a patch: the patch is the last in its job.
  *
- *   range   as loft_plan_push; LOFT_ERR_SPACE while loft_planner_room is 0
- *   cost    as loft_plan_push */
-enum loft_status loft_planner_push(loft_planner *p, const loft_item *item) LOFT_CHECKED;
+ *   shape   LOFT_REFUSAL_NONE: taken
+ *   range   as loft_plan_push and loft_patches_take, and loft_planner_room is not 0; otherwise
+ *           LOFT_REFUSAL_ITEM, LOFT_REFUSAL_PATCH, or LOFT_REFUSAL_KIND: it takes no patches
+ *   cost    as these */
+enum loft_refusal loft_planner_push(loft_planner *p, const loft_item *item) LOFT_CHECKED;
 
-/* No more curves follow. */
-void loft_planner_end(loft_planner *p);
+/* No more items follow. LOFT_REFUSAL_ITEM: parts of the patch are missing. */
+enum loft_refusal loft_planner_end(loft_planner *p) LOFT_CHECKED;
 
 /* Give the next span; the drive's queue must have room for it. Returns false when there is none
  * now.
  *
  *   shape   hurry: the queue runs low. The next span may then depend on curves to come while the
  *           ring is so full that the host may be waiting too (it sends a quarter at a time, and is
- *           told of a quarter at a time). In that case the plan stops where the known curves end
+ *           told of a quarter at a time). In that case the plan stops where the known curves end.
+ *           A patch gives the ring one curve with each call
  *   error   rounded to 2^-16 mm, see lib/wire/codec.h
- *   cost    as loft_plan_part */
+ *   cost    as loft_plan_part and loft_patches_next */
 bool loft_planner_next(loft_planner *p, bool hurry, loft_item *span);
 
 /* Are all curves planned, and do no more follow? */
@@ -85,10 +96,14 @@ static inline bool loft_planner_done(const loft_planner *p)     { return p->ende
 /* Was there no span as that takes more work? Then the next call goes on with it. */
 static inline bool loft_planner_busy(const loft_planner *p)     { return p->busy; }
 
-/* The number of curves that can be pushed now. */
-static inline uint16_t loft_planner_room(const loft_planner *p) { return loft_plan_room(&p->plan); }
+/* Has a patch led beyond LOFT_PLAN_REACH? Then the job must end. */
+static inline bool loft_planner_failed(const loft_planner *p)   { return p->failed; }
 
-/* The number of curves executed when `spans` spans are executed. */
+/* The number of items that can be pushed now; no more after a patch. */
+uint16_t loft_planner_room(const loft_planner *p);
+
+/* The number of items executed when `spans` spans are executed; parts of a patch are with the end
+ * of the job. */
 uint32_t loft_planner_executed(loft_planner *p, uint32_t spans);
 
 LOFT_END_C

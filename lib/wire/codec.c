@@ -19,6 +19,12 @@ static bool is_point(enum loft_kind kind)
     return kind == LOFT_POINTS || kind == LOFT_POINTS_FINE;
 }
 
+/* A part of a patch among curves. */
+static bool is_part(enum loft_kind kind, const loft_item *item)
+{
+    return is_curve(kind) && item->ticks == 0;
+}
+
 /* An action among spans. After it there is no change, for its points inside are none. */
 static bool is_action(enum loft_kind kind, const loft_item *item)
 {
@@ -50,18 +56,18 @@ void loft_predictor_init(loft_predictor *p, const int32_t start[LOFT_AXES])
 
 void loft_predictor_next(loft_predictor *p, enum loft_kind kind, const loft_item *item)
 {
-    const bool point = is_point(kind), action = is_action(kind, item);
+    const bool point = is_point(kind), action = is_action(kind, item), part = is_part(kind, item);
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const uint32_t p1 = (uint32_t)item->p[0][i], p2 = (uint32_t)item->p[1][i];
         const uint32_t p3 = (uint32_t)item->p[2][i], last = p->change[i];
-        const uint32_t change = action ? 0 : p3 - (point ? p->position[i] : p2);
+        const uint32_t change = action ? 0 : part ? p2 - p3 : p3 - (point ? p->position[i] : p2);
         p->position[i] = p3;
         p->change[i]   = change;
         p->bend[i] = point ? change - last : kind == LOFT_SPANS && !action ? change - (p2 - p1) : 0;
     }
     if (!point)
-        p->ticks = item->ticks;
+        p->ticks = part ? 1 : item->ticks;
 }
 
 uint32_t loft_predictor_seal(const loft_predictor *p)
@@ -293,7 +299,9 @@ enum loft_status loft_packer_push(loft_packer *p, const loft_item *item)
     const bool still = is_point(kind) && point_is_still(kind, &p->predictor, item);
     uint8_t byte[MOST_BYTES], n;
 
-    if ((item->ticks < 1 && !is_action(kind, item)) || item->ticks > max_ticks(kind))
+    if ((item->ticks < 1 && !is_action(kind, item) &&
+         !(is_curve(kind) && loft_curve_is_part(&p->predictor, item))) ||
+        item->ticks > max_ticks(kind))
         return LOFT_ERR_RANGE;
     if (p->count == 255)
         return LOFT_ERR_SPACE;

@@ -7,7 +7,8 @@
  *             where velocity and acceleration go on; among them actions (action_code.h)
  *   points    a position in machine steps, one per tick: its second difference or, in fine units,
  *             its third
- *   curves    a cubic in mm as raw Q16.16 and a feed, for a machine that plans
+ *   curves    a cubic in mm as raw Q16.16 and a feed, for a machine that plans; after them the
+ *             parts of a patch (patch_code.h)
  *
  * Both ends keep the same predictor: where the last item ended and how it was moving. All
  * arithmetic is integer, modulo 2^32. So any int32 coordinates are restored exactly, on every
@@ -33,7 +34,7 @@ typedef struct {
     int32_t  p[3][LOFT_AXES];   /* spans, curves: p1 p2 p3, raw Q16.16 mm; points: p[2] in steps,
                                  * p[0] and p[1] are 0 */
     uint16_t ticks;             /* spans: 1..LOFT_SPAN_TICKS_MAX, 0: an action, of one tick; points:
-                                 * 1; curves: the feed, 1..65535 mm/min */
+                                 * 1; curves: the feed, 1..65535 mm/min, 0: a part of a patch */
 } loft_item;
 
 /* The ticks that a span or a point lasts. */
@@ -54,10 +55,12 @@ static inline uint16_t loft_item_lasts(const volatile loft_item *item)
 /* The predictor: the state that both ends know before an item. */
 typedef struct {
     uint32_t position[LOFT_AXES];       /* the end of the last item */
-    uint32_t change[LOFT_AXES];         /* spans, curves: its p3 - p2; points: its step */
+    uint32_t change[LOFT_AXES];         /* spans, curves: its p3 - p2; points: its step; parts of a
+                                         * patch: its p2 - p3 */
     uint32_t bend[LOFT_AXES];           /* spans: its p3 - 2 p2 + p1; points: the change of the
                                          * step; curves: 0 */
-    uint16_t ticks;                     /* spans: its ticks; curves: its feed; points: 0 */
+    uint16_t ticks;                     /* spans: its ticks; curves: its feed, after a part of a
+                                         * patch 1; points: 0 */
 } loft_predictor;
 
 /* A packer: items become bytes. */

@@ -11,7 +11,13 @@
  *     e2 = p2 - 2 p1 + p0
  *     e3 = p3 - 3 p2 + 3 p1 - p0
  *
- * each modulo 2^32.
+ * each modulo 2^32. An item with a feed of 0 is a part of a patch (patch_code.h): two points, p1
+ * and p2, and it ends where it begins. It always gives its feed, and for each axis with a bit
+ *
+ *     e1 = (p1 - p0) - change     change: of a part, its p2 - p3: the last point
+ *     e2 = p2 - p1
+ *
+ * After it the last feed is 1, so that no curve becomes a part by leaving out its feed.
  */
 #include "wire/curve_code.h"
 
@@ -39,6 +45,32 @@ static bool is_straight(const loft_predictor *p, const loft_item *item)
     return true;
 }
 
+bool loft_curve_is_part(const loft_predictor *p, const loft_item *item)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if ((uint32_t)item->p[2][i] != p->position[i])
+            return false;
+    return item->ticks == 0;
+}
+
+static uint8_t put_part(uint8_t *byte, const loft_predictor *p, const loft_item *item)
+{
+    uint8_t n = 2;
+
+    byte[0] = FEED;
+    byte[1] = 0;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const uint32_t p1 = (uint32_t)item->p[0][i], p2 = (uint32_t)item->p[1][i];
+        const uint32_t e1 = p1 - p->position[i] - p->change[i];
+        if (e1 == 0 && p2 == p1)
+            continue;
+        byte[0] = (uint8_t)(byte[0] | 1u << i);
+        n = (uint8_t)(n + loft_residual_encode(byte + n, e1));
+        n = (uint8_t)(n + loft_residual_encode(byte + n, p2 - p1));
+    }
+    return n;
+}
+
 static bool moves(const loft_predictor *p, const loft_item *item, int i)
 {
     return (uint32_t)item->p[0][i] != p->position[i] || item->p[1][i] != item->p[0][i] ||
@@ -51,6 +83,8 @@ uint8_t loft_curve_encode(uint8_t byte[LOFT_CURVE_BYTES], const loft_predictor *
     const bool straight = is_straight(p, item), feed = item->ticks != p->ticks;
     uint8_t n = 1;
 
+    if (item->ticks == 0)
+        return put_part(byte, p, item);
     byte[0] = (uint8_t)((straight ? STRAIGHT : 0u) | (feed ? FEED : 0u));
     if (feed)
         n = (uint8_t)(n + loft_varint_encode(byte + n, item->ticks));
@@ -75,11 +109,16 @@ const uint8_t *loft_curve_decode(const uint8_t *byte, loft_predictor *p, loft_it
 {
     const uint8_t form = *byte++;
 
-    item->ticks = form & FEED ? (uint16_t)loft_varint_decode(&byte) : p->ticks;
+    item->ticks     = form & FEED ? (uint16_t)loft_varint_decode(&byte) : p->ticks;
+    const bool part = form & FEED && item->ticks == 0;
     for (int i = 0; i < LOFT_AXES; i++) {
         const uint32_t p0 = p->position[i];
         uint32_t p1 = p0, p2 = p0, p3 = p0;
-        if (form & 1u << i && form & STRAIGHT) {
+        if (part) {
+            const bool moves = form >> i & 1u;
+            p1 += p->change[i] + (moves ? loft_residual_decode(&byte) : 0);
+            p2 = p1 + (moves ? loft_residual_decode(&byte) : 0);
+        } else if (form & 1u << i && form & STRAIGHT) {
             p3 = p0 + loft_residual_decode(&byte);
             p1 = p0 + third(p3 - p0);
             p2 = p3 - third(p3 - p0);
@@ -92,17 +131,17 @@ const uint8_t *loft_curve_decode(const uint8_t *byte, loft_predictor *p, loft_it
         item->p[1][i] = loft_word_signed(p2);
         item->p[2][i] = loft_word_signed(p3);
         p->position[i] = p3;
-        p->change[i]   = p3 - p2;
+        p->change[i]   = part ? p2 - p3 : p3 - p2;
         p->bend[i]     = 0;
     }
-    p->ticks = item->ticks;
+    p->ticks = part ? 1 : item->ticks;
     return byte;
 }
 
 uint8_t loft_curve_size(const uint8_t *byte, uint8_t left)
 {
-    const uint8_t form = left > 0 ? byte[0] : 0, residuals = form & STRAIGHT ? 1 : 3;
-    uint8_t size = 1;
+    const uint8_t form = left > 0 ? byte[0] : 0;
+    uint8_t size = 1, residuals = form & STRAIGHT ? 1 : 3;
 
     if (left == 0 || (form & 0x3Fu) >> LOFT_AXES)
         return 0;
@@ -112,8 +151,9 @@ uint8_t loft_curve_size(const uint8_t *byte, uint8_t left)
         if (n == 0 || n > 3)
             return 0;
         const uint32_t feed = loft_varint_decode(&at);
-        if (feed < 1 || feed > 0xFFFFu)
+        if (feed > 0xFFFFu || (feed == 0 && form & STRAIGHT))
             return 0;
+        residuals = feed == 0 ? 2 : residuals;
         size = (uint8_t)(size + n);
     }
     for (uint8_t bit = 1; bit < STRAIGHT; bit = (uint8_t)(bit << 1))

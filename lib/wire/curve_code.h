@@ -1,4 +1,5 @@
-/* lib/wire/curve_code.h -- curves as bytes: a cubic and its feed, for machines that plan
+/* lib/wire/curve_code.h -- curves as bytes: a cubic and its feed, or two points of a patch, for
+ * machines that plan
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_WIRE_CURVE_CODE_H
@@ -15,11 +16,14 @@ LOFT_BEGIN_C
  *
  *   shape   a line with its inner points at the thirds, to the nearest 2^-16 mm, takes one
  *           residual per moving axis
- *   range   any coordinates; a feed of at least 1
+ *   range   any coordinates; a feed of at least 1, or loft_curve_is_part
  *   error   none
  */
 uint8_t loft_curve_encode(uint8_t byte[LOFT_CURVE_BYTES], const loft_predictor *p,
                           const loft_item *item);
+
+/* Is it a part of a patch: without a feed, ending where it begins? */
+bool loft_curve_is_part(const loft_predictor *p, const loft_item *item);
 
 /* Read a curve that loft_curve_size has accepted. Returns the address after it. */
 const uint8_t *loft_curve_decode(const uint8_t *byte, loft_predictor *p, loft_item *item);

@@ -394,6 +394,7 @@ size_t loft_welcome_encode(const loft_welcome *m, uint8_t session, uint8_t wire[
     put16(&w, m->points);
     put16(&w, m->closed);
     put8(&w, m->outputs);
+    put16(&w, m->columns);
     return finish_frame(&w);
 }
 
@@ -422,6 +423,7 @@ enum loft_status loft_welcome_decode(const loft_frame *f, loft_welcome *m)
         m->points = get16(&r);
     m->closed  = f->count > r.at ? get16(&r) : 0;
     m->outputs = f->count > r.at ? get8(&r) : 0;
+    m->columns = f->count > r.at ? get16(&r) : 0;
     return end_read(&r, sound);
 }
 

@@ -74,7 +74,8 @@ enum loft_refusal {
     LOFT_REFUSAL_FAULT,     /* the machine's position is unreliable                             */
     LOFT_REFUSAL_LIMITS,    /* the limits of the job are impossible                             */
     LOFT_REFUSAL_INPUT,     /* a limit switch or the emergency stop is closed                   */
-    LOFT_REFUSAL_TABLE      /* an item leaves the table of the machine                          */
+    LOFT_REFUSAL_TABLE,     /* an item leaves the table of the machine                          */
+    LOFT_REFUSAL_PATCH      /* a patch cannot be cut so: toolpath/lines.h                       */
 };
 
 /* Inputs of a machine, one bit each, 1: closed. A limit switch for both ends of its axis is both
@@ -205,6 +206,7 @@ typedef struct {
     uint16_t points;                    /* points that fit its queue at least */
     uint16_t closed;                    /* closed inputs */
     uint8_t  outputs;                   /* that actions may set: 1 .. outputs */
+    uint16_t columns;                   /* curves of a line of a patch; 0: it takes none */
 } loft_welcome;
 
 /* One per axis after each WELCOME. */

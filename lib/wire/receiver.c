@@ -331,6 +331,7 @@ static size_t give_welcome(loft_receiver *r, const loft_snapshot *now, uint8_t w
     m.points    = r->info->points;
     m.closed    = now->closed;
     m.outputs   = r->info->outputs;
+    m.columns   = r->info->columns;
     return loft_welcome_encode(&m, r->session, wire);
 }
 

@@ -39,6 +39,7 @@ typedef struct {
     uint16_t queue;                     /* spans that fit the queue */
     uint16_t points;                    /* points that fit it at least */
     uint16_t curves;                    /* curves that fit the plan */
+    uint16_t columns;                   /* curves of a line of a patch; 0: it takes none */
     uint8_t  kinds;                     /* 1 << enum loft_kind: items of this kind are accepted;
                                          * LOFT_TAKES_ */
     uint8_t  outputs;                   /* 0..LOFT_MACHINE_OUTPUTS that the board has */

@@ -50,6 +50,7 @@ struct host {
     volatile loft_cell *cell;
     loft_planner planner;
     loft_planner_memory plan;
+    loft_patches patches;
     struct host_line line;
     struct host_record record;
     struct host_world world;                /* without a board                     */
@@ -121,9 +122,15 @@ static bool give_memory(struct host *h, loft_machine_config *c)
     h->plan.passed = calloc(c->cells + LOFT_PLANNER_AHEAD, sizeof *h->plan.passed);
     h->plan.move_room  = (uint16_t)(moves <= 4096 ? moves : 0);
     h->plan.knot_room = KNOTS;
+    if (h->o->columns > 0) {
+        h->plan.patches = &h->patches;
+        h->plan.row     = calloc(h->o->columns + 1u, sizeof *h->plan.row);
+        h->plan.columns = (uint16_t)h->o->columns;
+    }
     c->planner = &h->planner;
     c->plan    = h->plan;
-    return h->cell && h->plan.moves && h->plan.knots && h->plan.passed;
+    return h->cell && h->plan.moves && h->plan.knots && h->plan.passed &&
+           (h->o->columns == 0 || h->plan.row);
 }
 
 static struct host *only;       /* the one whose settings go back to the options */
@@ -606,5 +613,6 @@ int loft_host_simulate(const struct loft_host_options *o)
     free(h.plan.moves);
     free(h.plan.knots);
     free(h.plan.passed);
+    free(h.plan.row);
     return code ? code : end;
 }

@@ -46,6 +46,7 @@ struct loft_host_options {
     unsigned ramp;              /* ticks from full pace to a stop in a hold */
     unsigned queue;             /* items, 1..32768 */
     unsigned curves;            /* curves that its plan can hold, 4..4096; 0: it does not plan */
+    unsigned columns;           /* curves of a line of a patch, 1..1024; 0: it takes no patches */
     /* without a board: the limit switches at the low and the high end of each axis, the walls, and
      * what a probe touches */
     struct loft_host_end limit[LOFT_AXES][2], wall[LOFT_AXES][2], probe[LOFT_AXES][2];
@@ -81,6 +82,7 @@ static inline struct loft_host_options loft_host_defaults(void)
     o.ramp = 100;
     o.queue = 256;
     o.curves = 64;
+    o.columns = 64;
     return o;
 }
 

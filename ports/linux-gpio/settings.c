@@ -80,6 +80,8 @@ static const struct row rows[] = {
     { "queue", WHOLE, false, AT(host.queue), 2, 32768, "items that the machine can hold" },
     { "curves", WHOLE, false, AT(host.curves), 0, 4096,
       "that its plan can hold; 0: it does not plan" },
+    { "columns", WHOLE, false, AT(host.columns), 0, 1024,
+      "curves of a line of a patch; 0: it takes no patches" },
 };
 #define ROWS (sizeof rows / sizeof rows[0])
 

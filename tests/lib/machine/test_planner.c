@@ -130,9 +130,9 @@ static void curves_are_told_when_they_are_behind(arb *a)
     for (unsigned idle = 0; !loft_planner_done(&planner) && idle < 100 && !check_bad; idle++) {
         for (unsigned n = arb_below(a, 5);
              n > 0 && next < curves && loft_planner_room(&planner) > 0; n--)
-            CHECK(loft_planner_push(&planner, &items[next++]) == LOFT_OK);
+            CHECK(loft_planner_push(&planner, &items[next++]) == LOFT_REFUSAL_NONE);
         if (next == curves)
-            loft_planner_end(&planner);
+            CHECK(loft_planner_end(&planner) == LOFT_REFUSAL_NONE);
         for (unsigned n = arb_below(a, 30);
              n > 0 && given < SPANS && next_of(arb_below(a, 2), &spans[given]); n--, idle = 0) {
             const uint32_t now = loft_planner_executed(&planner, ++given);
@@ -175,9 +175,9 @@ static void the_spans_are_those_of_the_plan(arb *a)
           loft_planner_begin(&planner, &machine, &l, start) == LOFT_OK);
     for (unsigned n = 0; n < curves; n++)
         CHECK(loft_plan_push(&plan, &chain[n]) == LOFT_OK &&
-              loft_planner_push(&planner, &items[n]) == LOFT_OK);
+              loft_planner_push(&planner, &items[n]) == LOFT_REFUSAL_NONE);
     loft_plan_end(&plan);
-    loft_planner_end(&planner);
+    CHECK(loft_planner_end(&planner) == LOFT_REFUSAL_NONE);
     while (given < SPANS && next_of(arb_below(a, 2), &got) && !check_bad) {
         state = loft_plan_next(&plan, &span);
         CHECK(state == LOFT_PLAN_SPAN && loft_item_from_span(&want, &span) == LOFT_OK);
@@ -208,8 +208,8 @@ static void the_lower_limit_holds(arb *a)
     (which & 2 ? &machine.axis[0].max_accel : &l.axis[0].max_accel)[0] = 200 * 65536;
     CHECK(loft_planner_init(&planner, &memory, CELLS) == LOFT_OK &&
           loft_planner_begin(&planner, &machine, &l, start) == LOFT_OK);
-    CHECK(loft_planner_push(&planner, &items[0]) == LOFT_OK);
-    loft_planner_end(&planner);
+    CHECK(loft_planner_push(&planner, &items[0]) == LOFT_REFUSAL_NONE);
+    CHECK(loft_planner_end(&planner) == LOFT_REFUSAL_NONE);
     while (next_of(false, &span))
         ticks += span.ticks;
     CHECK_NEAR(ticks, 6500, 65);                    /* 600 mm / 100 mm/s and 100 mm/s / 200 mm/s2,
@@ -228,10 +228,10 @@ static void impossible_jobs_are_refused(arb *a)
     loft_job_limits l = asked();
     CHECK(loft_planner_init(&planner, &memory, CELLS) == LOFT_OK &&
           loft_planner_begin(&planner, &machine, &l, start) == LOFT_OK);
-    CHECK(loft_planner_push(&planner, &item) == LOFT_ERR_ARG);          /* no feed */
+    CHECK(loft_planner_push(&planner, &item) == LOFT_REFUSAL_KIND);     /* a part of a patch */
     item.ticks = 600;
     item.p[2][0] = INT32_MAX;
-    CHECK(loft_planner_push(&planner, &item) == LOFT_ERR_RANGE && planner.taken == 0);
+    CHECK(loft_planner_push(&planner, &item) == LOFT_REFUSAL_ITEM && planner.taken == 0);
     l.axis[0].max_accel = 0;
     CHECK(loft_planner_begin(&planner, &machine, &l, start) == LOFT_ERR_ARG);
     l = asked();

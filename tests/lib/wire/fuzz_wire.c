@@ -1,12 +1,15 @@
 /* tests/lib/wire/fuzz_wire.c -- arbitrary bytes for the receiver, the sender, the codec
  * SPDX-License-Identifier: MIT
  *
+ * Parts of patches too, into the machine that cuts them.
+ *
  * For libFuzzer (make fuzz), and for test_wire_fuzz.c, which feeds it from a seed. The first byte
  * chooses the target. The rest is raw bytes, or contents that get a right CRC, without which no
  * fuzzer passes the frame.
  */
 #include <string.h>
 
+#include "machine/patches.h"
 #include "support/fuzz.h"
 #include "wire/session.h"
 
@@ -29,7 +32,7 @@ static void fuzz_codec(const uint8_t *data, size_t size)
     if (loft_unpacker_init(&u, kind, data + 2, (uint8_t)(size - 2), data[1]) != LOFT_OK)
         return;
     loft_predictor_init(&there, start);
-    there.bend[0] = kind == LOFT_CURVES ? 600 : 0;      /* a feed: the first curve of a job must say
+    there.ticks = kind == LOFT_CURVES ? 600 : 0;        /* a feed: the first curve of a job must say
                                                          * one */
     again = there;
     loft_packer_init(&p, kind, &there, packed, 255);
@@ -253,16 +256,97 @@ static void fuzz_sender(const uint8_t *data, size_t size, bool raw)
     }
 }
 
+
+// A patch: it is refused, or cut from its place and back to it
+// ------------------------------------------------------------
+
+static uint8_t fuzz_byte(const uint8_t **data, size_t *size)
+{
+    if (*size == 0)
+        return 0;
+    (*size)--;
+    return *(*data)++;
+}
+
+/* Any number, small or large. */
+static int32_t fuzz_number(const uint8_t **data, size_t *size)
+{
+    uint32_t x = 0;
+    const unsigned shift = fuzz_byte(data, size) % 32;
+
+    for (int i = 0; i < 4; i++)
+        x = x << 8 | fuzz_byte(data, size);
+    return (int32_t)x / (int32_t)(1u << (shift < 31 ? shift : 30));
+}
+
+/* A head as a host may make one, or any part. */
+static void fuzz_part(const uint8_t **data, size_t *size, bool head, loft_item *out)
+{
+    const uint8_t kind = fuzz_byte(data, size);
+
+    memset(out, 0, sizeof *out);
+    for (int k = 0; k < (kind % 16 ? 2 : 3); k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            out->p[k][i] = fuzz_number(data, size);
+    if (!head || kind % 8 == 0)
+        return;
+    const loft_patch_head h = { .radius = 65536 + 4096 * kind,
+                                .tol = 2048 + 64 * kind,
+                                .safe = 65536 * (1 + kind % 32),
+                                .rows = (uint16_t)(1 + kind % 7),
+                                .columns = (uint16_t)(1 + kind % 36),
+                                .feed = 1200,
+                                .rapid = 3000,
+                                .m = (uint8_t)(1 + kind % 3),
+                                .n = (uint8_t)(1 + kind / 3 % 3),
+                                .one_way = kind % 2 > 0 };
+    loft_patch_item(out, &h, out->p[2]);
+}
+
+static void fuzz_patch(const uint8_t *data, size_t size)
+{
+    static const loft_vec place = { { 0 } };
+    static loft_tip row[33];
+    static loft_patches p;
+    loft_vec at = place;
+    loft_cubic curve;
+    loft_item part;
+    uint16_t feed;
+    unsigned given = 0;
+
+    loft_patches_init(&p, row, 32);
+    loft_patches_begin(&p);
+    for (unsigned n = 0; n < 1 + LOFT_PATCH_PARTS; n++) {
+        fuzz_part(&data, &size, n == 0, &part);
+        const uint8_t before             = p.state;
+        const enum loft_refusal refusal = loft_patches_take(&p, &part, &place);
+        MUST(refusal == LOFT_REFUSAL_NONE || refusal == LOFT_REFUSAL_ITEM ||
+             refusal == LOFT_REFUSAL_PATCH);
+        MUST(refusal != LOFT_REFUSAL_ITEM || p.state == before);
+        MUST(refusal != LOFT_REFUSAL_NONE || p.state == LOFT_PATCH_GATHERED ||
+             p.state == LOFT_PATCH_CUT);
+        if (p.state >= LOFT_PATCH_CUT)
+            break;
+    }
+    for (; loft_patches_next(&p, &curve, &feed) && given < 8 * 40; given++) {
+        MUST(loft_vec_equal(curve.p[0], at) && feed > 0);
+        MUST(loft_vec_within(curve.p[3], LOFT_REAL(LOFT_LINES_REACH + LOFT_LINES_RADIUS)));
+        at = curve.p[3];
+    }
+    MUST(given < 8 * 40 && loft_vec_equal(at, place));
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     if (size == 0)
         return 0;
-    switch (data[0] % 5) {
+    switch (data[0] % 6) {
     case 0: fuzz_codec(data + 1, size - 1);             break;
     case 1: fuzz_receiver(data + 1, size - 1, true);    break;
     case 2: fuzz_receiver(data + 1, size - 1, false);   break;
     case 3: fuzz_sender(data + 1, size - 1, true);      break;
     case 4: fuzz_sender(data + 1, size - 1, false);     break;
+    case 5: fuzz_patch(data + 1, size - 1);             break;
     }
     return 0;
 }

@@ -104,13 +104,21 @@ static void arb_curves(arb *a, loft_item item[], int count)
     arb_spans(a, false, item, count);
     for (int n = 0; n < count; n++) {
         const uint32_t taste = arb_below(a, 4);
-        item[n].ticks = n > 0 && arb_below(a, 4) ? item[n - 1].ticks
-                                                 : (uint16_t)(1 + arb_below(a, 65535));
+        item[n].ticks = n > 0 && item[n - 1].ticks && arb_below(a, 4)
+                            ? item[n - 1].ticks
+                            : (uint16_t)(1 + arb_below(a, 65535));
         for (int i = 0; i < LOFT_AXES && n > 0; i++)
             if (taste == 0)
                 make_line(&item[n], i, (uint32_t)item[n - 1].p[2][i], arb_int32(a));
             else if (taste == 1 && arb_below(a, 2))
                 item[n].p[0][i] = item[n].p[1][i] = item[n].p[2][i] = item[n - 1].p[2][i];
+        if (n > 0 && arb_below(a, 4) == 0) {            /* a part of a patch, of points that may be
+                                                         * one */
+            item[n].ticks = 0;
+            memcpy(item[n].p[2], item[n - 1].p[2], sizeof item[n].p[2]);
+            if (arb_below(a, 3) == 0)
+                memcpy(item[n].p[1], item[n].p[0], sizeof item[n].p[1]);
+        }
     }
 }
 
@@ -530,8 +538,10 @@ static void other_spellings_of_a_curve_are_refused(arb *a)
 
     /* a point, with the last feed */
     CHECK(loft_unpacker_init(&u, LOFT_CURVES, byte, 1, 1) == LOFT_OK);
-    byte[0] = 0x80, byte[1] = 0;                                        /* a feed of 0 */
+    byte[0] = 0xC0, byte[1] = 0;                                        /* a straight part */
     CHECK(loft_unpacker_init(&u, LOFT_CURVES, byte, 2, 1) == LOFT_ERR_DATA);
+    byte[0] = 0x80;                                                     /* a part */
+    CHECK(loft_unpacker_init(&u, LOFT_CURVES, byte, 2, 1) == LOFT_OK);
     byte[1] = 0xFF, byte[2] = 0xFF, byte[3] = 0x03;                     /* 65535 */
     CHECK(loft_unpacker_init(&u, LOFT_CURVES, byte, 4, 1) == LOFT_OK);
     byte[1] = 0x80, byte[2] = 0x80, byte[3] = 0x04;                     /* 65536 */

@@ -103,9 +103,10 @@ static void welcomes_come_back(arb *a)
     m.ack = arb_ack(a);
     m.axes = arb_u8(a), m.num = arb_u8(a), m.frame_max = arb_u8(a);
     m.queue = arb_u16(a), m.tick_hz = arb_u16(a), m.slots = arb_u16(a), m.kinds = arb_u8(a),
-    m.curves = arb_u16(a), m.points = arb_u16(a), m.closed = arb_u16(a), m.outputs = arb_u8(a);
+    m.curves = arb_u16(a), m.points = arb_u16(a), m.closed = arb_u16(a), m.outputs = arb_u8(a),
+    m.columns = arb_u16(a);
     const size_t n = loft_welcome_encode(&m, session, wire);
-    CHECK(n == 54);
+    CHECK(n == 56);
     loft_frame f = content(wire, n);
     IS(f, LOFT_WELCOME, 0, session);
     CHECK(loft_welcome_decode(&f, &g) == LOFT_OK);
@@ -114,8 +115,10 @@ static void welcomes_come_back(arb *a)
     CHECK(g.axes == m.axes && g.num == m.num && g.frame_max == m.frame_max);
     CHECK(g.queue == m.queue && g.tick_hz == m.tick_hz && g.slots == m.slots &&
           g.kinds == m.kinds && g.curves == m.curves && g.points == m.points &&
-          g.closed == m.closed && g.outputs == m.outputs);
-    f.count--;                                                  /* of machines that do not say */
+          g.closed == m.closed && g.outputs == m.outputs && g.columns == m.columns);
+    f.count = (uint8_t)(f.count - 2);                           /* of machines that do not say */
+    CHECK(loft_welcome_decode(&f, &g) == LOFT_OK && g.outputs == m.outputs && g.columns == 0);
+    f.count--;
     CHECK(loft_welcome_decode(&f, &g) == LOFT_OK && g.closed == m.closed && g.outputs == 0);
     f.count--;
     CHECK(loft_welcome_decode(&f, &g) == LOFT_ERR_DATA);

@@ -503,12 +503,12 @@ static void overrides_pass_a_full_window_and_replace_no_hold(arb *a)
     loft_sender_control(&w.s, LOFT_HOLD);
     if (!before)
         loft_sender_override(&w.s, percent);
-    for (int ms = 0; ms < 20000 && (w.s.verb || w.s.percent || w.m.now.state != LOFT_STATE_HELD) &&
+    for (int ms = 0; ms < 60000 && (w.s.verb || w.s.percent || w.m.now.state != LOFT_STATE_HELD) &&
                      w.s.phase < LOFT_PHASE_CLOSING;
          ms++)
         world_step(&w);
     CHECK(w.m.now.state == LOFT_STATE_HELD && w.m.now.override == percent && w.m.overrides >= 1);
-    for (int ms = 0; ms < 5000 && w.s.status.override != percent; ms++)
+    for (int ms = 0; ms < 60000 && w.s.status.override != percent; ms++)
         world_step(&w);
     CHECK(w.s.status.override == percent);
 }
@@ -561,7 +561,7 @@ static void a_hold_asked_for_early_holds_the_job(arb *a)
     for (int ms = 0; ms < 20000 && !(w.s.phase == LOFT_PHASE_OPENING && w.s.job_sent); ms++)
         world_step(&w);
     loft_sender_control(&w.s, LOFT_HOLD);
-    for (int ms = 0; ms < 20000 && (w.s.phase < LOFT_PHASE_STREAMING || w.s.verb); ms++)
+    for (int ms = 0; ms < 60000 && (w.s.phase < LOFT_PHASE_STREAMING || w.s.verb); ms++)
         world_step(&w);
     CHECK(w.m.jobs == 1 && w.m.now.state == LOFT_STATE_HELD);
 }

@@ -31,7 +31,7 @@ static void nothing_breaks(arb *a)
 {
     uint8_t data[2000];
     size_t size = 1;
-    data[0] = (uint8_t)arb_below(a, 5);
+    data[0] = (uint8_t)arb_below(a, 6);
     if (data[0] == 2 || data[0] == 4)
         size += arb_contents(a, data + 1, sizeof data - 1);
     else

@@ -140,10 +140,10 @@ static size_t say_machine(const loft_frame *f, uint8_t wire[])
             welcome.version, ul(welcome.nonce), ul(welcome.boot), ul(welcome.job));
         say_ack(&welcome.ack);
         say(" axes=%u num=%u frame_max=%u queue=%u tick_hz=%u slots=%u kinds=%u curves=%u "
-            "points=%u closed=%u outputs=%u",
+            "points=%u closed=%u outputs=%u columns=%u",
             welcome.axes, welcome.num, welcome.frame_max, welcome.queue, welcome.tick_hz,
             welcome.slots, welcome.kinds, welcome.curves, welcome.points, welcome.closed,
-            welcome.outputs);
+            welcome.outputs, welcome.columns);
         return loft_welcome_encode(&welcome, session, wire);
     case LOFT_KEPT:
         CHECK(loft_kept_decode(f, &kept) == LOFT_OK);
