@@ -10,6 +10,7 @@
 #include "base/progress.h"
 #include "base/source.h"        /* source_name */
 #include "base/tool.h"
+#include "cmd/mill_chip.h"      /* mill_chip_run */
 #include "draw/left.h"
 #include "draw/surface_plot.h"
 #include "engine/mill.h"
@@ -232,14 +233,45 @@ static int mill_trimmed(const engine *e, tool_wish *w, const char *const trim[2]
     return code;
 }
 
+/* Patches for the machine: what the options mean for them. */
+static int mill_on_chip(mill_chip *c, const tool_wish *w, const char *along, const char *pattern,
+                        const char *file)
+{
+    const mill_order *o = &w->o;
+    const double cusp   = o->cusp > 0 ? o->cusp : fmin(0.02, o->radius / 8);
+
+    if (o->corner < o->radius || o->radius > 64)
+        return tool_error(EX_USAGE, "--plan chip: a machine cuts with a ball of at most 128 mm by "
+                                    "itself: give --tool ball:DIAMETER");
+    if (strcmp(pattern, "raster") != 0 || (along != NULL && strchr("uv", along[0]) == NULL))
+        return tool_error(EX_USAGE, "--plan chip: a machine cuts by lines along u or v by itself: "
+                                    "give --along u or v, and no --pattern");
+    if (o->trim.count > 0 || o->bounded || o->floored || o->entry != MILL_STRAIGHT)
+        return tool_error(EX_USAGE, "--plan chip: a machine cuts the whole surface: leave out "
+                                    "--trim, --area, --floor and --entry");
+    if (o->tol > 1)
+        return tool_error(EX_USAGE, "--tol %g: give at most 1 with --plan chip", o->tol);
+    c->o.radius  = o->radius;
+    c->o.step    = o->step > 0 ? o->step : 2 * sqrt(2 * o->radius * cusp - cusp * cusp);
+    c->o.tol     = o->tol;
+    c->o.above   = o->safe;
+    c->o.axis    = along != NULL && along[0] == 'u' ? 0 : 1;
+    c->o.one_way = o->one_way;
+    return mill_chip_run(c, file);
+}
+
 static int run_mill(const tool_command *self, int argc, char **argv)
 {
     const engine *e = &engine_f64;
     tool_wish w = { .o = { .radius = 3, .corner = 3, .tol = 0.01, .safe = 5 }, .name = "ball:6" };
     tool_list area = { .count = 0 }, lowest = { .count = 0 };
-    const char *along = "x", *pattern = "raster", *record_file = NULL, *output = "left.png",
-               *trim[2] = { NULL, NULL };
-    int first;
+    const char *along = NULL, *pattern = "raster", *record_file = NULL, *output = "left.png",
+               *trim[2] = { NULL, NULL }, *where = "host";
+    mill_chip chip;
+    int first, code = mill_chip_start(&chip, argc, argv);
+
+    if (code != 0)
+        return code;
 
     const tool_option options[] = {
         TOOL_PARSED("tool", "KIND:MM[:MM]", &w, parse_tool,
@@ -276,22 +308,44 @@ static int run_mill(const tool_command *self, int argc, char **argv)
         TOOL_TEXT("record", "FILE", &record_file,
                   "no path, but a picture of what is left, by pulses of `loft simulate --record`"),
         TOOL_TEXT("output", "FILE", &output, "or -o: that picture, .png .svg or .pdf (left.png)"),
+        TOOL_TEXT("plan", "host|chip", &where,
+                  "host: print the path; chip: send patches, which the machine cuts by itself "
+                  "(host)"),
+        MILL_CHIP_OPTIONS(chip),
         ENGINE_OPTION(&e, "number type (f64)"),
         TOOL_OPTIONS_END
     };
-    const int code = tool_options(self, options, argc, argv, &first);
+    code = tool_options(self, options, argc, argv, &first);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
     if (argc - first != 1)
         return tool_error(EX_USAGE, "mill: give one file: see `loft mill --help`");
     if (w.o.cusp > 0 && w.o.step > 0)
         return tool_error(EX_USAGE, "--cusp and --step: give one of them");
+    const bool on_chip = strcmp(where, "chip") == 0;
+    if (!on_chip && strcmp(where, "host") != 0)
+        return tool_error(EX_USAGE, "--plan %s: give host or chip", where);
+    if (!on_chip && (chip.port != NULL || chip.dry || chip.log != NULL))
+        return tool_error(EX_USAGE, "--port, --dry-run, --log: are for --plan chip: without it the "
+                                    "path is printed, for `loft stream`");
+    if (on_chip && record_file != NULL)
+        return tool_error(EX_USAGE, "--record: draws what a machine has left: leave out --plan");
     const bool ball = w.o.corner == w.o.radius;
     if (w.o.cusp > 0 && !ball)
         return tool_error(EX_USAGE, "--cusp: is for a ball: give --step for %s", w.name);
     if (w.o.cusp >= w.o.radius / 2)
         return tool_error(EX_USAGE, "--cusp %g: give less than a quarter of the diameter",
                           w.o.cusp);
+    if (along != NULL && (strlen(along) != 1 || strchr("xyuv", along[0]) == NULL))
+        return tool_error(EX_USAGE, "--along %s: give x, y, u or v", along);
+    if (on_chip) {
+        w.o.trim.count = trim[0] || trim[1];
+        w.o.bounded    = area.count > 0;
+        w.o.floored    = lowest.count > 0;
+        return mill_on_chip(&chip, &w, along, pattern, argv[first]);
+    }
+    if (along == NULL)
+        along = "x";
     if (strcmp(along, "u") == 0 || strcmp(along, "v") == 0) {
         w.o.parametric = true;
         if (!(w.o.step > 0 && w.o.step <= 1) || strcmp(pattern, "raster") != 0)
@@ -303,8 +357,6 @@ static int run_mill(const tool_command *self, int argc, char **argv)
         return tool_error(EX_USAGE, "--one-way: is for --pattern raster along x or y");
     if (w.o.cusp == 0 && w.o.step == 0)
         *(ball ? &w.o.cusp : &w.o.step) = ball ? fmin(0.02, w.o.radius / 8) : w.o.radius;
-    if (strlen(along) != 1 || strchr("xyuv", along[0]) == NULL)
-        return tool_error(EX_USAGE, "--along %s: give x, y, u or v", along);
     w.o.axis = along[0] == 'y' || along[0] == 'v';
     static const char *const patterns[] = { "raster", "spiral", "waterline", "pencil" };
     int kind = 0;
@@ -336,7 +388,7 @@ static int run_mill(const tool_command *self, int argc, char **argv)
 }
 
 const tool_command command_mill = {
-    "mill", "[--tool ball:6] [--cusp MM|--step MM] FILE|-",
+    "mill", "[--tool ball:6] [--cusp MM|--step MM] [--plan chip --port PORT] FILE|-",
     "the path of a mill's tool over surfaces, as a curve in space",
     "FILE has surfaces in the format of host-tools/LOFT.md: tensor, bicubic, coons, triangle,\n"
     "pn, octant, toric, basepoint, ring, and spatch, gb with Wachspress coordinates. Prints\n"
@@ -352,6 +404,12 @@ const tool_command command_mill = {
     "without room becomes a ramp. --trim leaves of the surfaces what is inside of closed\n"
     "paths; loops in loops are holes. The first lines of the output say what is proved and\n"
     "measured. Surfaces are seen from above. With --record the surfaces are drawn instead,\n"
-    "coloured by what a machine left on them or cut off them.\n",
+    "coloured by what a machine left on them or cut off them.\n"
+    "\n"
+    "With --plan chip nothing is printed but a summary: each tensor or bicubic patch of degrees\n"
+    "up to 3 x 3 goes to the machine at --port as its control net, about 200 bytes, and the\n"
+    "machine cuts it with a ball by lines along v, or --along u, from where it stands and back.\n"
+    "Lines are at most --step apart along the surface, or as far as leaves --cusp where it is\n"
+    "flat. What no machine can prove is refused here, with the remedy. Keys as of `loft stream`.\n",
     run_mill
 };

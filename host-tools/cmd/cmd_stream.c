@@ -33,35 +33,6 @@ typedef struct {
     bool points, grbl, g5, dry, check, hold, resume, abort, chip, away, view, json;
 } stream_options;
 
-static void machine_limits(const loft_sender *s, engine_limits *l)
-{
-    for (int i = 0; i < ENGINE_AXES; i++) {
-        l->max_speed[i] = (double)s->axis[i].max_speed / 65536;
-        l->max_accel[i] = (double)s->axis[i].max_accel / 65536;
-    }
-    l->tick_hz = s->machine.tick_hz;
-}
-
-/* Steps in mm: a whole multiple of 2^-16, which steps_of converts back to the same steps. */
-static double mm_of(const loft_axis *a, int32_t steps)
-{
-    return round((double)steps * 65536 * 65536 / (double)a->steps_per_mm) / 65536;
-}
-
-/* The start of a new job: the position of the machine. */
-static void new_start(const loft_sender *s, double out[ENGINE_AXES])
-{
-    for (int i = 0; i < ENGINE_AXES; i++)
-        out[i] = mm_of(&s->axis[i], s->axis[i].position);
-}
-
-/* The start of the machine's current job. */
-static void old_start(const loft_sender *s, bool points, double out[ENGINE_AXES])
-{
-    for (int i = 0; i < ENGINE_AXES; i++)
-        out[i] = points ? mm_of(&s->axis[i], s->axis[i].start) : (double)s->axis[i].start / 65536;
-}
-
 /* A drawing by the tools that draw it, and from which of them on. */
 typedef struct {
     const char *file;
@@ -289,7 +260,7 @@ static int plan_for(const stream_options *o, const parts *all, size_t k,
     job_options as;
 
     free_work(w);
-    machine_limits(s, &as.limits);
+    stream_machine(s, &as.limits);
     for (int i = 0; i < ENGINE_AXES; i++)
         as.steps_per_mm[i] = s->axis[i].steps_per_mm;
     const int code = options_of(o, &as);
@@ -306,7 +277,7 @@ static int find_old(const stream_options *o, const parts *all, const loft_sender
     int code = 0;
 
     *at = all->count;
-    old_start(s, o->points, start);
+    stream_old_start(s, o->points, start);
     for (size_t k = all->first; k < all->count && code == 0 && s->machine.job != 0; k++) {
         code = plan_for(o, all, k, start, s, w);
         if (code == 0 && w->j.count > 0 && w->j.head.id == s->machine.job) {
@@ -326,7 +297,7 @@ static int stream_part(const stream_options *o, const parts *all, size_t k, bool
     int code = 0;
 
     if (!planned) {
-        new_start(s, start);
+        stream_new_start(s, start);
         code = plan_for(o, all, k, start, s, w);
     }
     if (code == 0) {

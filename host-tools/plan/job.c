@@ -317,11 +317,13 @@ static loft_job_limits limits_of(const engine_limits *l)
     return out;
 }
 
-static void add_curves(job *j, const joints *of)
+static void add_curves(job *j, const joints *of, const job_options *o)
 {
     for (int i = 0; i < ENGINE_AXES; i++)
         j->head.start[i] = j->start[i] = j->end[i] = (int32_t)lround(of->move[0].p[0][i] * 65536);
-    for (size_t n = 0; n < of->count; spool_passed(n++)) {
+    for (unsigned n = 0; o->patch != NULL && n < o->parts; n++)
+        add_item(j, &o->patch[n], 0);
+    for (size_t n = 0; o->patch == NULL && n < of->count; spool_passed(n++)) {
         const loft_item item = curve_of(&of->move[n], n > 0 ? j->last : j->head.start);
         add_item(j, &item, 0);
     }
@@ -353,8 +355,8 @@ static void pass_moves(job *j)
 
     for (const size_t now = joints_passed(&j->plan); j->passed < now; j->passed++) {
         j->done += seconds_of(&of->move[j->passed]);
-        j->ends[j->passed] = (uint32_t)j->count;
-        if (j->head.kind == LOFT_CURVES && j->passed + 1 < j->count)
+        j->ends[j->passed] = (uint32_t)(j->patch ? j->ticks : j->count);
+        if (j->head.kind == LOFT_CURVES && !j->patch && j->passed + 1 < j->count)
             time_item(j, j->passed + 1, j->ticks);
     }
 }
@@ -545,6 +547,7 @@ int job_open(job *j, joints *of, const job_options *o)
                 .of = of,
                 .e = o->e,
                 .motors = o->limits,
+                .patch = o->patch != NULL,
                 .does = o->does };
     if (of->count == 0)
         return LOFT_ERR_ARG;
@@ -558,7 +561,7 @@ int job_open(job *j, joints *of, const job_options *o)
         const engine_limits planned = joints_limits(of, &o->limits);
         j->limits = limits_of(&planned);
         j->head.limits = &j->limits;
-        add_curves(j, of);
+        add_curves(j, of, o);
         time_item(j, 0, 0);
     }
     const double until = tool_clock() + OPENING;
@@ -605,6 +608,7 @@ const char *job_of(const job *j, char text[32])
 const char *job_words(const job *j)
 {
     return j->head.kind == LOFT_POINTS ? "points"
+           : j->patch                    ? "parts of a patch"
            : j->head.kind == LOFT_CURVES ? "curves"
                                          : "spans";
 }
@@ -613,6 +617,8 @@ size_t job_moves(const job *j, size_t executed)
 {
     size_t low = 0, high = j->head.kind == LOFT_CURVES ? 0 : j->passed;
 
+    if (j->patch && executed < j->count)        /* they are executed at its end */
+        return 0;
     if (j->whole && executed >= j->count)
         return j->of->path->count;
     while (low < high) {
@@ -631,9 +637,27 @@ double job_seconds(const job *j) { return (double)j->ticks / (double)j->tick_hz;
 
 static const job_entry *entry_of(const job *j, size_t n) { return &j->entry[n - j->low]; }
 
+/* The first move of a patch that ends behind a tick. */
+static size_t move_at(const job *j, uint64_t tick)
+{
+    size_t low = 0, high = j->passed;
+
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (j->ends[middle] <= tick)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < j->of->count ? low : j->of->count - 1;
+}
+
 size_t job_item_at(const job *j, uint64_t tick)
 {
     size_t low = j->low, high = j->timed;       /* due[low] <= tick < due[high] */
+
+    if (j->patch)
+        return move_at(j, tick);
 
     while (high > low + 1) {
         const size_t middle = low + (high - low) / 2;
@@ -659,6 +683,8 @@ double job_feed(const job *j, size_t n)
 {
     double from[ENGINE_AXES], to[ENGINE_AXES], sum = 0;
 
+    if (j->patch)
+        return j->of->move[n].feed;
     if (n < j->low || n >= j->timed || j->head.kind == LOFT_POINTS || (n > 0 && n == j->low))
         return 0;
     if (j->head.kind == LOFT_CURVES && j->k->kind == ENGINE_CARTESIAN)

@@ -63,6 +63,8 @@ typedef struct {
     double done, all;           /* s of moves at their feeds: passed moves, all moves */
     int32_t steps_per_mm[ENGINE_AXES];
     loft_job_limits limits;     /* of curves; head.limits points to them        */
+    bool patch;                 /* the items are parts of a patch, whose moves the plan has: then
+                                 * `ends` are ticks */
 } job;
 
 typedef struct {
@@ -71,6 +73,9 @@ typedef struct {
     enum loft_kind kind;
     int32_t steps_per_mm[ENGINE_AXES];      /* raw Q16.16; of points            */
     struct job_does does;
+    const loft_item *patch;     /* these items instead of curves: a patch that becomes the path on
+                                 * the machine; NULL: none */
+    unsigned parts;
 } job_options;
 
 /* Can a job do this, on a machine that does so much? */
@@ -107,7 +112,7 @@ const char *job_of(const job *j, char text[32]);
 /* Set the first item that is sent. */
 void job_sent_from(job *j, size_t first);
 
-/* The name of the items: "spans", "points", "curves". */
+/* The name of the items: "spans", "points", "curves", "parts of a patch". */
 const char *job_words(const job *j);
 
 /* Give an item to loft_sender. `context` is the job. */
@@ -115,7 +120,7 @@ void job_source(void *context, uint32_t index, loft_item *out);
 
 /* The item that is due at a tick, among those that are kept, and its mean tool speed in mm/s. The
  * speed is 0 for points and for items that are not kept; for a curve it is the feed, if motors and
- * tool coincide. */
+ * tool coincide. Of a patch it is the move that is due. */
 size_t job_item_at(const job *j, uint64_t tick);
 double job_feed(const job *j, size_t item);
 

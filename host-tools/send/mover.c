@@ -86,25 +86,8 @@ typedef struct {
 
 static void limits_of(const mover *v, engine_limits *l)
 {
-    const loft_sender *s = &v->t.sender;
-
-    for (int i = 0; i < ENGINE_AXES; i++) {
-        l->max_speed[i] = (double)s->axis[i].max_speed / 65536;
-        l->max_accel[i] = (double)s->axis[i].max_accel / 65536;
-    }
-    l->tick_hz = s->machine.tick_hz;
+    stream_machine(&v->t.sender, l);
     planning_limit(&v->p, l);
-}
-
-/* The place of the motors: whole multiples of 2^-16, which become the same steps again. */
-static void motors_of(const mover *v, double out[ENGINE_AXES])
-{
-    const loft_sender *s = &v->t.sender;
-
-    for (int i = 0; i < LOFT_AXES; i++)
-        out[i] = round((double)s->axis[i].position * 65536 * 65536 /
-                       (double)s->axis[i].steps_per_mm) /
-                 65536;
 }
 
 static int plan_move(const mover *v, const mover_move *m, one_move *w)
@@ -114,7 +97,7 @@ static int plan_move(const mover *v, const mover_move *m, one_move *w)
     job_options as        = { .e = v->p.e, .kind = LOFT_SPANS };
     double start[ENGINE_AXES], from[ENGINE_AXES];
 
-    motors_of(v, start);
+    stream_new_start(&v->t.sender, start);
     if (!kinematics_tool(&p.machine.k, start, from))
         return tool_error(EX_DATAERR,
                           "%s: its motors are where those of a %s machine like this "
@@ -257,7 +240,7 @@ static int steps_there(const mover *v, const double at[ENGINE_AXES], int32_t ste
 
     if (kinematics_beyond(&v->p.machine.k, at, why))
         return tool_error(EX_DATAERR, "%s: %s: give another place", mover_text(at, text), why);
-    motors_of(v, near);
+    stream_new_start(&v->t.sender, near);
     kinematics_motors(&v->p.machine.k, at, near, motors);
     for (int i = 0; i < LOFT_AXES; i++)
         steps[i] = (int32_t)lround(motors[i] * (double)s->axis[i].steps_per_mm / 65536);

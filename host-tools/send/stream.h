@@ -23,6 +23,14 @@ typedef struct {
     const toolpath *path;
 } stream_subject;
 
+/* The limits of a greeted machine. */
+void stream_machine(const loft_sender *s, engine_limits *l);
+
+/* Where a new job begins: the place of the motors, in whole multiples of 2^-16 mm, which become the
+ * same steps again. Where the machine's current job began. */
+void stream_new_start(const loft_sender *s, double out[ENGINE_AXES]);
+void stream_old_start(const loft_sender *s, bool points, double out[ENGINE_AXES]);
+
 /* Begin `j` on the greeted machine, plan on while it draws, and wait for the end. Returns an exit
  * code, after printing the closing line or one error. */
 int stream_run(talk *t, job *j, const stream_subject *about);

@@ -22,6 +22,32 @@ void stream_place(const loft_sender *s, const kinematics *k, const int32_t steps
         memcpy(out, at, sizeof at);
 }
 
+void stream_machine(const loft_sender *s, engine_limits *l)
+{
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        l->max_speed[i] = (double)s->axis[i].max_speed / 65536;
+        l->max_accel[i] = (double)s->axis[i].max_accel / 65536;
+    }
+    l->tick_hz = s->machine.tick_hz;
+}
+
+static double mm_of(const loft_axis *a, int32_t steps)
+{
+    return round((double)steps * 65536 * 65536 / (double)a->steps_per_mm) / 65536;
+}
+
+void stream_new_start(const loft_sender *s, double out[ENGINE_AXES])
+{
+    for (int i = 0; i < ENGINE_AXES; i++)
+        out[i] = mm_of(&s->axis[i], s->axis[i].position);
+}
+
+void stream_old_start(const loft_sender *s, bool points, double out[ENGINE_AXES])
+{
+    for (int i = 0; i < ENGINE_AXES; i++)
+        out[i] = points ? mm_of(&s->axis[i], s->axis[i].start) : (double)s->axis[i].start / 65536;
+}
+
 /* Positions for steps: "12.345 8.000 1.000". */
 static const char *place_text(const loft_sender *s, const kinematics *k,
                               const int32_t steps[LOFT_AXES], char text[96])

@@ -3,6 +3,8 @@
  */
 #include "machine/patches.h"
 
+#if LOFT_MACHINE_PATCHES            /* a chip that does not cut is built without toolpath/lines.c */
+
 void loft_patches_init(loft_patches *p, loft_tip row[], uint16_t columns)
 {
     p->row = row;
@@ -83,3 +85,5 @@ bool loft_patches_next(loft_patches *p, loft_cubic *out, uint16_t *feed)
     *feed = cuts ? p->head.feed : p->head.rapid;
     return true;
 }
+
+#endif

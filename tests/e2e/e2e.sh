@@ -1312,6 +1312,53 @@ case_help_everywhere() {
         cmp -s "$tmp/out" "$tmp/help" || job_fails "help $command and $command --help differ"
     done
 }
+# the net of a dome of 24 mm, beside the place where the machine stands
+dome() {
+    awk 'BEGIN { print "tensor 3 3"
+                 for (i = 0; i < 4; i++) for (j = 0; j < 4; j++)
+                     print 6 + 8 * i, 6 + 8 * j, (i % 3 && j % 3 ? 7 : 1) }'
+}
+case_mill_on_the_chip() {
+    dome >"$tmp/dome.loft"
+    local cut=("$loft" mill --plan chip --tool ball:6 --step 2 --feed 60 "$tmp/dome.loft")
+    run 0 "${cut[@]}" --dry-run
+    says out 'dome.loft:1: 1[0-9] lines of [0-9]* curves, .* in 9 items$'; says out '^planned: '
+    machine chip --speed fast --once
+    run 0 "${cut[@]}" --port "$tmp/chip" --log "$tmp/line"
+    says out '^drawn: .* steps 0 0 0 as commanded$'; says out ' for 9 parts of a patch, '
+    gone "$machine"; counted chip
+    # JOB, END and these frames, 128 bytes each at most, are all that is sent but questions
+    [ "$(grep -c '> CURVES' "$tmp/line")" -le 3 ] || job_fails "more than 3 frames of items"
+    run 0 "$loft" mill --tool ball:6 --record "$tmp/chip.csv" -o "$tmp/left.png" "$tmp/dome.loft"
+    # 0.010 of the lines, 0.005 of the plan, a step of 1/80 mm on each axis; cusps of 2 mm: 0.172
+    awk '{ exit !($7 <= 0.172 + 0.037 && $12 <= 0.037) }' "$tmp/out" ||
+        job_fails "not as asked: $(cat "$tmp/out")"
+    machine again --speed fast                  # the sender dies, and comes back
+    draws again; job=("${cut[@]}" --port "$tmp/again")
+    cut_off 0.5
+    run 0 "${job[@]}"; says out '^drawn: .* steps 0 0 0 as commanded$'; counted again
+    same_path again chip
+    { dome; printf 'tensor 1 1\n0 0 5\n0 9 5\n9 0 5\n9 9 5\n'; } >"$tmp/two.loft"
+    run 0 "$loft" mill --plan chip --along u --tool ball:6 --step 9 "$tmp/two.loft" \
+        --port "$tmp/again"
+    [ "$(grep -c '^drawn: ' "$tmp/out")" = 2 ] || job_fails "two surfaces: $(cat "$tmp/out")"
+    kill "$machine"; gone "$machine"
+    machine few --speed fast --columns 2
+    one_line 65 'give more --tol'       "${cut[@]}" --port "$tmp/few"
+    machine none --speed fast --columns 0
+    one_line 78 'leave out --plan chip' "${cut[@]}" --port "$tmp/none"
+    printf 'tensor 2 2\n' >"$tmp/bowl.loft"
+    printf '%s\n' '0 0 9' '0 5 9' '0 9 9' '5 0 9' '5 5 -9' '5 9 9' '9 0 9' '9 5 9' '9 9 9' \
+        >>"$tmp/bowl.loft"
+    one_line 65 'give a smaller --tool' "$loft" mill --plan chip --dry-run --tool ball:20 \
+        "$tmp/bowl.loft"
+    printf 'sphere 9\n' >"$tmp/ball.loft"
+    one_line 65 'leave out --plan chip' "$loft" mill --plan chip --dry-run "$tmp/ball.loft"
+    one_line 64 'give --tool ball'      "$loft" mill --plan chip --tool flat:4 "$tmp/dome.loft"
+    one_line 64 'give host or chip'     "$loft" mill --plan moon "$tmp/dome.loft"
+    one_line 64 'are for --plan chip'   "$loft" mill --dry-run "$tmp/dome.loft"
+    one_line 64 'no --port'             "$loft" mill --plan chip "$tmp/dome.loft"
+}
 case_mill() {
     printf 'bicubic\n' >"$tmp/dome.loft"
     printf '%s\n' '0 0 0' '0 9 0' '0 9 6' '0 9 -6' '9 0 0' '9 9 0' '0 9 6' '0 9 -6' '9 0 6' \

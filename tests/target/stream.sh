@@ -169,6 +169,48 @@ burns() {
 levels() { awk -v n="$1" '/^# output/ && $3 == n { printf "%s%d", c, ($5 + 1) / 256; c = " " }' \
     "$tmp/chip.csv"; }
 
+# mills BOARD SLOTS: a bicubic patch of 6 mm, which the board turns into its path by itself
+mills() {
+    local name="$1, a patch"
+    awk 'BEGIN { print "tensor 3 3"
+                 for (i = 0; i < 4; i++) for (j = 0; j < 4; j++)
+                     print 4 + 2 * i, 4 + 2 * j, (i % 3 && j % 3 ? 2 : 1) }' >"$tmp/patch.loft"
+    set -- "$1" "$2" "$loft" mill --plan chip --tool ball:3 --step 1.5 --safe 2 --feed 60 \
+        "$tmp/patch.loft"
+    # shellcheck disable=SC2046
+    "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --slots "$2" \
+        $(numbers "$1") >"$tmp/log" & local here=$!
+    for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
+    timeout 60 "${@:3}" --port "$tmp/here" >"$tmp/planned" 2>&1
+    wait $here
+    on_arm "$1" "" "${@:3}" --port "$tmp/port" --log "$tmp/line"
+    row "$name: the command ends well"                      "$code" = 0
+    row "$name: frames of items, of 128 bytes at most" \
+        "$(grep -c '> CURVES' "$tmp/line")" "<=" 3
+    row "$name: steps told and steps counted at the pins" \
+        "$(told "$tmp/out")" = "$(value position)"
+    row "$name: lines and curves, as on the simulated machine" \
+        "$(head -1 "$tmp/out" | cut -d: -f3)" = "$(head -1 "$tmp/planned" | cut -d: -f3)"
+    "$loft" mill --tool ball:3 --record "$tmp/chip.csv" -o "$tmp/left.png" "$tmp/patch.loft" \
+        >"$tmp/cut"
+    # cusps of 1.5 mm: 0.192; lines within 0.01, the plan within 0.005, steps of 1/250 mm
+    row "$name: left on it, in mm"                   "$(said_before left "$tmp/cut")" "<=" 0.214
+    row "$name: cut off it, in mm"                   "$(said_before cut "$tmp/cut")" "<=" 0.022
+    if [ "$(value host_late)" != 0 ]; then      # it has waited for END
+        echo "     $name: the sender was late, so its time is not compared"
+    else                                # there the planner does more
+        row "$name: machine time, in s" "$(said_before machine)" "<=" \
+            "$(awk -v s="$(said_before machine "$tmp/planned")" 'BEGIN { print 1.25 * s }')"
+    fi
+    row "$name: ticks that were slowed"             "$(grep -c slowed "$tmp/out")" = 0
+    row "$name: all instructions"                    "$(value load)" "<=" 0.5 "of the time"
+}
+# said_before WORD [FILE]: the number, and its unit, before it
+said_before() {
+    awk -v name="$1" '{ for (i = 3; i <= NF; i++) if ($i == name) print $(i - 2) }' \
+        "${2:-$tmp/out}"
+}
+
 # keeps BOARD: settings in its flash; the power fails in an early word of a change, and in a late
 # one
 keeps() {
@@ -197,6 +239,7 @@ keeps() {
 }
 
 keeps stm32f405
+mills stm32f405 250
 burns stm32f405
 rates stm32f405-fast 1000 168 0.10 84
 rates stm32g0-fast   320 200 0.60 63 60

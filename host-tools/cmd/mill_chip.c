@@ -1,0 +1,215 @@
+/* host-tools/cmd/mill_chip.c -- loft mill --plan chip: patches that the machine cuts by itself
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "base/keys.h"           /* keys_start, keys_hasty */
+#include "base/source.h"         /* source_name */
+#include "base/tool.h"
+#include "cmd/mill_chip.h"
+#include "send/report.h"         /* report_start */
+#include "send/settings.h"       /* settings_adopt */
+#include "send/stream.h"         /* stream_run */
+
+#define COLUMNS 64              /* of a usual machine */
+
+int mill_chip_start(mill_chip *c, int argc, char **argv)
+{
+    *c = (mill_chip){ .baud = 115200, .wait = 5 };
+    return planning_start(&c->p, argc, argv);
+}
+
+/* A job, and what it is made of. */
+typedef struct {
+    lines_patch patch;
+    loft_item item[LOFT_PATCH_PARTS];
+    toolpath path;
+    drawing d;
+    joints of;
+    job j;
+} work;
+
+static void free_work(work *w)
+{
+    job_free(&w->j);
+    joints_free(&w->of);
+    toolpath_free(&w->path);
+    drawing_free(&w->d);
+    *w = (work){ .d.count = 0 };
+}
+
+/* The job of a surface, from there. */
+static int plan_work(const mill_chip *c, const surface *s, const char *file,
+                     const double start[ENGINE_AXES], const engine_limits *machine, work *w)
+{
+    job_options as = { .e = c->p.e, .kind = LOFT_CURVES, .limits = *machine, .patch = w->item };
+
+    free_work(w);
+    planning_limit(&c->p, &as.limits);
+    int code = patch_make(&w->patch, s, &c->o, start, file);
+    if (code != 0)
+        return code;
+    as.parts = patch_items(&w->patch, w->item);
+    patch_path(&w->patch, &c->o, s->line, &w->path, &w->d);
+    keys_hasty(true);
+    code = planning_joints(&c->p, file, &w->d, start, true, &as.limits, &w->path, &w->of);
+    const int status = code == 0 ? job_open(&w->j, &w->of, &as) : LOFT_OK;
+    keys_hasty(false);
+    return status == LOFT_OK ? code
+                             : tool_error(EX_DATAERR, "%s:%u: cannot be planned: %s",
+                                          source_name(file), s->line, engine_status(status));
+}
+
+static void tell(const work *w, const surface *s, const char *file)
+{
+    printf("%s:%u: %u lines of %u curves, %.3f m on it, %.3f m above, in %zu items\n",
+           source_name(file), s->line, w->patch.head.rows + 1u, w->patch.head.columns,
+           w->path.drawn / 1000, w->path.travelled / 1000, w->j.count);
+}
+
+static int dry_run(mill_chip *c, const surfaces *all, const char *file)
+{
+    const double start[ENGINE_AXES] = { 0, 0, 0 };
+    engine_limits limits            = { .tol = 0 };
+    work w                          = { .d.count = 0 };
+    int code                        = 0;
+
+    planning_machine(&c->p, &limits);
+    c->o.columns = COLUMNS;
+    c->o.lines   = engine_lines_q16;
+    for (size_t k = 0; k < all->count && code == 0; k++) {
+        code = plan_work(c, &all->surface[k], file, start, &limits, &w);
+        const int status = code == 0 ? job_finish(&w.j) : LOFT_OK;
+        if (status != LOFT_OK)
+            code = tool_error(EX_DATAERR, "%s:%u: cannot be planned: %s", source_name(file),
+                              all->surface[k].line, engine_status(status));
+        if (code == 0) {
+            tell(&w, &all->surface[k], file);
+            printf("planned: %.1f s\n", job_seconds(&w.j));
+        }
+    }
+    free_work(&w);
+    return code;
+}
+
+/* Can the machine do that? */
+static int check_machine(mill_chip *c, const talk *t)
+{
+    const loft_welcome *m = &t->sender.machine;
+
+    if (c->p.machine.k.kind != ENGINE_CARTESIAN)
+        return tool_error(EX_CONFIG,
+                          "%s: the motors of a %s machine are not its axes: leave out --plan chip, "
+                          "and stream the path",
+                          c->port, kinematics_name(&c->p.machine.k));
+    if (!(m->kinds & 1u << LOFT_CURVES) || m->curves == 0 || m->columns == 0)
+        return tool_error(EX_CONFIG,
+                          "%s: this machine does not cut patches by itself: leave out --plan chip, "
+                          "or build its firmware with LOFT_MACHINE_PATCHES",
+                          c->port);
+    c->o.columns = m->columns;
+    c->o.lines   = m->num == LOFT_F32   ? engine_lines_f32
+                 : m->num == LOFT_F64 ? engine_lines_f64
+                                      : engine_lines_q16;
+    return 0;
+}
+
+/* The machine may be in one of these jobs: the one with its id, planned from the same start. */
+static int find_old(const mill_chip *c, const surfaces *all, const char *file, const talk *t,
+                    const engine_limits *limits, work *w, size_t *at)
+{
+    double start[ENGINE_AXES];
+    int code = 0;
+
+    *at = all->count;
+    stream_old_start(&t->sender, false, start);
+    for (size_t k = 0; k < all->count && t->sender.machine.job != 0 && code == 0; k++) {
+        code = plan_work(c, &all->surface[k], file, start, limits, w);
+        if (code == 0 && w->j.head.id == t->sender.machine.job) {
+            *at = k;
+            break;
+        }
+    }
+    return code;
+}
+
+static int run_job(const mill_chip *c, const surface *s, const char *file, talk *t, work *w)
+{
+    const stream_subject about = { .file = file,
+                                   .curves = w->path.curves,
+                                   .drawn = w->path.drawn,
+                                   .tol = c->p.tol + c->o.tol,
+                                   .d = &w->d,
+                                   .k = &c->p.machine.k,
+                                   .port = c->port,
+                                   .path = &w->path };
+    const int code             = stream_limits(t, c->p.machine.hard_stop > 0, &w->j.head);
+
+    tell(w, s, file);
+    return code ? code : stream_run(t, &w->j, &about);
+}
+
+static int run_jobs(mill_chip *c, const surfaces *all, const char *file, talk *t)
+{
+    work w = { .d.count = 0 };
+    engine_limits limits = { .tol = 0 };
+    double start[ENGINE_AXES];
+    size_t old = all->count;
+
+    stream_machine(&t->sender, &limits);
+    int code = find_old(c, all, file, t, &limits, &w, &old);
+    for (size_t k = old < all->count ? old : 0; k < all->count && code == 0; k++) {
+        const bool first = k == (old < all->count ? old : 0);
+        if (!first)
+            code = talk_again(t, c->wait);
+        if (code == 0 && k != old) {
+            stream_new_start(&t->sender, start);
+            code = plan_work(c, &all->surface[k], file, start, &limits, &w);
+        }
+        if (code == 0)
+            code = run_job(c, &all->surface[k], file, t, &w);
+    }
+    free_work(&w);
+    return code;
+}
+
+static int connect(mill_chip *c, const surfaces *all, const char *file)
+{
+    talk t;
+
+    int code = talk_open(&t, c->port, c->baud, c->wait, c->log);
+    if (code != 0)
+        return code;
+    if (c->p.file == NULL)
+        code = settings_adopt(&c->p.machine, &t);
+    if (code == 0)
+        code = talk_certain(&t);
+    if (code == 0)
+        code = check_machine(c, &t);
+    if (code == 0)
+        code = run_jobs(c, all, file, &t);
+    talk_close(&t);
+    return code;
+}
+
+int mill_chip_run(mill_chip *c, const char *file)
+{
+    surfaces all = { 0 };
+
+    if (c->port == NULL && !c->dry)
+        return tool_error(EX_USAGE, "no --port: name the machine's port, or plan with --dry-run");
+    if (!c->dry && strcmp(c->port, "-") == 0)
+        return tool_error(EX_USAGE, "--port -: standard output has the summary: name another port");
+    c->o.feed   = c->p.feed;
+    c->o.travel = c->p.travel;
+    int code    = surfaces_read_only(&all, file);
+    if (code == 0) {
+        keys_start(!c->dry && strcmp(file, "-") != 0);
+        code = report_start(REPORT_BAR);
+    }
+    if (code == 0)
+        code = c->dry ? dry_run(c, &all, file) : connect(c, &all, file);
+    surfaces_free(&all);
+    return report_exit(code);
+}
