@@ -115,7 +115,7 @@ const uint8_t *loft_curve_decode(const uint8_t *byte, loft_predictor *p, loft_it
         const uint32_t p0 = p->position[i];
         uint32_t p1 = p0, p2 = p0, p3 = p0;
         if (part) {
-            const bool moves = form >> i & 1u;
+            const bool moves = (form & 1u << i) != 0;
             p1 += p->change[i] + (moves ? loft_residual_decode(&byte) : 0);
             p2 = p1 + (moves ? loft_residual_decode(&byte) : 0);
         } else if (form & 1u << i && form & STRAIGHT) {
