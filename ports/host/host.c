@@ -39,6 +39,7 @@
 #define STOP_MS     1000        /* how long it waits until the last answer is read */
 #define BATCH       20          /* ticks of simulated time between two checks of the line */
 #define KNOTS       400         /* of a plan: periods ahead, and 48 */
+#define PLANS       16          /* calls of the planner between two looks at the line */
 #define SAMPLES_MOST 100        /* ms without a look that count for a guard */
 #define LATE_MS     100         /* largest delay in real time; more is dropped */
 
@@ -548,11 +549,12 @@ static void run_loop(struct host *h)
             loft_machine_control(&h->machine, LOFT_ABORT);
         take_inputs(h);
         bool more = loft_machine_plan(&h->machine);
-        while (more && !h->board)
+        for (int n = 1; more && !h->board && n < PLANS; n++)
             more = loft_machine_plan(&h->machine);
-        int ms = advance_time(h);
+        /* planning takes no simulated time, but the line is heard; a board must be supplied */
+        int ms = more && !h->board ? 0 : advance_time(h);
         if (more)
-            ms = 0;                     /* a board must be supplied between two spans */
+            ms = 0;
         note_state(h);
         const bool waiting = give_bytes(h);
         if ((stop_wanted || (h->o->once && h->ended)) && (ms < 0 || ms > 20))
