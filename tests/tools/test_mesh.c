@@ -240,7 +240,7 @@ static void normals_are_those_of_the_surface(arb *a)
         surfaces_free(&all);
     }
     for (int k = 0; k < SURFACE_KINDS; k++)
-        CHECK(seen[k] != 0);
+        CHECK(seen[k] != 0 || k == SURFACE_TETRA);      /* that is four triangles */
     CHECK(seen[SURFACE_TENSOR] == 3 && seen[SURFACE_TRIANGLE] == 3);
     CHECK(seen[SURFACE_COONS] == 14 && seen[SURFACE_RING] == 104 && looked > 1200);
 }
@@ -277,6 +277,47 @@ static void cells_face_their_normals(arb *a)
     }
 }
 
+/* Between two other surfaces; the faces of a straight one of degree 1 to 9 lie in its planes, with
+ * their normals outward. If it is asked for, it stays what it is. */
+static void tetrahedra_become_their_faces(arb *a)
+{
+    const unsigned n = 1 + arb_below(a, 9), count = (n + 1) * (n + 2) * (n + 3) / 6;
+    const char *end = "triangle 0\n9 9 9\n";
+    char text[8192];
+    size_t used = (size_t)snprintf(text, sizeof text, "%stetra\n", end);
+    surfaces all = { 0 }, solid = { .solids = true };
+
+    for (unsigned m = 0; m <= n; m++)
+        for (unsigned k = 0; k <= m; k++)
+            for (unsigned l = 0; l <= k; l++)
+                used += (size_t)snprintf(text + used, sizeof text - used, "%u %u %u\n", m - k,
+                                         k - l, l);
+    snprintf(text + used, sizeof text - used, "%s", end);
+    CHECK(surfaces_read_text(&solid, "test", text) == 0 && solid.count == 3);
+    CHECK(solid.surface[1].kind == SURFACE_TETRA && solid.surface[1].m == n);
+    CHECK(solid.surface[1].count == count);
+    surfaces_free(&solid);
+    CHECK(surfaces_read_text(&all, "test", text) == 0 && all.count == 6);
+    CHECK(all.surface[0].m == 0 && all.surface[5].m == 0 && all.surface[5].count == 1);
+    for (unsigned f = 0; f < 4; f++) {
+        const surface *s = &all.surface[1 + f];
+        static const double out[4][3] = { { 0, 0, -1 }, { 0, -1, 0 }, { -1, 0, 0 }, { 1, 1, 1 } };
+        const surface_point *p = s->point, *q = &s->point[s->count - n - 1],
+                            *r = &s->point[s->count - 1];
+        double normal[3];
+        CHECK(s->kind == SURFACE_TRIANGLE && s->m == n && s->count == (n + 1) * (n + 2) / 2);
+        for (int i = 0; i < 3; i++) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            normal[i] = (q->p[j] - p->p[j]) * (r->p[k] - p->p[k]) -
+                        (q->p[k] - p->p[k]) * (r->p[j] - p->p[j]);
+            CHECK_NEAR(normal[i], out[f][i] * n * n, 1e-9);
+        }
+        for (unsigned k = 0; k < s->count; k++)
+            CHECK_NEAR(cross_product(s->point[k].p, out[f]), f == 3 ? n : 0, 1e-9);
+    }
+    surfaces_free(&all);
+}
+
 int main(void)
 {
     PROPERTY(spheres_are_round, 1);
@@ -284,5 +325,6 @@ int main(void)
     PROPERTY(saddles_bend_both_ways, 1);
     PROPERTY(normals_are_those_of_the_surface, 1);
     PROPERTY(cells_face_their_normals, 1);
+    PROPERTY(tetrahedra_become_their_faces, 20);
     return check_failures();
 }
