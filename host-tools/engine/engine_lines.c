@@ -62,6 +62,6 @@ int ENGINE_OF(engine_lines)(const lines_patch *p, lines_sink *sink, void *contex
         net[k] = vec_from(p->net[k]);
     if (loft_tensor_init(&s, net, h->m, h->n) != LOFT_OK)
         return LOFT_LINES_COARSE;
-    const int fault = loft_lines_check(&s, &way, &near);
+    const int fault = (int)loft_lines_check(&s, &way, &near);
     return fault != LOFT_LINES_FINE || !sink ? fault : give_lines(p, &s, &way, sink, context);
 }
