@@ -297,17 +297,19 @@ static bool is_far(const int32_t v2[3], const int32_t add[3])
     return more[0] > 2 * pace[0] || more[1] > 2 * pace[1] || more[2] > 2 * pace[2];
 }
 
+/* The start of an interval is the end of the one before, but where a lower feed begins. */
 int32_t loft_bump_part(const loft_period *period, const loft_knot knot[], unsigned k, int share,
                        const int32_t add[3])
 {
     const int32_t v2[3] = { knot[k].is.pace.v2, knot[k + 1].is.pace.v2, knot[k + 2].is.pace.v2 },
-                  top = knot[k].is.pace.top;
+                  top = knot[k].is.pace.top,
+                  first = knot[k + 1].is.on.feed < knot[k].is.on.feed ? top : LOFT_V2_MAX;
     int32_t pace[3], more[3], some[3], part = LOFT_BUMP_ONE;
 
     set_pace(v2, pace);
     set_pace(add, more);
     for (int n = 0; n < 3; n++) {
-        const int32_t to = by_speed(pace[n], more[n], top);
+        const int32_t to = by_speed(pace[n], more[n], n > 0 ? top : first);
         part = to < part ? to : part;
     }
     for (; part > 0; part /= 4) {
