@@ -31,8 +31,8 @@ LOFT_BEGIN_C
  *   error   tol, in units squared, plus q16: 2^-32 + 2^-48 A   f32, f64: 2^-40 A. A plane patch
  *           without weights and folds has only the second part
  *   cost    once up to m^3 n^3 products of num/sci.h; per piece about 100 m n (m + n) of them, and
- *           300 m n (m + n) with weights. The number of pieces grows with tol^(-2/3): 300 for a
- *           hemisphere of radius 10 within 0.01; 3 kB of stack in q16; not for an ISR
+ *           300 m n (m + n) with weights. The number of pieces grows with tol^(-2/3);
+ *           3 kB of stack in q16; not for an ISR
  *   see     Gravesen: Adaptive subdivision and the length and energy of Bezier curves, 1997, bounds
  *           of the second order for curves
  */
