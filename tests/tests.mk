@@ -95,18 +95,18 @@ test-axes: $(AXES_EACH)
 	@for t in $(AXES_EACH); do echo "echo '-- $$t'; $$t"; done | bash tests/house/beside.sh
 
 # --- the planner with the effort of a chip: its bounds on times are wider ------------------------
+CHIP_FLAGS := -DLOFT_NUM=LOFT_Q16 -DLOFT_PLAN_EFFORT=1 -DLOFT_MACHINE_PATCHES=0
 CHIP_TESTS := plan planner timing any
 CHIP_ROOMS := num geom basis curve kinematics path motion wire machine
 CHIP_SRC   := $(foreach r,$(CHIP_ROOMS),$(sort $(wildcard lib/$(r)/*.c)))
 build/effort/lib/%.o: lib/%.c | lib/names.h
 	@mkdir -p $(@D)
 	$(SAY) "  CC  $@"
-	$(Q)$(CC) $(INCLUDE) $(TESTED) $(STD) $(DEPS) $(SANITIZE) -DLOFT_NUM=LOFT_Q16 \
-	    -DLOFT_PLAN_EFFORT=1 -c $< -o $@
+	$(Q)$(CC) $(INCLUDE) $(TESTED) $(STD) $(DEPS) $(SANITIZE) $(CHIP_FLAGS) -c $< -o $@
 build/effort/%: test_%.c $(patsubst %.c,build/effort/%.o,$(CHIP_SRC))
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(INCLUDE) -Itests $(TESTED) $(STD) $(DEPS) -MF $@.d -MT $@ $(SANITIZE) \
-	    -DLOFT_NUM=LOFT_Q16 -DLOFT_PLAN_EFFORT=1 $< $(filter %.o,$^) -lm -o $@
+	    $(CHIP_FLAGS) $< $(filter %.o,$^) -lm -o $@
 -include $(patsubst %.c,build/effort/%.d,$(CHIP_SRC)) $(CHIP_TESTS:%=build/effort/%.d)
 
 ## Run the planner's tests with the effort of a chip, LOFT_PLAN_EFFORT 1
