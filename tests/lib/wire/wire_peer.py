@@ -18,7 +18,7 @@ STANDING = 'next:I limit:I executed:I state:B flags:B refusal:B control:B '
 MACHINE = {0: ('KEPT', 'at:H room:H origin:B bytes:Z'),
            8: ('WELCOME', 'version:B nonce:X boot:X job:X ' + STANDING +
                'axes:B num:B frame_max:B queue:H tick_hz:H slots:H '
-               'kinds:B curves:H points:H closed:H outputs:B'),
+               'kinds:B curves:H points:H closed:H outputs:B columns:H'),
            9: ('AXIS', 'number:B steps_per_mm:i max_speed:i max_accel:i position:i start:i'),
            10: ('ACK', STANDING),
            11: ('STATUS', STANDING + 'ticks:I elapsed:I slowed:I damaged:I dropped:I '
@@ -107,6 +107,10 @@ class Decoder:
         while data:
             form, points = data.pop(0), []
             feed = self.varint(data) if form & 128 else feed
+            if form & 128 and feed == 0:
+                feed = 1
+                yield self.part(data, form)
+                continue
             for i in range(AXES):
                 p0 = p1 = p2 = p3 = self.position[i]
                 if form >> i & 1 and form & 64:
@@ -122,6 +126,19 @@ class Decoder:
             self.ticks = feed
             p1, p2, p3 = (','.join(map(str, p)) for p in zip(*points))
             yield 'feed=%d p1=%s p2=%s p3=%s' % (feed, p1, p2, p3)
+
+    def part(self, data, form):
+        """of a patch: a head, or two of its points"""
+        points = []
+        for i in range(AXES):
+            p0 = self.position[i]
+            e1, e2 = [self.residual(data) if form >> i & 1 else 0 for _ in range(2)]
+            p1 = signed(p0 + self.change[i] + e1)
+            p2 = signed(p1 + e2)
+            points.append([p1, p2, p0])
+            self.change[i], self.bend[i] = signed(p2 - p0), 0
+        self.ticks = 1
+        return 'feed=0 p1=%s p2=%s p3=%s' % tuple(','.join(map(str, p)) for p in zip(*points))
 
     def group(self, data, axes):
         b = data.pop(0)
