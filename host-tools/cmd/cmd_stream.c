@@ -212,7 +212,7 @@ static void end_of(const job *j, double out[ENGINE_AXES])
 static int dry_run(const stream_options *o, const drawing *d, const parts *all)
 {
     double start[ENGINE_AXES] = { 0, 0, 0 }, seconds = 0;
-    job_options as;
+    job_options as = { .patch = NULL };
     work sum = { .path = { 0 } };
 
     planning_machine(&o->p, &as.limits);
@@ -257,7 +257,7 @@ static int check_machine(const stream_options *o, const loft_sender *s)
 static int plan_for(const stream_options *o, const parts *all, size_t k,
                     const double start[ENGINE_AXES], const loft_sender *s, work *w)
 {
-    job_options as;
+    job_options as = { .patch = NULL };
 
     free_work(w);
     stream_machine(s, &as.limits);
