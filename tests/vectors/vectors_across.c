@@ -286,6 +286,29 @@ static void net_area(row *r)
     row_within(r, "area", fabsl(exact_acc(area) - want) * 65536, (exact_of(tol) + 1e-9L) * 65536);
 }
 
+static void net_cone(row *r)
+{
+    static sheet_of_row a;
+    static loft_sci memory[LOFT_NET_AREA_MEMORY(LOFT_DEGREE_MAX, LOFT_DEGREE_MAX)];
+    const loft_real tol = LOFT_REAL(0.0078125);
+    loft_acc area = 0, volume = 0;
+    loft_vec apex;
+
+    read_sheet(r, 'A', &a);
+    row_points(r, "apex_q16", 1, 3, &apex);
+    if (!as_given(r) || r->complaint[0])
+        return;
+    if (loft_net_area(a.net, tol, memory, &area) != LOFT_OK ||
+        loft_net_cone_volume(a.net, apex, tol, memory, &volume) != LOFT_OK)
+        row_complain(r, "the area or the volume was refused");
+    const char *text = row_text(r, "area");
+    const long double most = exact_of(tol) + 1e-9L, first = row_next(&text);
+    row_within(r, "area", fabsl(exact_acc(area) - first) * 65536, most * 65536);
+    text = row_text(r, "volume");
+    const long double next = row_next(&text);
+    row_within(r, "volume", fabsl(exact_acc(volume) - next) * 65536, most * 65536);
+}
+
 #define SHEET(x) "kind" x ",m" x ",n" x ",net" x "_q16,w" x "_q16"
 
 const vector_system vectors_across[] = {
@@ -300,6 +323,7 @@ const vector_system vectors_across[] = {
       "count exact, uv 2 LSB over the slope + 2^-23" },
     { "surface_fit", "p,q,m,n,U_q16,V_q16,r,c,u_q16,v_q16,P_q16,gain,Q", surface_fit,
       "q16: 0.501 LSB (1 + gain)" },
+    { "net_cone", SHEET("A") ",apex_q16,area,volume", net_cone, "2^-7, as asked" },
     { "net_area", "m,n,net_q16,area", net_area, "2^-7, as asked" },
     { 0 }
 };

@@ -1,5 +1,5 @@
 /* tests/vectors/vectors_sides.c -- readers of what is asked of S-patches: normals and curvatures,
- * the light on them
+ * the light on them, triangles of them
  * SPDX-License-Identifier: MIT
  *
  * own/sides.py makes the rows. Where f32 cannot hold a row's numbers, nothing is compared.
@@ -7,6 +7,7 @@
 #include "vectors/vectors_lines.h"          /* expect_lines */
 #include "vectors/vectors_points.h"         /* as_given; row, answer, law */
 #include "polygon/disk.h"
+#include "polygon/spatch_triangle.h"
 #include "polygon/wachspress.h"
 
 #define POINTS 500
@@ -108,10 +109,62 @@ static void spatch_isophote(row *r)
         row_complain(r, "the patch or the direction was refused");
 }
 
+/* The largest distance of two control points, or more. */
+static long double reach_of(const patch *x, unsigned count)
+{
+    long double sum = 0;
+
+    for (int axis = 0; axis < 3; axis++) {
+        long double low = exact_of(x->p[0].axis[axis]), high = low;
+        for (unsigned k = 1; k < count; k++) {
+            low  = fminl(low, exact_of(x->p[k].axis[axis]));
+            high = fmaxl(high, exact_of(x->p[k].axis[axis]));
+        }
+        sum += (high - low) * (high - low);
+    }
+    return sqrtl(sum);
+}
+
+static void spatch_triangle(row *r)
+{
+    static patch x;
+    static loft_weighted p[LOFT_SPATCH_TRIANGLE_MAX];
+    loft_triangle_rational t;
+    loft_vec share;
+
+    if (!read_patch(r, &x))
+        return;
+    const unsigned edge   = row_count(r, "edge", LOFT_SIDES_MAX - 1),
+                   degree = x.s.depth * (x.s.sides - 2u);
+    row_points(r, "share_q16", 1, 2, &share);
+    if (!as_given(r))
+        return;
+    if (loft_spatch_triangle(&x.s, &x.d, edge, p) != LOFT_OK ||
+        loft_triangle_rational_init(&t, p, degree) != LOFT_OK) {
+        row_complain(r, "the triangle was refused");
+        return;
+    }
+    const loft_bary u = { loft_unit_from(share.axis[0]), loft_unit_from(share.axis[1]) };
+    const loft_vec at = loft_triangle_rational_eval(&t, u);
+    const long double reach = reach_of(&x, loft_multiindex_count(x.s.sides, x.s.depth));
+    long double least = 256;
+    for (unsigned k = 0; k < LOFT_TRIANGLE_POINTS(degree); k++)
+        least = fminl(least, exact_of(p[k].w));
+    /* polygon/spatch_triangle.h and surface/triangle/triangle_rational.h */
+    const long double error = BY_NUM(1.001L * LSB + reach * (0x1p-17L / least + 0x1p-48L),
+                                     2 * x.largest * 0x1p-23L + reach * 0x1p-22L,
+                                     (6 * degree + 5) * x.largest * 0x1p-52L + reach * 0x1p-40L);
+    const char *text = row_text(r, "P");
+    for (int axis = 0; axis < 3; axis++)
+        row_within(r, "P", fabsl(exact_of(at.axis[axis]) - row_next(&text)) * 65536, error * 65536);
+}
+
 const vector_system vectors_sides[] = {
     { "spatch_curvature", "sides,depth,v_q16,net_q16,at_q16,N,gauss,mean,A,B,rise1,rise2",
       spatch_curvature, "that of the derivatives in polygon/spatch.h, twice" },
     { "spatch_isophote", "sides,depth,v_q16,net_q16,D_q16,cos_q16,size,count,slope,uv",
       spatch_isophote, "count exact, uv 2 LSB over the slope + 2^-23" },
+    { "spatch_triangle", "sides,depth,v_q16,net_q16,edge,share_q16,P", spatch_triangle,
+      "q16: 1.001 LSB + E 2^-17 / v" },
     { 0 }
 };

@@ -1,4 +1,5 @@
-# tests/vectors/own/sides.py -- rows of patches with n sides: normals and curvatures, isophotes
+# tests/vectors/own/sides.py -- rows of patches with n sides: normals and curvatures, isophotes,
+# triangles of them
 # SPDX-License-Identifier: MIT
 """usage: python3 tests/vectors/own/sides.py FOLDER     writes the CSV files, the same each time"""
 import math
@@ -283,6 +284,27 @@ def isophotes():
     return rows
 
 
+# Triangles
+
+def triangles():
+    rows = []
+    for k in range(32):
+        v = POLYGONS[k % 4]
+        sides = len(v)
+        depth = rnd.randint(1, min(4, 9 // (sides - 2)))
+        v, net = arb_patch(v, depth)
+        edge = rnd.randrange(sides)
+        share = [F(rnd.randint(0, 32), 64) for _ in range(2)]
+        middle = [sum(p[i] for p in v) / sides for i in (0, 1)]
+        at = [(1 - share[0] - share[1]) * m + share[0] * a + share[1] * b
+              for m, a, b in zip(middle, v[edge], v[(edge + 1) % sides])]
+        one = Jet(1)
+        sums = [x.c[0] for x in spatch(net, depth, wachspress(v, Jet(at[0]), Jet(at[1]), one), one)]
+        rows.append([sides, depth, points(v, raw), points(net, raw), edge, points([share], raw),
+                     numbers([x / sums[3] for x in sums[:3]], digits)])
+    return rows
+
+
 if __name__ == '__main__':
     to = sys.argv[1]
     write(to, 'spatch_curvature', 'S-patch over the polygon v with Wachspress coordinates: unit '
@@ -294,3 +316,6 @@ if __name__ == '__main__':
           'disk of polygon/disk.h (u from the mean of the vertices to the boundary) where the '
           'normal and D have this cosine; slope = the least of d cos / du there',
           'sides,depth,v_q16,net_q16,D_q16,cos_q16,size,count,slope,uv', isophotes())
+    write(to, 'spatch_triangle', 'S-patch over the polygon v with Wachspress coordinates: its point '
+          'at these shares of the vertices edge and edge + 1  the rest is of the mean of all',
+          'sides,depth,v_q16,net_q16,edge,share_q16,P', triangles())

@@ -10,7 +10,7 @@ from curves import basis, solve
 from exact import (F, add, cross, digits, dot, grid, mul, numbers, points, power_of, raw, roots,
                    scale, sub, value, write)
 from sheets import (Level, Over, Sheet, bernstein2, branches, circle2, cosine, cylinder, graph,
-                    light_slope, places, plane, product2, sphere, torus)
+                    halve, light_slope, places, plane, product2, sphere, torus)
 
 rnd = random.Random(1974)
 SIDE = 12
@@ -290,6 +290,54 @@ def areas():
     return rows
 
 
+def cones():
+    """Area and cone volume of nets with weights or without, by two Gauss rules that agree."""
+    rows = []
+    fine, coarse = list(gauss(44)), list(gauss(36))
+    real = lambda x: mpmath.mpf(x.numerator) / x.denominator
+
+    def both(s, apex, nodes):
+        h = Sheet(s.kind, s.m, s.n, s.net, s.w)
+        slopes = [] if s.kind == 'triangle' else [h.slope(0), h.slope(1)]
+        for part in [h] + slopes:
+            part.high = [[real(F(x)) for x in p] for p in part.high]
+        area = volume = mpmath.mpf(0)
+        for x, wx in nodes:
+            for y, wy in nodes:
+                u, v, part = real(x), real(y), wx * wy
+                if s.kind == 'triangle':
+                    v, part = v * (1 - u), part * (1 - u)
+                    here, rest = (1 - u - v, u, v), s.m - 1
+                    p, a, b = [h.blossom(z) for z in ([here] * s.m, [(-1, 1, 0)] + [here] * rest,
+                                                      [(-1, 0, 1)] + [here] * rest)]
+                    a, b = [[s.m * z for z in q] for q in (a, b)]
+                else:
+                    p, a, b = [halve(z.controls(0, u), v) for z in [h] + slopes]
+                at = [z / p[3] for z in p[:3]]
+                a, b = [[(z - q[3] * w) / p[3] for z, w in zip(q, at)] for q in (a, b)]
+                normal = cross(a, b)
+                area += part * mpmath.sqrt(sum(z * z for z in normal))
+                volume += part * sum((z - real(w)) * q for z, w, q in zip(at, apex, normal)) / 3
+        return area, volume
+
+    def take(s):
+        apex = [arb() for _ in range(3)]
+        (a, v), (b, w) = both(s, apex, fine), both(s, apex, coarse)
+        assert abs(a - b) < 1e-9 and abs(v - w) < 1e-9
+        rows.append(sheet_columns(s) + [points([apex], raw), mpmath.nstr(a, 14),
+                                        mpmath.nstr(v, 14)])
+
+    for s in (sphere(F(5), F(1)), cylinder(F(3), F(-2), F(4), F(1)), torus(F(6), F(2), F(1))):
+        take(s)
+    for m, n in ((1, 1), (1, 2), (2, 2), (3, 3)):
+        s = arb_graph(m, n, 2)
+        take(Sheet('tensor', m, n, s.net, [1 + F(rnd.randint(0, 65536), 65536) for _ in s.net]))
+    take(arb_graph(3, 2, 2))
+    for n in (1, 2, 3):
+        take(arb_triangle(n))
+    return rows
+
+
 def gauss(n):
     """Nodes in 0..1 as Fractions of 2^-120, and weights, by Newton's method."""
     for k in range(1, n + 1):
@@ -324,3 +372,6 @@ if __name__ == '__main__':
           'border points  then the least sum of squares; gain = largest sum of a row of the '
           'inverse of both ways', 'p,q,m,n,U_q16,V_q16,r,c,u_q16,v_q16,P_q16,gain,Q', fits())
     write(to, 'net_area', 'area of a tensor patch  14 digits', 'm,n,net_q16,area', areas())
+    write(to, 'net_cone', 'area of a surface  and the volume of the cone over it from a point '
+          '(positive where Pu x Pv points away)  14 digits', sheet('A') + ',apex_q16,area,volume',
+          cones())
