@@ -316,6 +316,6 @@ if __name__ == '__main__':
           'disk of polygon/disk.h (u from the mean of the vertices to the boundary) where the '
           'normal and D have this cosine; slope = the least of d cos / du there',
           'sides,depth,v_q16,net_q16,D_q16,cos_q16,size,count,slope,uv', isophotes())
-    write(to, 'spatch_triangle', 'S-patch over the polygon v with Wachspress coordinates: its point '
-          'at these shares of the vertices edge and edge + 1  the rest is of the mean of all',
+    write(to, 'spatch_triangle', 'S-patch over the polygon v with Wachspress coordinates: its '
+          'point at these shares of the vertices edge and edge + 1  the rest is of the mean of all',
           'sides,depth,v_q16,net_q16,edge,share_q16,P', triangles())
