@@ -4,7 +4,7 @@
  */
 #include <stdlib.h>
 
-#include "toolpath/lines.h"     /* loft_lines */
+#include "machine/patches.h"    /* loft_patches_way, loft_lines */
 
 #include "base/tool.h"          /* tool_grow */
 #include "engine/engine_num.h"
@@ -48,12 +48,7 @@ static int give_lines(const lines_patch *p, const loft_tensor *s, const loft_lin
 int ENGINE_OF(engine_lines)(const lines_patch *p, lines_sink *sink, void *context)
 {
     const loft_patch_head *h = &p->head;
-    const loft_lines_way way = { loft_real_from_raw(h->radius),
-                                 loft_real_from_raw(h->tol),
-                                 loft_real_from_raw(h->safe),
-                                 h->rows,
-                                 h->columns,
-                                 h->one_way };
+    const loft_lines_way way = loft_patches_way(h);
     loft_vec net[LINES_POINTS];
     loft_tensor s;
     bool near;

@@ -613,52 +613,43 @@ const char *job_words(const job *j)
                                          : "spans";
 }
 
-size_t job_moves(const job *j, size_t executed)
+/* How many moves end at that item, or tick, or before: see `ends`. */
+static size_t moves_to(const job *j, uint64_t at)
 {
-    size_t low = 0, high = j->head.kind == LOFT_CURVES ? 0 : j->passed;
+    size_t low = 0, high = j->passed;
 
-    if (j->patch && executed < j->count)        /* they are executed at its end */
-        return 0;
-    if (j->whole && executed >= j->count)
-        return j->of->path->count;
     while (low < high) {
         const size_t middle = low + (high - low) / 2;
-        if (j->ends[middle] <= executed)
+        if (j->ends[middle] <= at)
             low = middle + 1;
         else
             high = middle;
     }
-    if (j->head.kind == LOFT_CURVES)
-        low = executed;
-    return low < j->of->count ? j->of->of[low] : j->of->path->count;
+    return low;
+}
+
+size_t job_moves(const job *j, size_t executed)
+{
+    if (j->patch && executed < j->count)        /* they are executed at its end */
+        return 0;
+    if (j->whole && executed >= j->count)
+        return j->of->path->count;
+    const size_t move = j->head.kind == LOFT_CURVES ? executed : moves_to(j, executed);
+    return move < j->of->count ? j->of->of[move] : j->of->path->count;
 }
 
 double job_seconds(const job *j) { return (double)j->ticks / (double)j->tick_hz; }
 
 static const job_entry *entry_of(const job *j, size_t n) { return &j->entry[n - j->low]; }
 
-/* The first move of a patch that ends behind a tick. */
-static size_t move_at(const job *j, uint64_t tick)
-{
-    size_t low = 0, high = j->passed;
-
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (j->ends[middle] <= tick)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < j->of->count ? low : j->of->count - 1;
-}
-
 size_t job_item_at(const job *j, uint64_t tick)
 {
     size_t low = j->low, high = j->timed;       /* due[low] <= tick < due[high] */
 
-    if (j->patch)
-        return move_at(j, tick);
-
+    if (j->patch) {
+        const size_t move = moves_to(j, tick);
+        return move < j->of->count ? move : j->of->count - 1;
+    }
     while (high > low + 1) {
         const size_t middle = low + (high - low) / 2;
         if (entry_of(j, middle)->due <= tick)

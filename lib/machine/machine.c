@@ -285,26 +285,26 @@ static void begin_job(loft_machine *m, const loft_job *job)
     }
 }
 
+static void refuse_job(loft_machine *m, enum loft_refusal refusal)
+{
+    if (refusal != LOFT_REFUSAL_NONE)
+        give_up_job(m, refusal);
+}
+
 static void take_item(loft_machine *m, const loft_item *item)
 {
-    const bool curve                = job_has_curves(m);
-    const enum loft_refusal refusal = curve ? take_curve(m, item) : LOFT_REFUSAL_NONE;
-
-    if (!curve)
+    if (job_has_curves(m))
+        refuse_job(m, take_curve(m, item));
+    else
         queue_item(m, item);
-    else if (refusal != LOFT_REFUSAL_NONE)
-        give_up_job(m, refusal);
 }
 
 static void end_job(loft_machine *m)
 {
-    const bool curves               = job_has_curves(m);
-    const enum loft_refusal refusal = curves ? end_planner(m) : LOFT_REFUSAL_NONE;
-
-    if (!curves)
+    if (job_has_curves(m))
+        refuse_job(m, end_planner(m));
+    else
         loft_drive_end(&m->drive);
-    else if (refusal != LOFT_REFUSAL_NONE)
-        give_up_job(m, refusal);
 }
 
 void loft_machine_control(loft_machine *m, enum loft_verb verb)

@@ -43,12 +43,7 @@ static enum loft_refusal take_head(loft_patches *p, const loft_item *part)
 static enum loft_refusal begin_lines(loft_patches *p, const loft_vec *at)
 {
     const loft_patch_head *h = &p->head;
-    const loft_lines_way way = { loft_real_from_raw(h->radius),
-                                 loft_real_from_raw(h->tol),
-                                 loft_real_from_raw(h->safe),
-                                 h->rows,
-                                 h->columns,
-                                 h->one_way };
+    const loft_lines_way way = loft_patches_way(h);
     loft_tensor patch;
 
     p->state = LOFT_PATCH_OVER;

@@ -34,6 +34,18 @@ typedef struct {
     uint8_t    state;           /* enum loft_patch_state */
 } loft_patches;
 
+/* How a head says that its patch is cut. */
+static inline loft_lines_way loft_patches_way(const loft_patch_head *h)
+{
+    const loft_lines_way way = { loft_real_from_raw(h->radius),
+                                 loft_real_from_raw(h->tol),
+                                 loft_real_from_raw(h->safe),
+                                 h->rows,
+                                 h->columns,
+                                 h->one_way };
+    return way;
+}
+
 /* Prepare; row[columns + 1] are the places of a line. */
 void loft_patches_init(loft_patches *p, loft_tip row[], uint16_t columns);
 

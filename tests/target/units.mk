@@ -62,6 +62,7 @@ $(UNITS)/stm32f405-f32/%.o: %.c | lib/names.h
 	$(SAY) "  CC  $@"
 	$(Q)arm-none-eabi-gcc -mthumb $(CORTEX_M4F) \
 	    $(patsubst %LOFT_Q16,%LOFT_F32,$(FIRMWARE_FLAGS)) -c $< -o $@
+-include $(patsubst %.c,$(UNITS)/stm32f405-f32/%.d,$(LIB_SRC))
 $(UNITS)/stm32f405-f32/libloft.a: $(patsubst %.c,$(UNITS)/stm32f405-f32/%.o,\
                                               $(LIB_SRC) ports/bare/memory.c)
 	$(Q)rm -f $@; arm-none-eabi-ar rcs $@ $^

@@ -266,11 +266,22 @@ static void surface_fit(row *r)
                        .roundings = BY_NUM(0, 0x1p28L, 64) * (1 + gain) * (1 + gain) * 16 });
 }
 
+static loft_sci area_memory[LOFT_NET_AREA_MEMORY(LOFT_DEGREE_MAX, LOFT_DEGREE_MAX)];
+
+/* The integral in a column, which is asked for within 2^-7. */
+static void expect_integral(row *r, const char *column, enum loft_status status, loft_acc got)
+{
+    const char *text = row_text(r, column);
+
+    if (status != LOFT_OK)
+        row_complain(r, "its %s was refused", column);
+    row_within(r, column, fabsl(exact_acc(got) - row_next(&text)) * 65536,
+               (0x1p-7L + 1e-9L) * 65536);
+}
+
 static void net_area(row *r)
 {
     static sheet_of_row s;
-    static loft_sci memory[LOFT_NET_AREA_MEMORY(LOFT_DEGREE_MAX, LOFT_DEGREE_MAX)];
-    const loft_real tol = LOFT_REAL(0.0078125);
     loft_acc area = 0;
     const unsigned m = row_count(r, "m", LOFT_DEGREE_MAX), n = row_count(r, "n", LOFT_DEGREE_MAX);
 
@@ -279,17 +290,14 @@ static void net_area(row *r)
         row_complain(r, "the patch was refused");
     if (!as_given(r) || r->complaint[0])
         return;
-    if (loft_net_area(loft_net_from_tensor(&s.tensor), tol, memory, &area) != LOFT_OK)
-        row_complain(r, "the area was refused");
-    const char *text = row_text(r, "area");
-    const long double want = row_next(&text);
-    row_within(r, "area", fabsl(exact_acc(area) - want) * 65536, (exact_of(tol) + 1e-9L) * 65536);
+    const loft_net net = loft_net_from_tensor(&s.tensor);
+    const enum loft_status status = loft_net_area(net, LOFT_REAL(0.0078125), area_memory, &area);
+    expect_integral(r, "area", status, area);
 }
 
 static void net_cone(row *r)
 {
     static sheet_of_row a;
-    static loft_sci memory[LOFT_NET_AREA_MEMORY(LOFT_DEGREE_MAX, LOFT_DEGREE_MAX)];
     const loft_real tol = LOFT_REAL(0.0078125);
     loft_acc area = 0, volume = 0;
     loft_vec apex;
@@ -298,15 +306,10 @@ static void net_cone(row *r)
     row_points(r, "apex_q16", 1, 3, &apex);
     if (!as_given(r) || r->complaint[0])
         return;
-    if (loft_net_area(a.net, tol, memory, &area) != LOFT_OK ||
-        loft_net_cone_volume(a.net, apex, tol, memory, &volume) != LOFT_OK)
-        row_complain(r, "the area or the volume was refused");
-    const char *text = row_text(r, "area");
-    const long double most = exact_of(tol) + 1e-9L, first = row_next(&text);
-    row_within(r, "area", fabsl(exact_acc(area) - first) * 65536, most * 65536);
-    text = row_text(r, "volume");
-    const long double next = row_next(&text);
-    row_within(r, "volume", fabsl(exact_acc(volume) - next) * 65536, most * 65536);
+    enum loft_status status = loft_net_area(a.net, tol, area_memory, &area);
+    expect_integral(r, "area", status, area);
+    status = loft_net_cone_volume(a.net, apex, tol, area_memory, &volume);
+    expect_integral(r, "volume", status, volume);
 }
 
 #define SHEET(x) "kind" x ",m" x ",n" x ",net" x "_q16,w" x "_q16"

@@ -4,20 +4,17 @@
  */
 #include <string.h>
 
-#define CURVES 400
-#include "machine/machine.h"
+#define CURVES  400
+#define LONG    900000      /* ms until a test gives up */
 #include "support/motion_chains.h"  /* chain, limits */
 #include "support/motion_oracle.h"  /* path, path_distance */
-#include "toolpath/lines.h"
-#include "wire/sender.h"
+#include "support/planned.h"        /* w, turn_on, go_on, finish */
 
 #if LOFT_MACHINE_PATCHES
 
-#define CELLS   16
 #define RING    64          /* curves of the plan */
 #define KNOTS   176
 #define COLUMNS 32
-#define LONG    900000      /* ms until a test gives up */
 #define ITEMS   20
 
 static loft_move    moves[RING];
@@ -28,18 +25,6 @@ static loft_planner planner;
 static loft_patches patches;
 static loft_lines   lines;
 static path         track;
-
-static struct {
-    loft_machine machine;
-    loft_machine_config config;
-    loft_sender  sender;
-    loft_job     job;
-    loft_job_limits limits;
-    volatile loft_cell cell[CELLS];
-    uint32_t ms, bend, sent;    /* bend: bytes of 65536 that are damaged; sent: to the machine */
-    int32_t  at[LOFT_AXES];     /* the sum of the pulses */
-    arb      arb;
-} w;
 
 /* A job: `before` curves, and a patch after them. */
 static struct {
@@ -93,12 +78,7 @@ static loft_tensor tensor_of(loft_lines_way *way)
 
     for (unsigned k = 0; k < 16; k++)
         points[k] = vec_of(j.net[k]);
-    *way = (loft_lines_way){ .radius = loft_real_from_raw(j.head.radius),
-                             .tol = loft_real_from_raw(j.head.tol),
-                             .safe = loft_real_from_raw(j.head.safe),
-                             .rows = j.head.rows,
-                             .columns = j.head.columns,
-                             .one_way = j.head.one_way };
+    *way = loft_patches_way(&j.head);
     CHECK(loft_tensor_init(&s, points, j.head.m, j.head.n) == LOFT_OK);
     return s;
 }
@@ -154,85 +134,24 @@ static bool arb_job(arb *a)
     return true;
 }
 
-static void source(void *context, uint32_t index, loft_item *out)
-{
-    (void)context;
-    *out = j.item[index];
-}
-
-static void dial(void)      { loft_sender_init(&w.sender, 1000 + w.ms, w.ms); }
-
-/* A machine of 80 steps/mm, 1000 ticks/s. */
 static void switch_on(arb *a, uint16_t columns)
 {
-    w.config = (loft_machine_config){ .info = { .boot = 77, .tick_hz = 1000, .slots = 40 },
-                                      .ramp = 30,
-                                      .cell = w.cell,
-                                      .cells = CELLS,
-                                      .planner = &planner,
-                                      .plan = { .moves = moves,
-                                                .knots = knots,
-                                                .passed = passed,
-                                                .move_room = (uint16_t)(8 + arb_below(a, RING - 7)),
-                                                .knot_room = KNOTS } };
-    if (columns > 0) {
-        w.config.plan.patches = &patches;
-        w.config.plan.row = row;
-        w.config.plan.columns = columns;
-    }
+    const loft_planner_memory plan = { .moves = moves,
+                                       .knots = knots,
+                                       .passed = passed,
+                                       .patches = columns > 0 ? &patches : NULL,
+                                       .row = row,
+                                       .columns = columns,
+                                       .move_room = (uint16_t)(8 + arb_below(a, RING - 7)),
+                                       .knot_room = KNOTS };
+
     w.limits = (loft_job_limits){ .corner = raw(0.005), .tol = raw(0.005) };
     for (int i = 0; i < LOFT_AXES; i++) {
         w.limits.axis[i].max_speed = 100 * 65536;
         w.limits.axis[i].max_accel = 1500 * 65536;
         w.limits.axis[i].max_jerk = arb_below(a, 2) ? 30000 : 0;
-        w.config.info.axis[i] = (loft_axis_config){ .steps_per_mm = 80 * 65536,
-                                                    .max_speed = 300 * 65536,
-                                                    .max_accel = 3000 * 65536 };
-        w.at[i] = 0;
     }
-    w.ms = w.bend = w.sent = 0;
-    w.arb = *a;
-    CHECK(loft_machine_init(&w.machine, &w.config) == LOFT_OK);
-    w.job = (loft_job){ .kind = LOFT_CURVES, .limits = &w.limits };
-    w.job.id = loft_job_id(&w.job, j.count, source, NULL);
-    dial();
-}
-
-static uint8_t bent(uint8_t byte)
-{
-    const unsigned bit = arb_below(&w.arb, 65536) < w.bend ? 1u << arb_below(&w.arb, 8) : 0;
-    return (uint8_t)(byte ^ bit);
-}
-
-/* One ms. */
-static void go_on(void)
-{
-    uint8_t wire[LOFT_FRAME_MAX];
-
-    if (w.sender.phase == LOFT_PHASE_READY)
-        CHECK(loft_sender_begin(&w.sender, &w.job, j.count, source, NULL) == LOFT_OK);
-    size_t count = loft_sender_poll(&w.sender, w.ms, wire);
-    for (size_t i = 0; i < count; i++, w.sent++) {
-        const uint8_t byte = bent(wire[i]);
-        loft_machine_push(&w.machine, &byte, 1);
-    }
-    count = loft_machine_poll(&w.machine, wire);
-    for (size_t i = 0; i < count; i++)
-        loft_sender_push(&w.sender, bent(wire[i]), w.ms);
-    for (int slot = 0; slot < 40; slot++) {
-        loft_machine_tick(&w.machine);
-        const loft_pins pins = loft_machine_slot(&w.machine);
-        for (int i = 0; i < LOFT_AXES; i++)
-            w.at[i] += pins.step >> i & 1 ? (pins.dir >> i & 1 ? -1 : 1) : 0;
-    }
-    loft_machine_tick(&w.machine);
-    w.ms++;
-}
-
-static void finish(void)
-{
-    while (w.sender.phase < LOFT_PHASE_DONE && w.ms < LONG && !check_bad)
-        go_on();
+    turn_on(a, &planner, &plan, j.item, j.count);
 }
 
 /* The place is on the path, not far behind or before the last one. */

@@ -4,12 +4,11 @@
  */
 #include <string.h>
 
-#include "machine/machine.h"
+#define LONG  400000    /* ms until a test gives up */
 #include "support/motion_chains.h"  /* chain, limits, arb_chain, arb_limits */
 #include "support/motion_oracle.h"  /* path, path_distance */
-#include "wire/sender.h"
+#include "support/planned.h"        /* w, turn_on, go_on, finish */
 
-#define CELLS 16
 #define SPANS 1500
 #define KNOTS 176       /* as a chip has */
 
@@ -248,99 +247,14 @@ static void impossible_jobs_are_refused(arb *a)
 // A machine that plans
 // --------------------
 
-#define LONG 400000         /* ms until a test gives up */
-
-static struct {
-    loft_machine machine;
-    loft_machine_config config;
-    loft_sender  sender;
-    loft_job     job;
-    loft_job_limits limits;
-    volatile loft_cell cell[CELLS];
-    uint32_t ms, bend;          /* bend: bytes of 65536 that are damaged         */
-    int32_t  at[LOFT_AXES];     /* the sum of the pulses                         */
-    arb      arb;
-} w;
-
-static void source(void *context, uint32_t index, loft_item *out)
+/* A machine for the chain. */
+static void switch_on(const arb *a, uint16_t move_room)
 {
-    (void)context;
-    *out = items[index];
-}
-
-static uint8_t bent(uint8_t byte)
-{
-    const unsigned bit = arb_below(&w.arb, 65536) < w.bend ? 1u << arb_below(&w.arb, 8) : 0;
-    return (uint8_t)(byte ^ bit);
-}
-
-static void dial(void)      { loft_sender_init(&w.sender, 1000 + w.ms, w.ms); }
-
-/* A machine for the chain; each axis may go 30 steps per tick, at 80 steps/mm and 1000 ticks/s. */
-static void switch_on(arb *a, uint16_t move_room)
-{
-    w.config = (loft_machine_config){ .info = { .boot = 77, .tick_hz = 1000, .slots = 40 },
-                                      .ramp = 30,
-                                      .cell = w.cell,
-                                      .cells = CELLS };
     const loft_planner_memory plan = memory_of(move_room);
 
-#if LOFT_MACHINE_PLANS          /* on a chip that does not plan this is compiled, and not run */
-    w.config.planner = &planner;
-    w.config.plan = plan;
-#else
-    (void)plan;
-#endif
     limits.tick_hz = 1000;
-    for (int i = 0; i < LOFT_AXES; i++) {
-        w.config.info.axis[i].steps_per_mm = 80 * 65536;
-        w.config.info.axis[i].max_speed = 300 * 65536;
-        w.config.info.axis[i].max_accel = 3000 * 65536;
-        w.at[i] = 0;
-    }
-    w.ms = w.bend = 0;
-    w.arb = *a;
-    CHECK(loft_machine_init(&w.machine, &w.config) == LOFT_OK);
     w.limits = asked();
-    w.job = (loft_job){ .kind = LOFT_CURVES, .limits = &w.limits };
-    w.job.id = loft_job_id(&w.job, curves, source, NULL);
-    dial();
-}
-
-static void count_pulses(loft_pins pins)
-{
-    for (int i = 0; i < LOFT_AXES; i++)
-        if (pins.step >> i & 1)
-            w.at[i] += pins.dir >> i & 1 ? -1 : 1;
-}
-
-/* One ms. */
-static void go_on(void)
-{
-    uint8_t wire[LOFT_FRAME_MAX];
-
-    if (w.sender.phase == LOFT_PHASE_READY)
-        CHECK(loft_sender_begin(&w.sender, &w.job, curves, source, NULL) == LOFT_OK);
-    size_t count = loft_sender_poll(&w.sender, w.ms, wire);
-    for (size_t i = 0; i < count; i++) {
-        const uint8_t byte = bent(wire[i]);
-        loft_machine_push(&w.machine, &byte, 1);
-    }
-    count = loft_machine_poll(&w.machine, wire);
-    for (size_t i = 0; i < count; i++)
-        loft_sender_push(&w.sender, bent(wire[i]), w.ms);
-    for (int slot = 0; slot < 40; slot++) {
-        loft_machine_tick(&w.machine);
-        count_pulses(loft_machine_slot(&w.machine));
-    }
-    loft_machine_tick(&w.machine);
-    w.ms++;
-}
-
-static void finish(void)
-{
-    while (w.sender.phase < LOFT_PHASE_DONE && w.ms < LONG && !check_bad)
-        go_on();
+    turn_on(a, &planner, &plan, items, curves);
 }
 
 /* Some curves of 1/2 to 6 mm from the origin. */
@@ -456,12 +370,7 @@ static void a_machine_without_a_planner_is_sent_no_curves(arb *a)
 {
     arb_drawing(a);
     switch_on(a, CURVES);
-    w.config = (loft_machine_config){ .info = { .boot = 77, .tick_hz = 1000, .slots = 40 },
-                                      .ramp = 30,
-                                      .cell = w.cell,
-                                      .cells = CELLS };
-    for (int i = 0; i < LOFT_AXES; i++)
-        w.config.info.axis[i].steps_per_mm = 80 * 65536;
+    w.config = plain_machine();
     CHECK(loft_machine_init(&w.machine, &w.config) == LOFT_OK);
     while (w.sender.phase < LOFT_PHASE_READY && w.ms < LONG)
         go_on();
