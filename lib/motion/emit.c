@@ -287,6 +287,21 @@ static void set_last(loft_emit *e, int64_t ticks)
     }
 }
 
+/* By how much the motion leaves the samples around loose points, beyond what the tube leaves. */
+static int32_t missed(const loft_emit *e)
+{
+    const loft_coord left = e->period->tol - e->period->tube;
+    loft_coord most = left;
+
+    for (unsigned k = first_loose(e); k + 2 < e->count; k++) {
+        loft_position x;
+        for (int i = 0; i < LOFT_AXES; i++)
+            x.axis[i] = loft_coord_add(e->point[k].axis[i], (d1(e, k + 1, i) - d1(e, k, i)) / 6);
+        most = loft_coord_most(most, loft_path_miss_of(&e->sample[k - 2], &x));
+    }
+    return badness(e, most - left, e->period->tol);
+}
+
 /* Move points so that limits are held where the last period has so many ticks; gives what remains
  * too much, up to 1 for a 1024th. */
 static int32_t end_with(loft_emit *e, int64_t ticks)
@@ -299,7 +314,7 @@ static int32_t end_with(loft_emit *e, int64_t ticks)
         bad = mend(e, k, (range){ first_loose(e), k - 1 });
     }
     set_last(e, ticks);
-    return bad;
+    return loft_coord_most(bad, missed(e));
 }
 
 static void copy_points(loft_position *to, const loft_position *from, unsigned n)

@@ -151,17 +151,15 @@ static void place(loft_plan *plan)
 
 static loft_timing timing_of(const loft_plan *plan)
 {
-    const loft_timing timing = { .period = &plan->period,
-                                 .knot = plan->knot,
-                                 .from = plan->sure == 0 ? 1 : plan->sure + 2u,
-                                 .to = plan->ended ? plan->placed : plan->placed - 3u,
-                                 .end = plan->placed - 2u,
-                                 .open = !plan->ended };
-    return timing;
+    return (loft_timing){ .period = &plan->period,
+                          .knot = plan->knot,
+                          .from = plan->sure == 0 ? 1 : plan->sure + 2u,
+                          .to = plan->ended ? plan->placed : plan->placed - 3u,
+                          .end = plan->placed - 2u,
+                          .open = !plan->ended };
 }
 
-/* A pace for knots that have none: a creep, or, where the chain is known as a whole, an even one.
- */
+/* A pace for knots that have none: a creep, or an even one of a chain that is known as a whole. */
 static void creep(loft_plan *plan)
 {
     const unsigned from = plan->timed, to = plan->placed;
@@ -249,12 +247,6 @@ static bool refine(loft_plan *plan)
     return true;
 }
 
-/* How often all of a part is raised. */
-static unsigned sweeps_of(const loft_plan *plan)
-{
-    return plan->known > 0 ? RAISES : plan->refined > 0 ? 2 * RAISES : 4 * RAISES;
-}
-
 /* All that was loaded is timed. */
 static void finish_load(loft_plan *plan)
 {
@@ -307,7 +299,7 @@ static enum loft_path_state load(loft_plan *plan)
         break;
     case PLACING:
         place(plan);
-        begin_raising(plan, sweeps_of(plan));
+        begin_raising(plan, RAISES * (plan->known > 0 ? 1u : plan->refined > 0 ? 2u : 4u));
         plan->stage = ALL ? RAISING : AIMING;
         break;
     case AIMING:
@@ -399,19 +391,14 @@ static loft_time step_of(const loft_plan *plan)
     return LOFT_TIME_ONE - plan->lag / n * 6 * i / (n + 1) * i / (2 * n + 1);
 }
 
-/* The largest feed around a sample. */
-static loft_coord feed_of(const loft_plan *plan)
-{
-    const loft_knot *k = &plan->knot[plan->at.knot];
-    return loft_coord_most(k[0].is.on.feed, k[1].is.on.feed);
-}
-
+/* With the feed of the way to the next knot. */
 static bool add_sample(loft_plan *plan)
 {
+    const loft_knot *k = &plan->knot[plan->at.knot];
     loft_position p;
 
     loft_sample_place(&plan->at, plan->knot, &p);
-    loft_emit_add(&plan->emit, &p, feed_of(plan), plan->knot[plan->at.knot].is.on.number);
+    loft_emit_add(&plan->emit, &p, k[1].is.on.feed, k->is.on.number);
     return true;
 }
 

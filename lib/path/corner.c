@@ -6,6 +6,12 @@
  * the launch has lasted N = cbrt(6 (x + X(t)) / j) periods, and a period later, or before, it is at
  * X(N +- 1). The next place is the nearest that any corner, or the cap of speed, allows.
  *
+ * A launch to the speed v has at most the jerk of the axes, and what acceleration a allows. With
+ * 2 a^2 / v it reaches v in the time v / a, as even acceleration does, and has 2 a in the end. If
+ * that is longer than a window of a guess (guess.h), places would be too far apart there to brake
+ * for when the next window is known. So from LONG periods on it is a^2 / (2 v), and ends with a:
+ * where there is a guess.
+ *
  * The size of a corner is measured at the scale of the tolerance. Let a and b be the points of the
  * path at the distance l before and behind a joint P, with l = 1, 2, 4, 8, 16 times the tolerance.
  * If P is nearer to the middle of a and b than 0.65 tol the tolerance swallows it. Otherwise it
@@ -20,12 +26,21 @@
  * Where corners have a larger tolerance, that is the one at joints that turn by more than 5
  * degrees, at the scale of the tolerance as well. It holds on ways from a place to the next that
  * are wholly within 31 times itself from them.
+ *
+ * Bends turn by too little at that scale. Where one of more than 16 tol is tightest, with the
+ * curvature k, it is passed at sqrt(a / k): if that is less than half of the cap, it is a corner as
+ * well. So places come to the tip of a bend at a distance that shrinks slowly.
  */
 #include "path/corner.h"
 
 #define ONE         LOFT_CORNER_ONE
-#define TIME_MAX    ((int32_t)256 * ONE)
-#define FAR         ((int64_t)1 << 30)              /* what is farther has no effect */
+#define TIME_MAX    ((int32_t)4096 * ONE)
+#define FAR         ((int64_t)1 << 34)              /* what is farther has no effect */
+#define NEARER      ((int64_t)1 << 31)              /* from here on times are rounded to 2^-7 */
+#define WAY_MAX     ((loft_coord)1 << 30)
+#define GUESSED     (LOFT_PLAN_EFFORT > 1)          /* places are a guess, made again */
+#define SHORT       51                              /* periods of a ramp, */
+#define LONG        64                              /* and of one that is long for a guess */
 #define CAP_MAX     (4 * LOFT_COORD_MM)
 #define UNIT        LOFT_CHAIN_UNIT
 #define SHARP       LOFT_CHAIN_SHARP
@@ -40,15 +55,17 @@
 /* X(n). */
 static int64_t launched(loft_coord jerk, int32_t n)
 {
-    const int64_t x = ((int64_t)jerk * n >> 4) * n >> 10;
-    return n >= TIME_MAX || x > (int64_t)1 << 42 ? 4 * FAR : (x * n >> 10) / (6 * 64);
+    const int64_t most = (int64_t)1 << 41, v = (int64_t)jerk * n >> 4,
+                  x = v < most ? v * n >> 10 : v;
+    return n >= TIME_MAX || x >= most ? 4 * FAR : (x * n >> 10) / (6 * 64);
 }
 
 /* N(x). */
 static int32_t launch_time(loft_coord jerk, int64_t x)
 {
-    const uint32_t n = x >= FAR ? TIME_MAX
-                                : loft_coord_cbrt(((uint64_t)x * 6 << 30) / (uint32_t)jerk);
+    const uint32_t n = x < NEARER ? loft_coord_cbrt(((uint64_t)x * 6 << 30) / (uint32_t)jerk)
+                       : x < FAR  ? loft_coord_cbrt(((uint64_t)x * 6 << 21) / (uint32_t)jerk) << 3
+                                  : TIME_MAX;
     return n < TIME_MAX ? (int32_t)n : TIME_MAX;
 }
 
@@ -67,7 +84,11 @@ static loft_coord along(const loft_coord limit[], const int16_t u[])
 
 loft_coord loft_corner_jerk(const loft_period *p, const int16_t u[], loft_coord cap)
 {
-    const int64_t a = along(p->accel, u), soft = 2 * a * a / cap;
+    const int64_t a = along(p->accel, u), ramp = cap / a,
+                  times = !GUESSED || ramp <= SHORT ? 8
+                          : ramp < LONG ? 8 - 6 * (ramp - SHORT) / (LONG - SHORT)
+                                                    : 2,
+                  soft = a * a * times / (4 * (int64_t)cap);
     loft_coord jerk = soft < CAP_MAX ? (loft_coord)soft + 1 : CAP_MAX;
 
     for (int i = 0; i < LOFT_AXES; i++) {
@@ -269,7 +290,9 @@ loft_corner loft_corner_of(int64_t s, loft_coord speed, loft_coord jerk, bool sh
 
     k.time = (int32_t)loft_coord_sqrt(((uint64_t)(uint32_t)speed * 2 << 20) / (uint32_t)jerk);
     const int64_t way = launched(jerk, k.time);
-    k.way = way < FAR ? (loft_coord)way : (loft_coord)FAR;
+    k.way = way < WAY_MAX ? (loft_coord)way : WAY_MAX;
+    if (way > WAY_MAX)
+        k.time = launch_time(jerk, WAY_MAX);
     return k;
 }
 
@@ -313,24 +336,76 @@ static bool is_close(const loft_corners *c, int64_t s, loft_coord speed)
     return c->count > 0 && last->sharp && s - last->s < speed / CLOSE;
 }
 
+/* A corner at s between two directions, around which the cap of speed is `cap`. */
+static void add_corner(loft_corners *c, int64_t s, loft_coord speed, loft_coord cap,
+                       const int16_t before[], const int16_t after[], bool sharp)
+{
+    const loft_period *p = c->chain->period;
+    const loft_coord jerk = loft_coord_least(loft_corner_jerk(p, before, cap),
+                                             loft_corner_jerk(p, after, cap));
+
+    loft_corners_add(c, loft_corner_of(s, speed > 1 ? speed : 1, jerk, sharp));
+}
+
 /* The joint before stretch `looked`. */
 static void look_at_joint(loft_corners *c)
 {
     const int64_t s = known(c);
     const unsigned i = c->looked;
-    const loft_period *p = c->chain->period;
     const loft_corner_stretch *before = &c->stretch[i - 1], *after = &c->stretch[i];
-    const bool corner = is_corner(c, i);
+    const bool corner = is_corner(c, i), sharp = is_sharp(before, after);
     const loft_coord speed = joint_speed(c, i, corner),
-                     cap = loft_coord_least(before->cap, after->cap);
+                     cap = sharp ? loft_coord_most(before->cap, after->cap)
+                                 : loft_coord_least(before->cap, after->cap);
 
     if (corner)
         add_zone(c, s);
     if (speed < cap)
-        loft_corners_add(c, loft_corner_of(s, speed > 1 ? speed : 1,
-                                           loft_coord_least(loft_corner_jerk(p, before->to, cap),
-                                                            loft_corner_jerk(p, after->from, cap)),
-                                           is_sharp(before, after) && !is_close(c, s, speed)));
+        add_corner(c, s, speed, cap, before->to, after->from, sharp && !is_close(c, s, speed));
+}
+
+/* How much the path turns in a stretch. */
+static int32_t turned(const loft_corner_stretch *e)
+{
+    int32_t sum = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        sum += loft_coord_abs(e->to[i] - e->from[i]);
+    return sum;
+}
+
+/* Does stretch a bend more than b? */
+static bool bends_more(const loft_corner_stretch *a, const loft_corner_stretch *b)
+{
+    return (int64_t)turned(a) * b->length > (int64_t)turned(b) * a->length;
+}
+
+/* The speed with which the axes can follow the bend of a stretch. */
+static loft_coord bend_speed(const loft_period *p, const loft_corner_stretch *e)
+{
+    int64_t most = (int64_t)CAP_MAX * CAP_MAX / UNIT;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t part = loft_coord_abs(e->to[i] - e->from[i]),
+                      way = (int64_t)p->accel[i] * e->length;
+        if (part * most > way)
+            most = way / part;
+    }
+    return (loft_coord)loft_coord_sqrt((uint64_t)most * UNIT);
+}
+
+/* The tip of a bend, if that is the stretch before `looked`: smaller ones are corners. */
+static void look_at_tip(loft_corners *c)
+{
+    const loft_period *p = c->chain->period;
+    const loft_corner_stretch *e = &c->stretch[c->looked - 1u];
+
+    if (c->looked < 2 || e->length <= (int64_t)p->tol << (SCALES - 1) || !bends_more(e, e - 1) ||
+        bends_more(e + 1, e))
+        return;
+    const loft_coord speed = bend_speed(p, e);
+    if (speed < e->cap / 2)
+        add_corner(c, known(c) - e->length / 2, speed, e->cap, e->from, e->to, false);
 }
 
 /* The largest scale at which a joint is looked at. */
@@ -367,8 +442,10 @@ static void look(loft_corners *c, bool all)
 
     while (c->looked < c->stretches && !loft_corners_full(c) &&
            (all || scanned(c) - known(c) > need)) {
-        if (c->looked > 0)
+        if (c->looked > 0) {
+            look_at_tip(c);
             look_at_joint(c);
+        }
         c->looked++;
     }
 }

@@ -184,6 +184,18 @@ loft_coord loft_path_miss(const loft_path_place *const at[5], const loft_positio
     return loft_coord_least(before, behind);
 }
 
+loft_coord loft_path_miss_of(const loft_position at[5], const loft_position *p)
+{
+    loft_path_place place[5];
+    const loft_path_place *all[5];
+
+    for (unsigned k = 0; k < 5; k++) {
+        place[k] = (loft_path_place){ .at = at[k] };
+        all[k] = &place[k];
+    }
+    return loft_path_miss(all, p);
+}
+
 /* It is off by a 36th of the fourth difference. */
 bool loft_path_missed(const loft_path_place *const at[5], loft_coord most)
 {

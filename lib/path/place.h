@@ -66,6 +66,9 @@ bool loft_path_turns_back(const loft_path_place *a, const loft_path_place *b,
  * there, its tip is as far from p as any of it. */
 loft_coord loft_path_miss(const loft_path_place *const at[5], const loft_position *p);
 
+/* The same of five places none of which is sharp. */
+loft_coord loft_path_miss_of(const loft_position at[5], const loft_position *p);
+
 /* Is the smooth path (tube.h) farther than that from the middle one, before it is smoothed? */
 bool loft_path_missed(const loft_path_place *const at[5], loft_coord most);
 

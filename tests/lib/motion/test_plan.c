@@ -77,28 +77,53 @@ static void long_ramps_are_as_steep_as_short_ones(arb *a)
     CHECK(seconds() <= EFFORT(1.02, 1.04) * scurve_time(length, 100, 200, jerk > 0 ? jerk : 1e9));
 }
 
+#define LINES 20
+
 /* Ramps of 5 to 100 periods, and lines that are known as a whole or not: within 15 % and a period
  * of the exact S-curve, and within 3 % as a rule. */
 static void lines_with_any_ramps_take_little_more(arb *a)
 {
+    static double sum;
     const arrival how = { CURVES, 176, NULL };
-    double sum = 0;
+    double accel = 0, length = 0, jerk = 0;
+    loft_period p;
 
-    for (int n = 0; n < 20; n++) {
-        const double accel = arb_decades(a, 100, 3000), length = arb_between(a, 50, 600),
-                     jerk = accel * arb_between(a, 40, 50);
-        loft_period p;
-        even_limits(100, accel, jerk);
-        loft_period_init(&p, &limits);
-        add_line(length, 100);
-        CHECK(plan_chain(&how) == PLANNED);
-        CHECK(spans_connect());
-        const double least = scurve_time(length, 100, accel, floor(jerk)),
-                     most = seconds() - (double)p.ticks / p.tick_hz;
-        CHECK(seconds() >= least * 0.99 && most <= 1.15 * least);
-        sum += most / least;
+    *a = arb_start(1);                              /* seed k is the k-th line that it draws */
+    for (uint64_t k = 0; k < check_seed; k++) {
+        accel  = arb_decades(a, 100, 3000);
+        length = arb_between(a, 50, 600);
+        jerk   = accel * arb_between(a, 40, 50);
     }
-    CHECK(sum <= 20 * 1.03);
+    even_limits(100, accel, jerk);
+    loft_period_init(&p, &limits);
+    add_line(length, 100);
+    CHECK(plan_chain(&how) == PLANNED);
+    CHECK(spans_connect());
+    const double least = scurve_time(length, 100, accel, floor(jerk)),
+                 most = seconds() - (double)p.ticks / p.tick_hz;
+    CHECK(seconds() >= least * 0.99 && most <= 1.15 * least);
+    sum += most / least;
+    if (!check_sampled() && check_seed == LINES)
+        CHECK(sum <= LINES * 1.03);
+}
+
+/* Lines that end before the feed is reached, or soon after, with ramps of up to hundreds of
+ * periods: within a fifth and a period of the exact S-curve. */
+static void lines_shorter_than_their_ramps_take_little_more(arb *a)
+{
+    const arrival how = { CURVES, 400, NULL };
+    const double accel = arb_decades(a, 50, 500), length = arb_between(a, 30, 150),
+                 jerk = accel * arb_between(a, 8, 80);
+    loft_period p;
+
+    even_limits(200, accel, jerk);
+    loft_period_init(&p, &limits);
+    add_line(length, 200);
+    CHECK(plan_chain(&how) == PLANNED);
+    CHECK(spans_connect());
+    const double least = scurve_time(length, 200, accel, floor(jerk)),
+                 most = seconds() - (double)p.ticks / p.tick_hz;
+    CHECK(seconds() >= least * 0.99 && most <= 1.2 * least);
 }
 
 static void outline(double feed)
@@ -312,11 +337,8 @@ static void larger_corners_are_faster(bool star)
 static void corners_are_rounded_within_their_own(arb *a)
 {
     (void)a;
-    for (int jerk = 0; jerk < 2; jerk++)
-        for (int star = 0; star < 2; star++) {
-            even_limits(200, 3000, jerk * 100000);
-            larger_corners_are_faster(star);
-        }
+    even_limits(200, 3000, check_seed & 1 ? 0 : 100000);
+    larger_corners_are_faster(check_seed & 2);
 }
 
 /* Room falls with each curve; all of them are behind it where it rests, and never more than were
@@ -527,12 +549,13 @@ int main(void)
     PROPERTY(no_arrival_stalls_it, 50);
     PROPERTY(lines_take_little_more_than_an_s_curve, 20);
     PROPERTY(long_ramps_are_as_steep_as_short_ones, 8);
-    PROPERTY(lines_with_any_ramps_take_little_more, 1);
+    PROPERTY(lines_with_any_ramps_take_little_more, LINES);
+    PROPERTY(lines_shorter_than_their_ramps_take_little_more, 10);
     PROPERTY(it_does_not_matter_how_a_path_is_cut, 2);
     PROPERTY(spans_are_few_bytes, 1);
     PROPERTY(hairpins_are_passed_at_speed, 2);
     PROPERTY(more_tolerance_is_faster, 1);
-    PROPERTY(corners_are_rounded_within_their_own, 1);
+    PROPERTY(corners_are_rounded_within_their_own, 4);
     PROPERTY(room_and_passed_curves_are_told, 2);
     PROPERTY(the_way_back_takes_the_same_time, 6);
     PROPERTY(a_short_look_ahead_costs_little_time, 2);
