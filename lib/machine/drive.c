@@ -62,7 +62,7 @@ enum loft_status loft_drive_begin(loft_drive *d, enum loft_kind kind,
         return LOFT_ERR_ARG;
     loft_step_position(&d->step, d->target);
     for (int i = 0; i < LOFT_AXES; i++)
-        if ((kind == LOFT_SPANS ? steps_of(d, i, start[i]) : start[i]) != d->target[i])
+        if ((kind == LOFT_POINTS ? start[i] : steps_of(d, i, start[i])) != d->target[i])
             return LOFT_ERR_RANGE;
     if (loft_pace_init(&d->pace, d->slots, d->ramp) != LOFT_OK ||
         loft_queue_init(&d->queue, d->queue.cell, d->queue.count) != LOFT_OK)
@@ -125,7 +125,7 @@ bool loft_drive_inside(const loft_drive *d, const loft_item *item)
         int32_t to = item->p[2][i], from = d->end[i];
         if (!(d->tabled & 1u << i))
             continue;
-        if (d->kind == LOFT_SPANS) {
+        if (d->kind != LOFT_POINTS) {
             to   = steps_of(d, i, to);
             from = steps_of(d, i, from);
         }
@@ -204,11 +204,11 @@ enum loft_status loft_drive_push(loft_drive *d, const loft_item *item)
 {
     if (!d->active || d->abort)
         return LOFT_OK;
-    if (!(d->kind == LOFT_SPANS ? span_valid(d, item) : point_valid(d, item)))
+    if (!(d->kind == LOFT_POINTS ? point_valid(d, item) : span_valid(d, item)))
         return LOFT_ERR_RANGE;
 
-    const enum loft_status status = d->kind == LOFT_SPANS ? queue_span(d, item)
-                                                          : queue_point(d, item);
+    const enum loft_status status = d->kind == LOFT_POINTS ? queue_point(d, item)
+                                                           : queue_span(d, item);
     if (status == LOFT_OK) {
         loft_place_copy(d->end, item->p[2]);
         d->fresh = false;

@@ -13,7 +13,8 @@
  * The law of supply: while the end of the job is not known, the pace follows the fill of the queue.
  * Pace 1 needs a quarter of the queue, or sixteen times the ticks from pace 1 to a stop, whichever
  * is less. So a line that is too slow makes the machine as slow as itself, even if items come in
- * portions. After the line is cut, the machine stops before the queue is empty.
+ * portions. After the line is cut, the machine stops before the queue is empty. Spans that a
+ * planner of this machine makes need half of that: no line delays them.
  */
 #ifndef LOFT_MACHINE_DRIVE_H
 #define LOFT_MACHINE_DRIVE_H
@@ -90,7 +91,7 @@ typedef struct {
     volatile uint8_t active;            /* main loop sets it: a job is under way; tick clears it */
     volatile uint8_t hold, abort, ended, percent;
     volatile uint8_t halt;              /* the abort is one at once */
-    uint8_t  kind;
+    uint8_t  kind;                      /* LOFT_CURVES: spans that are made here */
     bool     fresh;                     /* main loop: nothing is pushed yet */
     int32_t  end[LOFT_AXES];            /* main loop: the end of the last pushed item */
     const loft_axis_config *axis;
@@ -117,8 +118,8 @@ enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config)
 // Main loop
 // ---------
 
-/* Begin a job of items of `kind` at `start` (spans: raw Q16.16 mm; points: steps). The job begins
- * without a hold and at 100 percent.
+/* Begin a job of items of `kind` at `start` (spans: raw Q16.16 mm; points: steps); LOFT_CURVES: of
+ * spans that a planner makes of curves here. The job begins without a hold and at 100 percent.
  *
  *   range   no job is under way, otherwise LOFT_ERR_ARG; `start` equals the machine's position to
  *           the step, otherwise LOFT_ERR_RANGE */

@@ -57,7 +57,9 @@ static bool walk_is_ready(const loft_drive *d) { return d->ready && d->ready_ite
  * and keeps it there: d fill / dt = q - fill / H approaches q H without oscillation. While the fill
  * is within 1/8 of the value for the pace, the pace does not change, so that items may come in
  * portions. From a stop the fill must reach a sixteenth of that for pace 1, so that the motion can
- * continue.
+ * continue. A line that delivers q > 1 fills an empty queue to H in the time H ln(q / (q - 1)),
+ * of which H (1 - (q - 1) ln(q / (q - 1))) are lost. What is planned here counts twice: no frame
+ * of it is lost, and its portions are the spans of some knots.
  *
  * Independent of that, the level is limited. It changes by one unit per tick, and each tick takes
  * one of `ahead`. In units of the level:
@@ -75,7 +77,7 @@ static uint16_t level_of_pace(uint16_t full, uint16_t pace)      /* Q8; 2^14 * 2
 /* Does a span of several ticks come next? Its beginning is enough work for one tick. */
 static bool long_span_begins(const loft_drive *d)
 {
-    return d->kind == LOFT_SPANS && d->left == 0 && d->supply && loft_queue_first(&d->queue) &&
+    return d->kind != LOFT_POINTS && d->left == 0 && d->supply && loft_queue_first(&d->queue) &&
            loft_queue_first(&d->queue)->ticks > 1;
 }
 
@@ -84,7 +86,8 @@ static uint16_t supplied_level(loft_drive *d)
     const uint16_t full = loft_pace_full(&d->pace), unit = loft_pace_unit(&d->pace);
     const uint32_t need = loft_queue_full(&d->queue) ? 1 : 1 + LOFT_DRIVE_MARGIN,
                    items = (uint32_t)d->queue.looked * d->share;
-    const uint32_t fill = d->ahead > items ? d->ahead : items;
+    const uint32_t held = d->ahead > items ? d->ahead : items,
+                   fill = LOFT_MACHINE_PLANS && d->kind == LOFT_CURVES ? 2 * held : held;
 
     if (fill >= (uint32_t)20 * (d->ramp + 1u)) {
         d->supply = (uint16_t)(4 * full);
@@ -210,7 +213,7 @@ void loft_drive_prepare(loft_drive *d)
     const volatile loft_item *item;
     uint8_t number, behind = 0;
 
-    if (!d->active || walk_is_prepared(d) || d->kind != LOFT_SPANS)
+    if (!d->active || walk_is_prepared(d) || d->kind == LOFT_POINTS)
         return;
     d->ready = 0;
     do {
@@ -328,7 +331,7 @@ static bool next_target(loft_drive *d)
 /* Does a span come next that the main loop must still prepare? */
 static bool walk_is_missing(const loft_drive *d)
 {
-    if (LOFT_MACHINE_TICK_PREPARES || d->kind != LOFT_SPANS || d->left || !d->ahead ||
+    if (LOFT_MACHINE_TICK_PREPARES || d->kind == LOFT_POINTS || d->left || !d->ahead ||
         walk_is_ready(d))
         return false;
     const volatile loft_item *item = loft_queue_first(&d->queue);

@@ -269,8 +269,7 @@ static void begin_job(loft_machine *m, const loft_job *job)
         return;
     }
     loft_latch_rest(&m->latch);             /* that of the last job ends nothing any more */
-    switch (
-        loft_drive_begin(&m->drive, curves ? LOFT_SPANS : (enum loft_kind)job->kind, job->start)) {
+    switch (loft_drive_begin(&m->drive, (enum loft_kind)job->kind, job->start)) {
     case LOFT_OK:
         m->job.id   = job->id;
         m->job.kind = job->kind;
