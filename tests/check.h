@@ -8,9 +8,10 @@
  *     static void ends_on_the_last_point(arb *a) { ... CHECK(x == y); ... }
  *     int main(void) { PROPERTY(ends_on_the_last_point, 2000); return check_failures(); }
  *
- * On a target, only one of CHECK_SHARE seeds runs. Exhaustive loops use the step CHECK_STEP, and
- * totals over all seeds are checked only if !check_sampled(). Each property prints one line, `ok`
- * or `FAIL`. check_failures() prints the totals and returns the exit code.
+ * On a target, only one of CHECK_SHARE seeds runs; on a host LOFT_SHARE=<n> does the same.
+ * Exhaustive loops use the step CHECK_STEP, and totals over all seeds are checked only if
+ * !check_sampled(). Each property prints one line, `ok` or `FAIL`. check_failures() prints the
+ * totals and returns the exit code.
  */
 #ifndef LOFT_TESTS_CHECK_H
 #define LOFT_TESTS_CHECK_H
@@ -72,18 +73,26 @@ static inline void check_near(double got, double want, double bound, const char 
     check_bad = true;
 }
 
+/* One of how many seeds does this run use? */
+static inline unsigned check_one_of(void)
+{
+    const char *share = CHECK_SHARE > 1 ? NULL : getenv("LOFT_SHARE");
+    const unsigned long n = share ? strtoul(share, NULL, 10) : CHECK_SHARE;
+    return n > 1 ? (unsigned)n : 1;
+}
+
 /* Does this run use only some of the seeds? */
-static inline bool check_sampled(void) { return CHECK_SHARE > 1 || getenv("LOFT_SEED") != NULL; }
+static inline bool check_sampled(void) { return check_one_of() > 1 || getenv("LOFT_SEED") != NULL; }
 
 /* The step of an exhaustive loop. */
-#define CHECK_STEP (CHECK_SHARE > 1 ? 31 : 1)
+#define CHECK_STEP (check_one_of() > 1 ? 31 : 1)
 
-#define PROPERTY(name, times) check_property(#name, name, ((times) + CHECK_SHARE - 1) / CHECK_SHARE)
+#define PROPERTY(name, times)                                                                      \
+    check_property(#name, name, ((times) + check_one_of() - 1) / check_one_of())
 
-/* For properties that take seconds per seed: skipped, with a message, if CHECK_SHARE is more than
- * 1. */
+/* For properties that take seconds per seed: skipped, with a message, in a share of the seeds. */
 #define PROPERTY_LONG(name, times)                                                                 \
-    (CHECK_SHARE > 1 ? check_left(#name, name) : PROPERTY(name, times))
+    (check_one_of() > 1 ? check_left(#name, name) : PROPERTY(name, times))
 
 static inline void check_property(const char *name, void (*property)(arb *), unsigned times)
 {

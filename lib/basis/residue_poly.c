@@ -3,107 +3,119 @@
  */
 #include "basis/residue_poly.h"
 
+void loft_residue_derive(const loft_residue *r, const uint32_t q[], unsigned degree, uint32_t out[])
+{
+    for (unsigned j = 1; j <= degree; j++)
+        out[j - 1] = loft_residue_mul(r, q[j], j);
+    out[degree] = 0;
+}
+
 loft_residue_poly loft_residue_poly_derivative(const loft_residue *r, const loft_residue_poly *q)
 {
     loft_residue_poly d = { { 0 }, q->degree > 0 ? q->degree - 1 : 0 };
 
-    for (unsigned j = 1; j <= q->degree; j++)
-        d.c[j - 1] = loft_residue_mul(r, q->c[j], j);
+    loft_residue_derive(r, q->c, q->degree, d.c);
     return d;
 }
 
-static bool poly_is_zero(const loft_residue_poly *q) { return q->degree == 0 && q->c[0] == 0; }
-
-void loft_residue_poly_trim(loft_residue_poly *q)
+void loft_residue_divide(const loft_residue *r, uint32_t a[], unsigned n, const uint32_t b[],
+                         unsigned d, uint32_t quotient[])
 {
-    while (q->degree > 0 && q->c[q->degree] == 0)
-        q->degree--;
+    const uint32_t inverse = loft_residue_inverse(r, b[d]);
+
+    for (unsigned k = n - d + 1; k-- > 0; ) {
+        const uint32_t f = loft_residue_mul(r, a[k + d], inverse);
+        quotient[k] = f;
+        for (unsigned j = 0; j <= d; j++)
+            a[k + j] = loft_residue_sub(r, a[k + j], loft_residue_mul(r, f, b[j]));
+    }
 }
 
-loft_residue_poly loft_residue_poly_divide(const loft_residue *r, loft_residue_poly *a,
-                                           const loft_residue_poly *b)
+/* How many of the coefficients are left without the highest ones that are 0. */
+static unsigned trimmed(const uint32_t a[], unsigned count)
 {
-    loft_residue_poly quotient = { { 0 }, 0 };
-    const uint32_t inverse = loft_residue_inverse(r, b->c[b->degree]);
+    while (count > 0 && a[count - 1] == 0)
+        count--;
+    return count;
+}
 
-    if (a->degree < b->degree)
-        return quotient;
-    quotient.degree = a->degree - b->degree;
-    for (unsigned k = quotient.degree + 1; k-- > 0; ) {
-        const uint32_t f = loft_residue_mul(r, a->c[k + b->degree], inverse);
-        quotient.c[k] = f;
-        for (unsigned j = 0; j <= b->degree; j++)
-            a->c[k + j] = loft_residue_sub(r, a->c[k + j], loft_residue_mul(r, f, b->c[j]));
+const uint32_t *loft_residue_gcd(const loft_residue *r, uint32_t a[], unsigned n, uint32_t b[],
+                                 unsigned m, uint32_t quotient[], unsigned *degree)
+{
+    for (;;) {
+        if (n > 0 && n >= m) {
+            if (m == 0)
+                break;
+            loft_residue_divide(r, a, n - 1, b, m - 1, quotient);
+            n = trimmed(a, m - 1);
+        }
+        uint32_t *const swap = a;
+        const unsigned count = n;
+        a = b;
+        b = swap;
+        n = m;
+        m = count;
     }
-    loft_residue_poly_trim(a);
-    return quotient;
+    *degree = n - 1;
+    return a;
 }
 
 loft_residue_poly loft_residue_poly_gcd(const loft_residue *r, loft_residue_poly a,
                                         loft_residue_poly b)
 {
-    while (!poly_is_zero(&b)) {
-        (void)loft_residue_poly_divide(r, &a, &b);
-        const loft_residue_poly swap = a;
-        a = b;
-        b = swap;
-    }
-    return a;
+    uint32_t quotient[LOFT_RESIDUE_DEGREE + 2];
+    unsigned degree;
+    const unsigned n = trimmed(a.c, a.degree + 1), m = trimmed(b.c, b.degree + 1);
+    const bool first = loft_residue_gcd(r, a.c, n, b.c, m, quotient, &degree) == a.c;
+    loft_residue_poly *const out = first ? &a : &b;
+
+    out->degree = degree;
+    return *out;
 }
 
-loft_residue_poly loft_residue_poly_product(const loft_residue *r, const loft_residue_poly *a,
-                                            const loft_residue_poly *b)
+void loft_residue_bezout(const loft_residue *r, const uint32_t q[], const uint32_t g[], unsigned m,
+                         uint32_t out[])
 {
-    loft_residue_poly c = { { 0 }, a->degree + b->degree };
-
-    for (unsigned i = 0; i <= a->degree; i++)
-        for (unsigned j = 0; j <= b->degree; j++)
-            c.c[i + j] = loft_residue_add(r, c.c[i + j], loft_residue_mul(r, a->c[i], b->c[j]));
-    return c;
-}
-
-void loft_residue_bezout(const loft_residue *r, const loft_residue_poly *q,
-                         const loft_residue_poly *g, unsigned m,
-                         uint32_t out[LOFT_RESIDUE_ORDER][LOFT_RESIDUE_ORDER])
-{
-    for (unsigned i = 0; i < m; i++)
+    for (unsigned i = 0; i < m; i++)        /* B_ij = B_(i-1)(j+1) + q_(j+1) g_i - q_i g_(j+1) */
         for (unsigned j = 0; j < m; j++) {
-            uint32_t sum = 0;
-            for (unsigned k = 0; k <= i && j + k + 1 <= m; k++) {
-                const uint32_t one = loft_residue_mul(r, q->c[j + k + 1], g->c[i - k]);
-                const uint32_t two = loft_residue_mul(r, q->c[i - k], g->c[j + k + 1]);
-                sum = loft_residue_add(r, sum, loft_residue_sub(r, one, two));
-            }
-            out[m - 1 - i][m - 1 - j] = sum;
+            const uint32_t one = loft_residue_mul(r, q[j + 1], g[i]),
+                           two = loft_residue_mul(r, q[i], g[j + 1]);
+            uint32_t *const b = &out[(m - 1 - i) * m + m - 1 - j];
+            *b = loft_residue_sub(r, one, two);
+            if (i > 0 && j + 1 < m)
+                *b = loft_residue_add(r, *b, out[(m - i) * m + m - 2 - j]);
         }
 }
 
-uint32_t loft_residue_minor(const loft_residue *r,
-                            uint32_t matrix[LOFT_RESIDUE_ORDER][LOFT_RESIDUE_ORDER], unsigned k)
+void loft_residue_eliminate(const loft_residue *r, uint32_t a[], unsigned n, unsigned i)
 {
-    uint32_t a[LOFT_RESIDUE_ORDER][LOFT_RESIDUE_ORDER], det = 1;
+    const uint32_t inverse = loft_residue_inverse(r, a[i * n + i]);
 
-    for (unsigned i = 0; i < k; i++)
-        for (unsigned j = 0; j < k; j++)
-            a[i][j] = matrix[i][j];
-    for (unsigned i = 0; i < k; i++) {
+    for (unsigned l = i + 1; l < n; l++) {
+        const uint32_t f = loft_residue_mul(r, a[l * n + i], inverse),
+                       minus = loft_residue_sub(r, 0, f);
+        for (unsigned j = i; j < n; j++)    /* below 2^62 + 2^31 */
+            a[l * n + j] = (uint32_t)((a[l * n + j] + (uint64_t)minus * a[i * n + j]) % r->prime);
+    }
+}
+
+uint32_t loft_residue_determinant(const loft_residue *r, uint32_t a[], unsigned n)
+{
+    uint32_t det = 1;
+
+    for (unsigned i = 0; i < n; i++) {
         unsigned pivot = i;
-        while (pivot < k && a[pivot][i] == 0)
+        while (pivot < n && a[pivot * n + i] == 0)
             pivot++;
-        if (pivot == k)
+        if (pivot == n)
             return 0;
-        for (unsigned j = i; j < k && pivot != i; j++) {
-            const uint32_t swap = a[i][j];
-            a[i][j] = a[pivot][j];
-            a[pivot][j] = swap;
+        for (unsigned j = i; j < n && pivot != i; j++) {
+            const uint32_t swap = a[i * n + j];
+            a[i * n + j] = a[pivot * n + j];
+            a[pivot * n + j] = swap;
         }
-        det = loft_residue_mul(r, pivot == i ? det : loft_residue_sub(r, 0, det), a[i][i]);
-        const uint32_t inverse = loft_residue_inverse(r, a[i][i]);
-        for (unsigned l = i + 1; l < k; l++) {
-            const uint32_t f = loft_residue_mul(r, a[l][i], inverse);
-            for (unsigned j = i; j < k; j++)
-                a[l][j] = loft_residue_sub(r, a[l][j], loft_residue_mul(r, f, a[i][j]));
-        }
+        det = loft_residue_mul(r, pivot == i ? det : loft_residue_sub(r, 0, det), a[i * n + i]);
+        loft_residue_eliminate(r, a, n, i);
     }
     return det;
 }

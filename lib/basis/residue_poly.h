@@ -15,7 +15,6 @@
 LOFT_BEGIN_C
 
 #define LOFT_RESIDUE_DEGREE 16
-#define LOFT_RESIDUE_ORDER  9
 
 /* c[0] + c[1] x + .. + c[degree] x^degree */
 typedef struct {
@@ -30,59 +29,71 @@ typedef struct {
  */
 loft_residue_poly loft_residue_poly_derivative(const loft_residue *r, const loft_residue_poly *q);
 
-/* Lower the degree until the coefficient of the highest power is not 0.
- *
- *   error   none
- *   cost    one test per coefficient
- */
-void loft_residue_poly_trim(loft_residue_poly *q);
-
-/* a / b; what remains is left in a.
- *
- *   range   b->c[b->degree] not 0
- *   error   none
- *   cost    an inverse and (degree of a - degree of b + 1) (degree of b + 1) products
- */
-loft_residue_poly loft_residue_poly_divide(const loft_residue *r, loft_residue_poly *a,
-                                           const loft_residue_poly *b);
-
 /* The greatest common factor, up to a constant.
  *
- *   range   both trimmed, not both 0
+ *   range   not both 0
  *   error   none
  *   cost    about the product of the degrees, and an inverse for each step
  */
 loft_residue_poly loft_residue_poly_gcd(const loft_residue *r, loft_residue_poly a,
                                         loft_residue_poly b);
 
-/* a b.
+/* a / b of coefficients a[0..n] and b[0..d]: the rest is left in a[0..d - 1].
  *
- *   range   the degree of the product is at most LOFT_RESIDUE_DEGREE + 1
+ *   shape   quotient[n - d + 1]
+ *   range   d <= n, b[d] not 0
  *   error   none
- *   cost    one product per pair of coefficients
+ *   cost    an inverse and (n - d + 1) (d + 1) products
  */
-loft_residue_poly loft_residue_poly_product(const loft_residue *r, const loft_residue_poly *a,
-                                            const loft_residue_poly *b);
+void loft_residue_divide(const loft_residue *r, uint32_t a[], unsigned n, const uint32_t b[],
+                         unsigned d, uint32_t quotient[]);
 
-/* Bezout's matrix (q(x) g(y) - q(y) g(x)) / (x - y) = sum B_ij x^i y^j, 0 <= i, j < m, with rows
- * and columns in reverse order. Its determinant is the resultant if q or g has the degree m.
+/* loft_residue_poly_derivative of the coefficients q[0..degree]; out[degree] is 0.
  *
- *   range   both degrees <= m = 1..LOFT_RESIDUE_ORDER; coefficients up to c[m] are read
+ *   shape   out[degree + 1]
  *   error   none
- *   cost    2 m^3 / 3 products
+ *   cost    one product per coefficient
  */
-void loft_residue_bezout(const loft_residue *r, const loft_residue_poly *q,
-                         const loft_residue_poly *g, unsigned m,
-                         uint32_t out[LOFT_RESIDUE_ORDER][LOFT_RESIDUE_ORDER]);
+void loft_residue_derive(const loft_residue *r, const uint32_t q[], unsigned degree,
+                         uint32_t out[]);
 
-/* The determinant of the first k rows and columns.
+/* loft_residue_poly_gcd of n and m coefficients, the last of which are not 0; n = 0 or m = 0 is the
+ * polynomial 0. Both are overwritten; the factor is in one of them.
  *
- *   range   k = 0..LOFT_RESIDUE_ORDER
+ *   shape   quotient[n or m, the larger one]
+ *   range   not both 0
  *   error   none
- *   cost    k^3 / 3 products and k inverses
+ *   cost    as loft_residue_poly_gcd
  */
-uint32_t loft_residue_minor(const loft_residue *r,
-                            uint32_t matrix[LOFT_RESIDUE_ORDER][LOFT_RESIDUE_ORDER], unsigned k);
+const uint32_t *loft_residue_gcd(const loft_residue *r, uint32_t a[], unsigned n, uint32_t b[],
+                                 unsigned m, uint32_t quotient[], unsigned *degree);
+
+/* Bezout's matrix (q(x) g(y) - q(y) g(x)) / (x - y) = sum B_ij x^i y^j, 0 <= i, j < m, row by row,
+ * with rows and columns in reverse order. Its determinant is the resultant if q or g has the degree
+ * m.
+ *
+ *   shape   q[m + 1], g[m + 1], out[m * m]
+ *   error   none
+ *   cost    2 m^2 products
+ */
+void loft_residue_bezout(const loft_residue *r, const uint32_t q[], const uint32_t g[], unsigned m,
+                         uint32_t out[]);
+
+/* A step of elimination: column i becomes 0 below row i.
+ *
+ *   shape   a[n * n], a[i * n + i] not 0
+ *   error   none
+ *   cost    (n - i)^2 products and an inverse
+ */
+void loft_residue_eliminate(const loft_residue *r, uint32_t a[], unsigned n, unsigned i);
+
+/* The determinant of a matrix, which is overwritten.
+ *
+ *   shape   a[n * n]
+ *   error   none
+ *   cost    n^3 / 3 products and n inverses
+ */
+uint32_t loft_residue_determinant(const loft_residue *r, uint32_t a[], unsigned n);
 
 LOFT_END_C
 

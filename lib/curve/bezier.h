@@ -28,8 +28,9 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_BEZIER_ELEVATE_MAX 32      /* the highest degree that loft_bezier_elevate returns */
-#define LOFT_ELEVATE_MAX 18             /* ... that elevation of other curves and nets does */
+#define LOFT_BEZIER_ELEVATE_MAX 32      /* the highest degree to which curves, triangles and tensor
+                                         * nets are elevated */
+#define LOFT_ELEVATE_MAX 18             /* ... those with weights, and other nets */
 
 /* A cubic, by value: the input of motion planning and flattening. */
 typedef struct {

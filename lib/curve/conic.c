@@ -14,11 +14,15 @@
  * Axes (Lee): with k = w0 w2 / w1^2 and s = k / (2 (k - 1)) the centre is s p0 + (1 - 2 s) p1 + s
  * p2, and c + x U + y V with U = p2 - p0, V = (p0 + p2) / 2 - p1 is on the conic if x^2 / f + y^2 /
  * g = 1, f = s^2 (k - 1) / k, g = 4 s^2 / k. So the squares of the semi-axes, with a sign, are the
- * eigenvalues of f U U^T + g V V^T. Let D = w0 w2 - w1^2, whose products are exact in q16 (62
- * bits): s = w0 w2 / (2 D), f = w0 w2 / (4 D), g = w0 w2 w1^2 / D^2.
+ * eigenvalues of f U U^T + g V V^T. Let D = w0 w2 - w1^2: s = w0 w2 / (2 D), f = w0 w2 / (4 D), g =
+ * w0 w2 w1^2 / D^2. Near a parabola both products of D agree in all digits of a double, and D^-1
+ * multiplies what was lost: D is the determinant of (w0, w1) and (w1, w2), which loft_sci_cross
+ * finds to a part of itself.
  *
  * Of the two eigenvalues h +- r, h half the trace and r the root of a sum of squares, the one of
  * the larger magnitude is taken as a sum; the other is the determinant f g (U x V)^2 over it.
+ * Nearly straight, U x V cancels likewise. V = (p0 - p1) + U / 2, so it is U x (p0 - p1), of given
+ * points.
  */
 #include "curve/conic.h"
 #include "geom/vec_exact.h"     /* loft_vec_exact_sub */
@@ -153,9 +157,27 @@ static loft_sci sci_axis(const loft_weighted *p, int axis)
     return loft_sci_from_real(loft_vec_axis(&p->p, axis));
 }
 
-/* The semi-axes from the eigenvalues of f U U^T + g V V^T. */
+/* w0 w2 - w1^2 */
+static loft_sci discriminant(const loft_weighted p[3])
+{
+    const loft_real zero[2] = { 0, 0 }, a[2] = { p[0].w, p[1].w }, b[2] = { p[1].w, p[2].w };
+    return loft_sci_cross(zero, a, zero, b);
+}
+
+/* (p2 - p0) x (p0 - p1) */
+static loft_sci legs_cross(const loft_weighted p[3])
+{
+    loft_real x[3][2];
+
+    for (int k = 0; k < 3; k++)
+        for (int axis = 0; axis < 2; axis++)
+            x[k][axis] = loft_vec_axis(&p[k].p, axis);
+    return loft_sci_cross(x[0], x[2], x[1], x[0]);
+}
+
+/* The semi-axes from the eigenvalues of f U U^T + g V V^T; cross is U x V. */
 static void principal(loft_sci f, loft_sci g, const loft_sci u[2], const loft_sci v[2],
-                      loft_sci out[2])
+                      loft_sci cross, loft_sci out[2])
 {
     const loft_sci two = loft_sci_from_int(2);
     loft_sci m[3];                          /* xx, xy, yy */
@@ -169,7 +191,6 @@ static void principal(loft_sci f, loft_sci g, const loft_sci u[2], const loft_sc
                    apart = loft_sci_div(loft_sci_sub(m[0], m[2]), two);
     const loft_sci r = loft_sci_sqrt(
         loft_sci_add(loft_sci_mul(apart, apart), loft_sci_mul(m[1], m[1])));
-    const loft_sci cross = loft_sci_sub(loft_sci_mul(u[0], v[1]), loft_sci_mul(u[1], v[0]));
     const loft_sci det = loft_sci_mul(loft_sci_mul(f, g), loft_sci_mul(cross, cross));
     const bool up = loft_sci_sign(half) >= 0;
     const loft_sci large = up ? loft_sci_add(half, r) : loft_sci_sub(half, r);
@@ -204,7 +225,7 @@ enum loft_status loft_conic_axes(const loft_weighted p[3], loft_vec *centre, lof
         return LOFT_SINGULAR;
     const loft_sci w1 = loft_sci_from_real(p[1].w), square = loft_sci_mul(w1, w1);
     const loft_sci outer = loft_sci_mul(loft_sci_from_real(p[0].w), loft_sci_from_real(p[2].w));
-    const loft_sci d = loft_sci_sub(outer, square), s = loft_sci_div(outer, loft_sci_mul(two, d));
+    const loft_sci d = discriminant(p), s = loft_sci_div(outer, loft_sci_mul(two, d));
     for (int i = 0; i < 2; i++) {
         const loft_sci p0 = sci_axis(&p[0], i), p1 = sci_axis(&p[1], i), p2 = sci_axis(&p[2], i);
         u[i] = loft_sci_sub(p2, p0);
@@ -215,7 +236,7 @@ enum loft_status loft_conic_axes(const loft_weighted p[3], loft_vec *centre, lof
     }
     const loft_sci f = loft_sci_div(s, two),
                    g = loft_sci_div(loft_sci_mul(outer, square), loft_sci_mul(d, d));
-    principal(f, g, u, v, length);
+    principal(f, g, u, v, legs_cross(p), length);
     if (!round_real(length[0], &own[0]) || !round_real(length[1], &own[1]))
         return LOFT_ERR_RANGE;
     *centre = c;
@@ -299,13 +320,13 @@ enum loft_status loft_conic_foci(const loft_weighted p[3], loft_vec focus[2], un
     if (kind.kind > LOFT_CONIC_HYPERBOLA)
         return LOFT_SINGULAR;
     const bool parabola = kind.kind == LOFT_CONIC_PARABOLA;
-    const loft_sci w1 = loft_sci_from_real(p[1].w), x = sci_axis(&p[1], 0), y = sci_axis(&p[1], 1),
+    const loft_sci x = sci_axis(&p[1], 0), y = sci_axis(&p[1], 1),
                    q = loft_sci_mul(loft_sci_from_real(p[0].w), loft_sci_from_real(p[2].w));
     for (int k = 0; k < 2; k++) {
         leg[k].x = loft_sci_sub(sci_axis(&p[2 * k], 0), x);
         leg[k].y = loft_sci_sub(sci_axis(&p[2 * k], 1), y);
     }
-    find_foci(leg, q, loft_sci_sub(q, loft_sci_mul(w1, w1)), parabola, g);
+    find_foci(leg, q, discriminant(p), parabola, g);
     for (int k = 0; k < 2; k++)
         if (!round_real(loft_sci_add(g[k].x, x), &out[k].axis[0]) ||
             !round_real(loft_sci_add(g[k].y, y), &out[k].axis[LOFT_AXES > 1]))

@@ -49,7 +49,7 @@ enum loft_status loft_conic_init(loft_conic *out, const loft_weighted p[3]) LOFT
  *   range   an ellipse or a hyperbola, otherwise LOFT_SINGULAR; LOFT_ERR_RANGE as above and if a
  *           result does not fit; the results are then untouched
  *   error   with e = 2^-52 (q16), 2^-44 (f32, f64), s = |w0 w2| / |w0 w2 - w1^2| and L the largest
- *           coordinate: centre q16: 1/2 LSB + 2^-17 LSB + e s L   f32: 1/2 ulp + e s L   f64: e s L
+ *           coordinate: centre q16: 1/2 LSB + 2^-17 LSB   f32: 1/2 ulp   f64: 1 ulp; and e s L
  *           axes: as the centre, with s L^2 (1 + s) over the smaller axis in place of s L
  *   cost    as loft_conic_init, and in numbers of num/sci.h 40 products, 8 quotients and 3 roots
  *   see     Lee (1987): conjugate diameters; eigenvalues of order 2
@@ -62,8 +62,9 @@ enum loft_status loft_conic_axes(const loft_weighted p[3], loft_vec *centre,
  *   range   as loft_conic_axes, and a parabola; LOFT_ERR_ARG with fewer than two axes; the results
  *           are untouched after an error. Further axes are 0
  *   error   with s and e as there, c half the distance of the foci, L the largest coordinate: q16:
- *           1/2 LSB + 2^-17 LSB   f32: 1/2 ulp; and 8 e s L (1 + s L / c), at most 4 sqrt(e) s L.
- *           A parabola: 8 e |a| |b| (|a| + |b|) / |a + b|^2, a and b the legs from its middle point
+ *           1/2 LSB + 2^-17 LSB   f32: 1/2 ulp   f64: 1 ulp; and 8 e s L (1 + s L / c), at most 4
+ *           sqrt(e) s L. A parabola: 8 e |a| |b| (|a| + |b|) / |a + b|^2, a and b the legs from its
+ *           middle point
  *   cost    as loft_conic_init, and in numbers of num/sci.h 25 products, 3 quotients and 3 roots
  *   see     Salmon, Conic Sections: foci are where two tangents of slope i and -i meet
  */

@@ -73,7 +73,7 @@ static void interpolate(const loft_residue *r, uint32_t y[], unsigned n)
 static void resultant(const loft_whole_poly *w, const loft_residue *r, uint32_t c[])
 {
     const pair *x = (const pair *)w->data;
-    uint32_t matrix[LOFT_RESIDUE_ORDER][LOFT_RESIDUE_ORDER], kept[2][MOST + 1], constant[2];
+    uint32_t matrix[MOST * MOST], kept[2][MOST + 1], constant[2];
     loft_residue_poly gone[2];
 
     for (int axis = 0; axis < 2; axis++) {
@@ -85,8 +85,8 @@ static void resultant(const loft_whole_poly *w, const loft_residue *r, uint32_t 
     for (unsigned t = 0; t <= w->degree; t++) {
         for (int axis = 0; axis < 2; axis++)
             gone[axis].c[0] = loft_residue_sub(r, constant[axis], power_at(r, kept[axis], x->n, t));
-        loft_residue_bezout(r, &gone[0], &gone[1], x->m, matrix);
-        c[t] = loft_residue_minor(r, matrix, x->m);
+        loft_residue_bezout(r, gone[0].c, gone[1].c, x->m, matrix);
+        c[t] = loft_residue_determinant(r, matrix, x->m);
     }
     interpolate(r, c, w->degree);
 }

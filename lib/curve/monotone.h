@@ -33,7 +33,7 @@ typedef struct {
  * slope[count] must outlive it.
  *
  *   range   count >= 2 and x[i] < x[i + 1], otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE for numbers that
- *           are none (f32, f64), and where the points rise or fall by more than 16384 per unit
+ *           are none (f32, f64), and where the points rise or fall by more than 2^22 per unit
  *   error   of the slopes, q16: 2^-30   f32, f64: 32 ulp of double of the larger secant
  *   cost    O(count): per point 3 long divisions (num/muldiv.h), and a length where points bend
  *           much; q16: 0.4 kB of stack

@@ -14,7 +14,10 @@
  * and the right side int B_i^m (P - q_0 B_0^m - q_m B_m^m). P of degree n has int B_i^m B_j^n =
  * C(m, i) C(n, j) / (C(m + n, i + j) (m + n + 1)). The matrix is symmetric and positive definite:
  * Gauss's elimination needs no pivots. Its condition is below C(2m, m), 12870 for m = 8. Points are
- * taken relative to the line from p_0 to p_n, whose ends are then 0.
+ * taken relative to p_0, and in the system relative to the line from p_0 to p_n, whose ends are
+ * then 0. So what rounding takes is a part of E, the largest |p_j - p_0| and |q_i - p_0| of an
+ * axis, wherever the curve lies: with 2^6 roundings of the system at most C(2m, m) 2^6 of them. The
+ * bound is larger by twice that, also for the lengths themselves.
  */
 #include "curve/reduce.h"
 #include "basis/integral.h"     /* loft_binomial_sci */
@@ -135,17 +138,21 @@ static void solve_normal(unsigned m, loft_sci x[])
     }
 }
 
-/* What the line from the first to the last point has at i / n. */
-static loft_sci line_at(const loft_bezier *b, int axis, unsigned i, unsigned n)
+/* A coordinate relative to the first point. */
+static loft_sci from_start(const loft_bezier *b, int axis, loft_real x)
 {
-    const loft_sci from = loft_sci_from_real(b->p[0].axis[axis]),
-                   to = loft_sci_from_real(b->p[b->degree].axis[axis]);
-    const loft_sci part = loft_sci_div(loft_sci_from_int((int32_t)i),
-                                       loft_sci_from_int((int32_t)n));
-    return loft_sci_add(from, loft_sci_mul(part, loft_sci_sub(to, from)));
+    return loft_sci_sub(loft_sci_from_real(x), loft_sci_from_real(b->p[0].axis[axis]));
 }
 
-/* The points q[0..m] of one axis. */
+/* i / n of the way from the first to the last point */
+static loft_sci line_at(const loft_bezier *b, int axis, unsigned i, unsigned n)
+{
+    const loft_sci part = loft_sci_div(loft_sci_from_int((int32_t)i),
+                                       loft_sci_from_int((int32_t)n));
+    return loft_sci_mul(part, from_start(b, axis, b->p[b->degree].axis[axis]));
+}
+
+/* The points q[0..m] of one axis, relative to the first one. */
 static void reduce_axis(const loft_bezier *b, unsigned m, int axis, loft_sci q[])
 {
     const unsigned n = b->degree;
@@ -154,16 +161,14 @@ static void reduce_axis(const loft_bezier *b, unsigned m, int axis, loft_sci q[]
     for (unsigned i = 1; i < m; i++) {
         q[i] = loft_sci_zero();
         for (unsigned j = 1; j < n; j++) {
-            const loft_sci rise = loft_sci_sub(loft_sci_from_real(b->p[j].axis[axis]),
+            const loft_sci rise = loft_sci_sub(from_start(b, axis, b->p[j].axis[axis]),
                                                line_at(b, axis, j, n));
-            q[i] = loft_sci_add(q[i], loft_sci_mul(pair_integral(m, i, n, j), rise));
+            loft_sci_add_product(&q[i], pair_integral(m, i, n, j), rise);
         }
     }
     solve_normal(m, q);
-    for (unsigned i = 1; i < m; i++)
+    for (unsigned i = 1; i <= m; i++)
         q[i] = loft_sci_add(q[i], line_at(b, axis, i, m));
-    q[0] = loft_sci_from_real(b->p[0].axis[axis]);
-    q[m] = loft_sci_from_real(b->p[n].axis[axis]);
 }
 
 /* Add the squares of the coefficients of P - Q to sum[0..n]. */
@@ -174,29 +179,49 @@ static void add_squares(const loft_bezier *b, unsigned m, int axis, const loft_s
 
     for (unsigned k = 0; k <= n; k++) {
         loft_sci raised = loft_sci_zero();
-        for (unsigned i = k > n - m ? k - (n - m) : 0; i <= m && i <= k; i++) {
-            const loft_sci by = loft_sci_mul(loft_binomial_sci(m, i),
-                                             loft_binomial_sci(n - m, k - i));
-            raised = loft_sci_add(raised, loft_sci_mul(by, q[i]));
-        }
-        const loft_sci d = loft_sci_sub(loft_sci_from_real(b->p[k].axis[axis]),
+        for (unsigned i = k > n - m ? k - (n - m) : 0; i <= m && i <= k; i++)
+            loft_sci_add_product(
+                &raised, loft_sci_mul(loft_binomial_sci(m, i), loft_binomial_sci(n - m, k - i)),
+                q[i]);
+        const loft_sci d = loft_sci_sub(from_start(b, axis, b->p[k].axis[axis]),
                                         loft_sci_div(raised, loft_binomial_sci(n, k)));
-        sum[k] = loft_sci_add(sum[k], loft_sci_mul(d, d));
+        loft_sci_add_product(&sum[k], d, d);
     }
 }
 
-/* 1 + 2^-40: more than what rounding takes from a length. */
-static loft_sci slightly_more(loft_sci x)
+/* The larger of `most` and E of one axis. */
+static loft_sci larger_extent(const loft_bezier *b, unsigned m, int axis, const loft_sci q[],
+                              loft_sci most)
 {
-    const loft_sci part = loft_sci_div(x, loft_sci_pow(loft_sci_from_int(2), 40));
-    return loft_sci_add(x, part);
+    for (unsigned k = 0; k <= b->degree; k++)
+        most = loft_sci_larger(most, loft_sci_abs(from_start(b, axis, b->p[k].axis[axis])));
+    for (unsigned i = 0; i <= m; i++)
+        most = loft_sci_larger(most, loft_sci_abs(q[i]));
+    return most;
 }
+
+/* Round q[0..m] of one axis to out, but for the ends, which are the curve's. */
+static bool round_axis(const loft_bezier *b, unsigned m, int axis, loft_sci q[], loft_vec out[])
+{
+    const loft_sci start = loft_sci_from_real(b->p[0].axis[axis]);
+
+    out[0].axis[axis] = b->p[0].axis[axis];
+    out[m].axis[axis] = b->p[b->degree].axis[axis];
+    for (unsigned i = 1; i < m; i++) {
+        if (!round_coordinate(loft_sci_add(start, q[i]), &out[i].axis[axis]))
+            return false;
+        q[i] = from_start(b, axis, out[i].axis[axis]);
+    }
+    return true;
+}
+
+#define MARGIN (7 - LOFT_SCI_BITS)      /* 2^7 roundings of num/sci.h */
 
 enum loft_status loft_bezier_reduce(const loft_bezier *b, unsigned times, loft_vec out[],
                                     loft_acc *bound)
 {
     const unsigned n = b->degree, m = n - times;
-    loft_sci sum[2][MOST], q[MOST], most = loft_sci_zero();
+    loft_sci sum[2][MOST], q[MOST], most = loft_sci_zero(), extent = loft_sci_zero();
     loft_acc wide;
 
     if (times < 1 || times >= n)
@@ -206,17 +231,16 @@ enum loft_status loft_bezier_reduce(const loft_bezier *b, unsigned times, loft_v
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         reduce_axis(b, m, axis, q);
         add_squares(b, m, axis, q, sum[0]);
-        for (unsigned i = 0; i <= m; i++) {
-            if (!round_coordinate(q[i], &out[i].axis[axis]))
-                return LOFT_ERR_RANGE;
-            q[i] = loft_sci_from_real(out[i].axis[axis]);
-        }
+        extent = larger_extent(b, m, axis, q, extent);
+        if (!round_axis(b, m, axis, q, out))
+            return LOFT_ERR_RANGE;
         add_squares(b, m, axis, q, sum[1]);
     }
     for (unsigned k = 0; k <= n; k++)
         most = loft_sci_larger(most, loft_sci_larger(sum[0][k], sum[1][k]));
-    if (!loft_sci_to_acc(slightly_more(loft_sci_sqrt(most)), &wide) ||
-        !loft_acc_valid(wide + loft_real_ulp(wide)))
+    extent = loft_sci_mul(extent, loft_binomial_sci(2 * m, m));
+    most = loft_sci_add(loft_sci_sqrt(most), loft_sci_mul(extent, loft_sci_power2(MARGIN)));
+    if (!loft_sci_to_acc(most, &wide) || !loft_acc_valid(wide + loft_real_ulp(wide)))
         return LOFT_ERR_RANGE;
     *bound = wide + loft_acc_ulp(wide);
     return LOFT_OK;

@@ -46,7 +46,8 @@ unsigned loft_bezier_axis_degree(const loft_bezier *b, int axis);
  *           ulp; none at the ends
  *           *bound: the largest length of a Bernstein coefficient of the difference, for the points
  *           as rounded and before, and rounded up: both curves are closer than that everywhere. It
- *           is too large by at most q16: 2 LSB   f32, f64: 2^24 ulp of double and 2 ulp
+ *           is too large by at most q16: 2 LSB   f32, f64: 2^-31 E and 2 ulp, E the largest
+ *           difference of a coordinate of either curve from that of the first point
  *   cost    in numbers of num/sci.h a system of the order degree - times - 1 and (degree + 1)^2
  *           products; 1.5 kB of stack in q16
  *   see     Farin, Curves and Surfaces for CAGD, ch. 6: degree reduction; Lutterkort, Peters and

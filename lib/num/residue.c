@@ -48,10 +48,10 @@ static bool is_prime(uint32_t n)
     return passes_base(n, 2) && passes_base(n, 3) && passes_base(n, 5) && passes_base(n, 7);
 }
 
-void loft_residue_start(loft_residue *r, unsigned bits)
+void loft_residue_start(loft_residue *r, uint32_t bits)
 {
     r->prime = (uint32_t)1 << 31;
-    r->left = bits / 30 + 1;
+    r->left = (unsigned)(bits / 30 + 1);
 }
 
 bool loft_residue_next(loft_residue *r)

@@ -37,7 +37,7 @@ typedef struct {
 } loft_residue;
 
 /* Before the first prime, for integers below 2^bits in magnitude. */
-void loft_residue_start(loft_residue *r, unsigned bits);
+void loft_residue_start(loft_residue *r, uint32_t bits);
 
 /* The next prime, the first one included. False after the last one. */
 bool loft_residue_next(loft_residue *r);

@@ -32,6 +32,8 @@ typedef struct {
     bool     minus;
 } loft_sci;
 
+#define LOFT_SCI_BITS 61        /* a rounding is at most 2^-LOFT_SCI_BITS of the result */
+
 /* 0 and 1, for the start of sums and products. */
 static inline loft_sci loft_sci_zero(void)
 {
@@ -74,6 +76,8 @@ bool loft_sci_to_acc(loft_sci x, loft_acc *out) LOFT_CHECKED;
 #else
 
 typedef double loft_sci;
+
+#define LOFT_SCI_BITS 53
 
 static inline loft_sci loft_sci_zero(void)                      { return 0; }
 static inline loft_sci loft_sci_one(void)                       { return 1; }
@@ -126,6 +130,14 @@ static inline loft_sci loft_sci_smaller(loft_sci a, loft_sci b)
 static inline loft_sci loft_sci_sub_product(loft_sci x, loft_sci a, loft_sci b)
 {
     return loft_sci_sub(x, loft_sci_mul(a, b));
+}
+
+/* *sum += a b.
+ *
+ *   error   2 roundings */
+static inline void loft_sci_add_product(loft_sci *sum, loft_sci a, loft_sci b)
+{
+    *sum = loft_sci_add(*sum, loft_sci_mul(a, b));
 }
 
 /* The scalar product of vectors in space, and a x b, which is neither of them.

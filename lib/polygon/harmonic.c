@@ -66,27 +66,22 @@ typedef struct {
     loft_jet *jet;
 } sums;
 
-static void add_to(loft_sci *sum, loft_sci c, loft_sci x)
-{
-    *sum = loft_sci_add(*sum, loft_sci_mul(c, x));
-}
-
 /* Re f, with f[0..2] the function and its derivatives. */
 static void add_term(sums *s, const number f[3])
 {
     for (unsigned i = 0; i < s->sides; i++) {
         const loft_sci c = loft_sci_of(*s->coefficient++);
         if (s->phi) {
-            add_to(&s->phi[i], c, f[0].re);
+            loft_sci_add_product(&s->phi[i], c, f[0].re);
             continue;
         }
         const loft_sci minus = loft_sci_neg(c);
-        add_to(&s->jet[i].f, c, f[0].re);
-        add_to(&s->jet[i].x, c, f[1].re);
-        add_to(&s->jet[i].y, minus, f[1].im);
-        add_to(&s->jet[i].xx, c, f[2].re);
-        add_to(&s->jet[i].xy, minus, f[2].im);
-        add_to(&s->jet[i].yy, minus, f[2].re);
+        loft_sci_add_product(&s->jet[i].f, c, f[0].re);
+        loft_sci_add_product(&s->jet[i].x, c, f[1].re);
+        loft_sci_add_product(&s->jet[i].y, minus, f[1].im);
+        loft_sci_add_product(&s->jet[i].xx, c, f[2].re);
+        loft_sci_add_product(&s->jet[i].xy, minus, f[2].im);
+        loft_sci_add_product(&s->jet[i].yy, minus, f[2].re);
     }
 }
 

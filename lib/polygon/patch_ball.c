@@ -78,9 +78,7 @@ bool loft_toric_ball(const loft_toric *t, const loft_jet_ball h[], loft_jet_ball
     loft_jet_ball_sum_start(out, t->p[0]);
     loft_lattice_polygon_first(p, &l);
     do {
-        const loft_sci factor = t->c ? loft_sci_from_real(t->c[k]) : loft_sci_one();
-        loft_jet_ball weight = loft_jet_ball_of(
-            t->w ? loft_sci_mul(factor, loft_sci_from_real(t->w[k])) : factor);
+        loft_jet_ball weight = loft_jet_ball_of(loft_toric_factor(t, k));
         for (unsigned i = 0; i < p->sides; i++)
             times_power(&weight, &f, i, (unsigned)loft_lattice_polygon_height(p, i, l));
         loft_jet_ball_sum_add(out, &t->p[k++], &weight);

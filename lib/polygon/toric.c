@@ -96,7 +96,46 @@ static bool point_heights(const loft_lattice_polygon *l, loft_spot p, loft_sci h
     return true;
 }
 
-static loft_sci point_factor(const loft_toric *t, unsigned k)
+/* Each corner that is cut off has two vertices. */
+static unsigned vertices_of(const loft_basepoint *b, loft_whole v[2 * 3])
+{
+    const int d = b->degree, cut[3] = { b->cut[0], b->cut[1], b->cut[2] };
+    const int at[2 * 3][2] = { { 0, cut[0] },      { cut[0], 0 },      { d - cut[1], 0 },
+                               { d - cut[1], cut[1] }, { cut[2], d - cut[2] }, { 0, d - cut[2] } };
+    unsigned count = 0;
+
+    for (unsigned k = 0; k < 2 * 3; k++) {
+        if (k % 2 == 1 && cut[k / 2] == 0)
+            continue;
+        v[count].at[0] = (int8_t)at[k][0];
+        v[count++].at[1] = (int8_t)at[k][1];
+    }
+    return count;
+}
+
+enum loft_status loft_toric_from_basepoint(const loft_basepoint *b, loft_lattice_polygon *lattice,
+                                           loft_vec p[], loft_real c[], loft_real w[],
+                                           loft_toric *t)
+{
+    loft_whole v[2 * 3], l;
+    unsigned k = 0;
+    const enum loft_status status = loft_lattice_polygon_init(lattice, v, vertices_of(b, v));
+
+    if (status != LOFT_OK)
+        return status;
+    loft_lattice_polygon_first(lattice, &l);
+    do {
+        const uint8_t power[3] = { (uint8_t)(b->degree - l.at[0] - l.at[1]), (uint8_t)l.at[0],
+                                   (uint8_t)l.at[1] };
+        const unsigned rank = loft_multiindex_rank(power, 3);
+        p[k] = b->p[rank];
+        w[k] = b->w[rank];
+        c[k++] = loft_real_from_int(loft_multiindex_multinomial(power, 3));
+    } while (loft_lattice_polygon_next(lattice, &l));
+    return loft_toric_init(t, lattice, p, c, w);
+}
+
+loft_sci loft_toric_factor(const loft_toric *t, unsigned k)
 {
     const loft_sci c = t->c ? loft_sci_from_real(t->c[k]) : loft_sci_one();
     return t->w ? loft_sci_mul(c, loft_sci_from_real(t->w[k])) : c;
@@ -115,7 +154,7 @@ enum loft_status loft_toric_eval(const loft_toric *t, loft_spot p, loft_vec *out
     loft_weighted_sum_start(&sum);
     loft_lattice_polygon_first(t->lattice, &l);
     do {
-        loft_sci weight = point_factor(t, k);
+        loft_sci weight = loft_toric_factor(t, k);
         for (unsigned i = 0; i < sides && loft_sci_sign(weight); i++)
             weight = loft_sci_mul(weight, loft_sci_pow(h[i], (unsigned)loft_lattice_polygon_height(
                                                                  t->lattice, i, l)));
@@ -187,7 +226,7 @@ enum loft_status loft_toric_edge(const loft_toric *t, unsigned edge, loft_weight
     const unsigned m = t->lattice->edge[edge].length;
     for (unsigned step = 0; step <= m; step++) {
         const unsigned k = place_of(t->lattice, edge_point(&t->lattice->edge[edge], step));
-        w[step] = loft_sci_div(point_factor(t, k), loft_sci_from_int(loft_binomial(m, step)));
+        w[step] = loft_sci_div(loft_toric_factor(t, k), loft_sci_from_int(loft_binomial(m, step)));
         out[step].p = t->p[k];
     }
     return scale_weights(w, m, out);

@@ -7,13 +7,15 @@
  *     S = sum w_l B_l V_l / sum w_l B_l        B_l(p) = c_l prod h_i(p)^h_i(l)        0^0 = 1
  *
  * A triangle of size d with multinomials c is a rational Bezier triangle. A rectangle with products
- * of binomials is a tensor product patch. Along edge i of length m the patch is a rational Bezier
+ * of binomials is a tensor product patch. Any other is one rational tensor product patch for each
+ * vertex (toric_tensor.h). Along edge i of length m the patch is a rational Bezier
  * curve of degree m with the weights w_t c_t / C(m,t), at the parameter of loft_toric_parameter.
  */
 #ifndef LOFT_POLYGON_TORIC_H
 #define LOFT_POLYGON_TORIC_H
 
 #include "curve/rational.h"         /* loft_weighted */
+#include "polygon/basepoint.h"      /* loft_basepoint */
 #include "polygon/lattice.h"        /* loft_lattice_polygon */
 #include "surface/differential.h"   /* loft_differential */
 
@@ -39,6 +41,25 @@ typedef struct {
 enum loft_status loft_toric_init(loft_toric *t, const loft_lattice_polygon *lattice,
                                  const loft_vec p[], const loft_real c[],
                                  const loft_real w[]) LOFT_CHECKED;
+
+/* The coefficient times the weight of control point k.
+ *
+ *   error   q16: 2^-62 of it   f32: none   f64: 1/2 ulp
+ *   cost    a product
+ */
+loft_sci loft_toric_factor(const loft_toric *t, unsigned k);
+
+/* A patch with base points as a toric one: the same surface over the net without its corners, with
+ * multinomials as coefficients. Whole point (x, y) is control point (degree - x - y, x, y).
+ *
+ *   shape   p, c and w [loft_multiindex_count(3, degree)], and the lattice, which must outlive it
+ *   error   none
+ *   cost    a walk over the whole points, and loft_toric_init
+ *   see     Krasauskas (2002): patches with base points are toric ones
+ */
+enum loft_status loft_toric_from_basepoint(const loft_basepoint *b, loft_lattice_polygon *lattice,
+                                           loft_vec p[], loft_real c[], loft_real w[],
+                                           loft_toric *t) LOFT_CHECKED;
 
 /* The point at p, in the plane of the lattice.
  *

@@ -24,8 +24,7 @@ static void height_jets(const loft_lattice_polygon *l, loft_spot p, loft_jet h[]
 
 static loft_jet point_weight(const loft_toric *t, const loft_jet h[], loft_whole l, unsigned k)
 {
-    const loft_sci c = t->c ? loft_sci_from_real(t->c[k]) : loft_sci_one();
-    loft_jet weight = loft_jet_of(t->w ? loft_sci_mul(c, loft_sci_from_real(t->w[k])) : c);
+    loft_jet weight = loft_jet_of(loft_toric_factor(t, k));
 
     for (unsigned i = 0; i < t->lattice->sides; i++) {
         const loft_jet power = loft_jet_pow(

@@ -1,8 +1,10 @@
-/* lib/surface/area.h -- area of a net and volume of a cone over it, within a proven tolerance
+/* lib/surface/area.h -- area of a net, volume and moments of a cone over it, within a proven
+ * tolerance
  * SPDX-License-Identifier: MIT
  *
  * Of patches and triangles, with weights or without. Cones from one apex over nets that close a
- * body give its volume; without weights loft_net_volume gives it exactly.
+ * body give its volume; without weights loft_net_volume gives it exactly. Their moments over that
+ * volume are its centroid, seen from the apex.
  *
  *     loft_sci memory[LOFT_NET_AREA_MEMORY(2, 1)];
  *     status = loft_net_area(loft_net_from_tensor_rational(&s), LOFT_REAL(0.01), memory, &area);
@@ -22,6 +24,11 @@ LOFT_BEGIN_C
     (6u * (3u * (m) + 1) * (3u * (n) + 1) + 2u * ((m) + 1) * ((n) + 1) +                           \
      (3u * (m) + 1) * (4u * (m) + 2) + (3u * (n) + 1) * (4u * (n) + 2))
 
+/* The same for loft_net_cone_moment. */
+#define LOFT_NET_MOMENT_MEMORY(m, n)                                                               \
+    (6u * (4u * (m) - 1) * (4u * (n) - 1) + 2u * ((m) + 1) * ((n) + 1) +                           \
+     (4u * (m) - 1) * ((m) + 1) + (4u * (n) - 1) * ((n) + 1))
+
 /* The area, in the first three axes. Folds count more than once.
  *
  *   shape   memory[LOFT_NET_AREA_MEMORY(m, n)]
@@ -32,7 +39,7 @@ LOFT_BEGIN_C
  *           without weights and folds has only the second part
  *   cost    once up to m^3 n^3 products of num/sci.h; per piece about 100 m n (m + n) of them, and
  *           300 m n (m + n) with weights. The number of pieces grows with tol^(-2/3);
- *           3 kB of stack in q16; not for an ISR
+ *           10 kB of stack in q16; not for an ISR
  *   see     Gravesen: Adaptive subdivision and the length and energy of Bezier curves, 1997, bounds
  *           of the second order for curves
  */
@@ -50,6 +57,19 @@ enum loft_status loft_net_area(loft_net s, loft_real tol, loft_sci memory[],
  */
 enum loft_status loft_net_cone_volume(loft_net s, loft_vec apex, loft_real tol, loft_sci memory[],
                                       loft_acc *out) LOFT_CHECKED;
+
+/* The first moments of that cone: the integrals of x, y, z, seen from the apex. Positive and
+ * negative parts as for the volume.
+ *
+ *   shape   memory[LOFT_NET_MOMENT_MEMORY(m, n)]; degrees 1 or more
+ *   range   three axes or more; otherwise as loft_net_area, but any moments fit
+ *   error   tol, in units to the 4th power, plus q16: 2^-48 A L^2   f32, f64: 2^-40 A L^2. Without
+ *           weights only the second part
+ *   cost    four times loft_net_cone_volume per piece, and 27 m^2 n^2 products once
+ *   see     the divergence theorem; Gonzalez-Ochoa, McCammon, Peters (1998), as volume.h
+ */
+enum loft_status loft_net_cone_moment(loft_net s, loft_vec apex, loft_real tol, loft_sci memory[],
+                                      loft_sci out[3]) LOFT_CHECKED;
 
 LOFT_END_C
 

@@ -4,32 +4,23 @@
  * Heights are found within tol / 4, and raised by tol / 4; a chord that clears all sheets then may
  * sag by as much. Its middle is at most tol / 2 too high.
  *
- * A ball of radius r leaves a cusp between two lines whose centres are L apart, across the way, of
- *
- *     r - sqrt(r^2 - L^2 / 4) - b
- *
- * where b is how far the surface of all centres bulges over their chord: the cusp's tip lies under
- * the middle of the chord, and the surface r under the middle of the bulge. The ball's own heights
- * say both, so no derivative of a surface is needed.
- *
- * Where a spiral turns, two of its lines are corners, a step s apart along both axes. A place at
- * (a, a) inside the outer corner is a from it and sqrt(2) (s - a) from the inner one, at worst
- * (2 - sqrt(2)) s; between lines it is s / 2. Cusps go with the square: 4 (2 - sqrt(2))^2 times.
+ * Where a spiral turns, two of its lines are corners, of an angle a on the surface, with lines L
+ * apart. Along their bisector the inner corner is L / sin(a / 2) behind the outer one. The place
+ * that is as far from the inner corner as from the outer lines is L / (1 + sin(a / 2)) from both;
+ * between lines it is L / 2. Cusps go with the square: 4 / (1 + sin(a / 2))^2 times. Level, that is
+ * 4 (2 - sqrt(2))^2; over slopes p and q along the two ways inward, cos a = p q / sqrt((1 + p^2)
+ * (1 + q^2)), so that cusps are up to four times as high.
  */
 #include "toolpath/raster.h"
 
+#include "toolpath/place.h"
+
 #define FINEST 16               /* a line has at most 2^16 steps */
 #define ROUNDS 8                /* tries of one step across */
-#define CORNER 1.3725830020304792   /* 4 (2 - sqrt(2))^2 */
+#define LEVEL_CORNER 1.3725830020304792     /* 4 (2 - sqrt(2))^2 */
 
 
 /* A line */
-
-static void set_height(loft_vec *p, loft_real z)
-{
-    if (LOFT_AXES > 2)
-        p->axis[LOFT_AXES > 2 ? 2 : 0] = z;
-}
 
 static loft_vec point_over(loft_pass *p, uint32_t at)
 {
@@ -40,7 +31,7 @@ static loft_vec point_over(loft_pass *p, uint32_t at)
             loft_acc_lerp_at(loft_to_acc(p->start.axis[k]), loft_to_acc(p->end.axis[k]), at, p->n));
     const loft_real z = loft_drop_height(p->d, loft_vec_axis(&out, 0), loft_vec_axis(&out, 1),
                                          &p->spot);
-    set_height(&out, z + p->d->tol);
+    loft_place_lift(&out, z + p->d->tol);
     return out;
 }
 
@@ -107,8 +98,8 @@ static void go_over(loft_pass *p, const loft_vec *to)
     loft_vec up = p->from, over = *to;
     const loft_real z = loft_drop_over(p->d, &up, to);
 
-    set_height(&up, z);
-    set_height(&over, z);
+    loft_place_lift(&up, z);
+    loft_place_lift(&over, z);
     p->next[0] = *to;           /* the last one first */
     p->next[1] = over;
     p->queued = 2;
@@ -145,164 +136,6 @@ bool loft_pass_next(loft_pass *p, loft_vec *out)
 }
 
 
-/* Cusps */
-
-static loft_vec point_of(unsigned axis, loft_real along, loft_real across)
-{
-    loft_vec p = { { 0 } };
-
-    p.axis[0] = axis == 0 ? along : across;
-    p.axis[LOFT_AXES > 1 ? 1 : 0] = axis == 0 ? across : along;
-    return p;
-}
-
-/* x / y as a slope, y > 0. */
-static loft_real ratio_of(loft_real x, loft_real y)
-{
-    const loft_real size = loft_real_abs(x);
-
-    if (!(loft_to_acc(size) < loft_to_acc(y) * 64))
-        return x < 0 ? LOFT_REAL(-64) : LOFT_REAL(64);
-    return loft_div(x, y);
-}
-
-/* z: the tip over the first line, between, over the second line; slope: of the way. */
-static loft_real cusp_of(loft_real radius, const loft_real z[3], loft_real step, loft_real slope)
-{
-    const loft_acc one = loft_to_acc(LOFT_REAL(1)), r2 = loft_prod(radius, radius),
-                   along2 = one + loft_prod(slope, slope);
-    const loft_real rise = z[2] - z[0], g = ratio_of(rise, step),
-                    turned = loft_div(rise, loft_acc_sqrt(along2)),
-                    steep = loft_acc_sqrt(along2 + loft_prod(g, g));
-    const loft_acc half2 = loft_acc_ratio(loft_prod(step, step) + loft_prod(turned, turned), 4);
-    const loft_acc mean = loft_acc_mean(loft_to_acc(z[0]), loft_to_acc(z[2]));
-    const loft_acc bulge = loft_acc_div(loft_to_acc(z[1]) - mean, steep);
-
-    if (half2 >= r2)
-        return radius;
-    const loft_acc sum = loft_to_acc(radius) + loft_to_acc(loft_acc_sqrt(r2 - half2));
-    return loft_acc_round(loft_to_acc(loft_acc_quot(half2, sum)) - bulge);
-}
-
-/* Is the tangent plane of a sheet at a spot nearly at a right angle to the ball's radius there? At
- * a border it is not. The spot errs by what the tolerance allows: sqrt(2 tol / radius) < 1/8. */
-static bool rests_inside(const loft_drop *d, const loft_drop_spot *spot, const loft_vec *tip)
-{
-    const loft_surface *s = &d->sheet[spot->sheet].surface;
-    const loft_unit step = LOFT_UNIT(0.00390625), one = LOFT_UNIT(1);
-    loft_vec p, q;
-
-    if (s->eval(s->surface, spot->u, spot->v, &p) != LOFT_OK)
-        return false;
-    for (int k = 0; k < 2; k++) {
-        const loft_unit sum = s->over == LOFT_SURFACE_TRIANGLE ? spot->u + spot->v
-                              : k == 0                         ? spot->u
-                                                               : spot->v,
-                        by = sum + step > one ? -step : step;
-        loft_acc along = 0, length2 = 0;
-        if ((k == 0 ? spot->u : spot->v) + by < 0 ||
-            s->eval(s->surface, spot->u + (k == 0 ? by : 0), spot->v + (k == 1 ? by : 0), &q) !=
-                LOFT_OK)
-            return false;
-        for (int axis = 0; axis < 3; axis++) {
-            const loft_real side = loft_vec_axis(&q, axis) - loft_vec_axis(&p, axis),
-                            to = loft_vec_axis(tip, axis) - loft_vec_axis(&p, axis) +
-                                 (axis == 2 ? d->cutter.radius : 0);
-            along += loft_prod(side, to);
-            length2 += loft_prod(side, side);
-        }
-        if (loft_acc_abs(along) * 16 > 3 * loft_prod(loft_acc_sqrt(length2), d->cutter.radius))
-            return false;
-    }
-    return true;
-}
-
-/* Five places across: the first line, and every quarter of the step to the second one. */
-typedef struct {
-    loft_real z[5];
-    bool met[5];                /* the ball rests inside of a sheet */
-    loft_drop_spot spot[5];
-} section;
-
-static void look_at(const loft_drop *d, unsigned axis, loft_real along, loft_real at,
-                    loft_real step, int k, section *s)
-{
-    loft_vec tip = point_of(axis, along, k < 4 ? at + step / 4 * (loft_real)k : at + step);
-
-    s->z[k] = loft_drop_height(d, loft_vec_axis(&tip, 0), loft_vec_axis(&tip, 1), &s->spot[k]);
-    set_height(&tip, s->z[k]);
-    s->met[k] = s->z[k] > d->floor + 2 * d->tol && rests_inside(d, &s->spot[k], &tip);
-}
-
-/* The largest slope between places of a sheet; `step` from the first to the last. */
-static loft_real steepest(const section *s, loft_real step)
-{
-    loft_real most = 0;
-
-    for (int k = 0; k < 4; k++)
-        if (s->met[k] && s->met[k + 1]) {
-            const loft_real slope = ratio_of(loft_real_abs(s->z[k + 1] - s->z[k]), step / 4);
-            most = slope > most ? slope : most;
-        }
-    return most;
-}
-
-/* The cusp there, `by` beyond the section before. Over a border only one side of the cusp stands,
- * on a sheet that is taken for a plane of its steepest slope. */
-static loft_real cusp_at(const loft_drop *d, unsigned axis, loft_real along, loft_real at,
-                         loft_real step, loft_real by, const section *before, section *s)
-{
-    loft_real slope = 0, z[3];
-
-    for (int k = 0; k < 5; k += 2) {
-        look_at(d, axis, along, at, step, k, s);
-        z[k / 2] = s->z[k];
-        if (s->met[k] && before->met[k])
-            slope = ratio_of(s->z[k] - before->z[k], by);
-    }
-    if (!(s->met[0] || s->met[2] || s->met[4]))
-        return 0;
-    if (!(s->met[0] && s->met[2] && s->met[4])) {
-        look_at(d, axis, along, at, step, 1, s);
-        look_at(d, axis, along, at, step, 3, s);
-        z[0] = 0;
-        z[2] = loft_mul(steepest(s, step), step);
-        z[1] = z[2] / 2;
-    } else if (before->met[2])
-        slope = ratio_of(s->z[2] - before->z[2], by);
-    else
-        return 0;
-    return cusp_of(d->cutter.radius, z, step, slope);
-}
-
-loft_real loft_raster_cusp(const loft_drop *d, unsigned axis, loft_real at, loft_real step,
-                           loft_real from, loft_real to)
-{
-    const loft_acc length = loft_acc_abs(loft_to_acc(to) - loft_to_acc(from));
-    loft_real most = 0;
-    section before, here;
-    uint32_t n = 1;
-
-    while (n < LOFT_RASTER_LOOKS && (n < 16 || loft_to_acc(d->cutter.radius) * (int32_t)n < length))
-        n *= 2;
-    for (int k = 0; k < 5; k++) {
-        here.spot[k].sheet = 0;
-        here.spot[k].u = here.spot[k].v = 0;
-        here.z[k] = 0;
-        here.met[k] = false;
-    }
-    const loft_real by = loft_acc_round(loft_acc_ratio(length, (int32_t)n));
-    for (uint32_t j = 0; j <= n; j++) {
-        before = here;
-        const loft_real along = loft_acc_round(
-                            loft_acc_lerp_at(loft_to_acc(from), loft_to_acc(to), j, n)),
-                        cusp = cusp_at(d, axis, along, at, step, by, &before, &here);
-        most = cusp > most ? cusp : most;
-    }
-    return most;
-}
-
-
 /* The raster */
 
 static loft_real limit_of(const loft_raster *r, bool upper, unsigned axis)
@@ -331,7 +164,8 @@ static enum loft_status go_on(loft_raster *r, const loft_vec *start, const loft_
 static enum loft_status begin_line(loft_raster *r)
 {
     const loft_real from = limit_of(r, r->back, r->axis), to = limit_of(r, !r->back, r->axis);
-    const loft_vec start = point_of(r->axis, from, r->place), end = point_of(r->axis, to, r->place);
+    const loft_vec start = loft_place_of(r->axis, from, r->place),
+                   end = loft_place_of(r->axis, to, r->place);
     const enum loft_status status = go_on(r, &start, &end);
 
     r->lines += status == LOFT_OK;
@@ -429,7 +263,7 @@ static loft_real find_step(loft_raster *r)
     }
     step = low > 0 ? low : step;
     if (r->spiral)
-        left = loft_mul(left, LOFT_REAL(CORNER));
+        left = loft_mul(left, r->corner);
     if (left > r->cusp)
         r->cusp = left;
     r->step = step;
@@ -443,10 +277,10 @@ static bool begin_link(loft_raster *r)
 
     if (!(r->place < end))
         return false;
-    const loft_vec start = point_of(r->axis, along, r->place);
+    const loft_vec start = loft_place_of(r->axis, along, r->place);
     const loft_real step = r->wish > 0 ? find_step(r) : r->step;
     r->place = end - r->place > step ? r->place + step : end;
-    const loft_vec to = point_of(r->axis, along, r->place);
+    const loft_vec to = loft_place_of(r->axis, along, r->place);
     r->linking = true;
     return go_on(r, &start, &to) == LOFT_OK;
 }
@@ -460,7 +294,7 @@ static bool begin_link(loft_raster *r)
 /* The corner at which this side ends. */
 static loft_vec corner_of(const loft_raster *r)
 {
-    return point_of(r->axis, limit_of(r, r->side < 2, r->axis), r->place);
+    return loft_place_of(r->axis, limit_of(r, r->side < 2, r->axis), r->place);
 }
 
 static enum loft_status begin_side(loft_raster *r, const loft_vec *start)
@@ -480,8 +314,92 @@ enum loft_status loft_raster_init_spiral(loft_raster *r, const loft_drop *d, con
     if (status != LOFT_OK)
         return status;
     r->spiral = true;
-    r->wish = loft_div(cusp, LOFT_REAL(CORNER));
+    r->asked = cusp;
+    r->corner = LOFT_REAL(LEVEL_CORNER);
+    r->wish = loft_div(cusp, r->corner);
     return begin_side(r, &area->min);
+}
+
+/* Is the tangent plane of a sheet at a spot nearly at a right angle to the ball's radius there? At
+ * a border it is not. The spot errs by what the tolerance allows: sqrt(2 tol / radius) < 1/8. */
+static bool rests_inside(const loft_drop *d, const loft_drop_spot *spot, const loft_vec *tip)
+{
+    const loft_surface *s = &d->sheet[spot->sheet].surface;
+    const loft_unit step = LOFT_UNIT(0.00390625), one = LOFT_UNIT(1);
+    loft_vec p, q;
+
+    if (s->eval(s->surface, spot->u, spot->v, &p) != LOFT_OK)
+        return false;
+    for (int k = 0; k < 2; k++) {
+        const loft_unit sum = s->over == LOFT_SURFACE_TRIANGLE ? spot->u + spot->v
+                              : k == 0                         ? spot->u
+                                                               : spot->v,
+                        by = sum + step > one ? -step : step;
+        loft_acc along = 0, length2 = 0;
+        if ((k == 0 ? spot->u : spot->v) + by < 0 ||
+            s->eval(s->surface, spot->u + (k == 0 ? by : 0), spot->v + (k == 1 ? by : 0), &q) !=
+                LOFT_OK)
+            return false;
+        for (int axis = 0; axis < 3; axis++) {
+            const loft_real side = loft_vec_axis(&q, axis) - loft_vec_axis(&p, axis),
+                            to = loft_vec_axis(tip, axis) - loft_vec_axis(&p, axis) +
+                                 (axis == 2 ? d->cutter.radius : 0);
+            along += loft_prod(side, to);
+            length2 += loft_prod(side, side);
+        }
+        if (loft_acc_abs(along) * 16 > 3 * loft_prod(loft_acc_sqrt(length2), d->cutter.radius))
+            return false;
+    }
+    return true;
+}
+
+/* By how much cusps are higher inside of a corner than between lines; by: the ways inward from it.
+ * Where the ball does not rest inside of a sheet, that of a level corner. */
+static loft_real share_at(const loft_raster *r, const loft_vec *at, const loft_real by[2])
+{
+    const loft_acc one = loft_to_acc(LOFT_REAL(1));
+    loft_real z[3], slope[2], length[2];
+    loft_drop_spot spot = { 0, 0, 0 };
+
+    for (int k = 0; k < 3; k++) {           /* there, and beside it along each axis */
+        loft_vec tip = *at;
+        if (k > 0)
+            tip.axis[k <= LOFT_AXES ? k - 1 : 0] += by[k - 1];
+        z[k] = loft_drop_height(&r->fine, loft_vec_axis(&tip, 0), loft_vec_axis(&tip, 1), &spot);
+        loft_place_lift(&tip, z[k]);
+        if (!rests_inside(&r->fine, &spot, &tip))
+            return LOFT_REAL(LEVEL_CORNER);
+    }
+    for (int k = 0; k < 2; k++) {
+        slope[k] = loft_place_slope(z[k + 1] - z[0], loft_real_abs(by[k]));
+        length[k] = loft_acc_sqrt(one + loft_prod(slope[k], slope[k]));
+    }
+    const loft_real cosine = loft_div(loft_mul(slope[0], slope[1]), loft_mul(length[0], length[1])),
+                    sum = LOFT_REAL(1) +
+                          loft_acc_sqrt(loft_acc_ratio(one - loft_to_acc(cosine), 2));
+    return loft_div(LOFT_REAL(4), loft_mul(sum, sum));
+}
+
+/* The largest share at the corners where this side begins and ends, and a step inside of them. */
+static loft_real corner_share(const loft_raster *r)
+{
+    const loft_real fine = r->d.cutter.radius / 8;
+    loft_real most = LOFT_REAL(LEVEL_CORNER);
+
+    for (int end = 0; end < 2; end++)
+        for (int inside = 0; inside < 2; inside++) {
+            const bool down[2] = { end > 0, is_upper(r) };
+            const loft_real step = inside ? r->step : 0;
+            const loft_vec at = loft_place_of(
+                r->axis, limit_of(r, end > 0, r->axis) + (down[0] ? -step : step),
+                r->place + (down[1] ? -step : step));
+            loft_real by[2];
+            by[r->axis] = down[0] ? -fine : fine;
+            by[1 - r->axis] = down[1] ? -fine : fine;
+            const loft_real share = share_at(r, &at, by);
+            most = share > most ? share : most;
+        }
+    return most;
 }
 
 /* Move the side inward, and begin the next one. */
@@ -494,6 +412,10 @@ static bool turn_corner(loft_raster *r)
 
     if (!(width > 0))
         return false;
+    if (r->wish > 0) {
+        r->corner = corner_share(r);
+        r->wish = loft_div(r->asked, r->corner);
+    }
     const loft_real wish = r->wish > 0 ? find_step(r) : r->step, step = wish < width ? wish : width,
                     to = r->place + (upper ? -step : step);
     loft_vec *const limit = upper ? &r->area.max : &r->area.min;

@@ -48,7 +48,7 @@ enum loft_status loft_pass_init(loft_pass *p, const loft_drop *d, const loft_vec
 bool loft_pass_next(loft_pass *p, loft_vec *out);
 
 /* The height of the largest cusp that a ball leaves between two parallel lines, `step` apart. It
- * is measured where the ball rests inside of a sheet: around a border it rolls without a cusp.
+ * is what both leave of points that the ball touches between them, at a border too.
  *
  *   shape   axis 0: lines along x, at y = `at` and at + step, looked at from x = from to `to`;
  *           axis 1: exchanged
@@ -56,7 +56,9 @@ bool loft_pass_next(loft_pass *p, loft_vec *out);
  *   range   step > 0; 0 where no line meets a sheet
  *   error   2^-4 of it by the sections that are looked at, on surfaces that bend less than the
  *           ball; the height of what the ball cannot reach is not counted
- *   cost    three loft_drop_height for each of LOFT_RASTER_LOOKS places, or fewer
+ *   cost    three loft_drop_height for each of LOFT_RASTER_LOOKS places, or fewer; up to six more
+ *           where the cusp may be the highest, and up to six places more where it changes much
+ *   see     raster_cusp.c
  */
 loft_real loft_raster_cusp(const loft_drop *d, unsigned axis, loft_real at, loft_real step,
                            loft_real from, loft_real to);
@@ -66,7 +68,9 @@ typedef struct {
     loft_drop d, fine;          /* fine: to measure cusps */
     loft_pass pass;
     loft_box area;
-    loft_real wish, step;       /* the cusp that is wanted, or 0 */
+    loft_real wish, step;       /* the cusp that is wanted between lines, or 0 */
+    loft_real asked, corner;    /* of a spiral: the cusp that is wanted; by how much it is higher
+                                 * at the corners of this side than between lines */
     loft_real place, cusp;      /* of this line; the largest cusp until now, as measured */
     uint32_t lines;             /* begun */
     uint8_t axis, side;         /* side: of a spiral, from 0 to 3 around */
@@ -89,9 +93,9 @@ enum loft_status loft_raster_init(loft_raster *r, const loft_drop *d, const loft
  * without a link. Each side has a step of its own.
  *
  *   range   as above
- *   error   `cusp` of the raster is what is measured between lines times 4 (2 - sqrt(2))^2, for
- *           inside a corner the lines are so much farther: it is never too small where all bends
- *           alike
+ *   error   `cusp` of the raster is what is measured between lines times 4 / (1 + sin(a / 2))^2 of
+ *           a corner with the angle a on the surface, for there the lines are so much farther: it
+ *           is never too small where all bends alike
  *   cost    one loft_drop_height
  */
 enum loft_status loft_raster_init_spiral(loft_raster *r, const loft_drop *d, const loft_box *area,
@@ -102,7 +106,8 @@ enum loft_status loft_raster_init_spiral(loft_raster *r, const loft_drop *d, con
  *
  *   error   cusps are 92 to 100 % of what is asked where one step decides them; steps are never
  *           smaller than 1/64 of those over a level plane, so walls along a line have larger ones
- *   cost    loft_pass_next; at the end of a line 2 to 6 loft_raster_cusp
+ *   cost    loft_pass_next; at the end of a line 2 to 6 loft_raster_cusp, and of a spiral 12
+ *           loft_drop_height
  */
 bool loft_raster_next(loft_raster *r, loft_vec *out);
 

@@ -202,9 +202,9 @@ enum loft_status loft_tensor_sub_v(const loft_tensor *s, loft_unit from, loft_un
 
 enum loft_status loft_tensor_elevate_u(const loft_tensor *s, unsigned times, loft_vec out[])
 {
-    loft_vec copy[LOFT_DEGREE_MAX + 1], line[LOFT_ELEVATE_MAX + 1];
+    loft_vec copy[LOFT_DEGREE_MAX + 1], line[LOFT_BEZIER_ELEVATE_MAX + 1];
 
-    if (times > LOFT_ELEVATE_MAX - (unsigned)s->m)
+    if (times > LOFT_BEZIER_ELEVATE_MAX - (unsigned)s->m)
         return LOFT_ERR_ARG;
     for (unsigned j = 0; j <= s->n; j++) {
         const loft_bezier column = column_of(s, j, copy);
@@ -218,7 +218,7 @@ enum loft_status loft_tensor_elevate_u(const loft_tensor *s, unsigned times, lof
 
 enum loft_status loft_tensor_elevate_v(const loft_tensor *s, unsigned times, loft_vec out[])
 {
-    if (times > LOFT_ELEVATE_MAX - (unsigned)s->n)
+    if (times > LOFT_BEZIER_ELEVATE_MAX - (unsigned)s->n)
         return LOFT_ERR_ARG;
     for (unsigned i = 0; i <= s->m; i++) {
         const loft_bezier row = row_of(s, i);

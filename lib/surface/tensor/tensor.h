@@ -20,7 +20,7 @@
 #define LOFT_SURFACE_TENSOR_TENSOR_H
 
 #include "basis/bernstein.h"    /* LOFT_DEGREE_MAX */
-#include "curve/bezier.h"       /* LOFT_ELEVATE_MAX */
+#include "curve/bezier.h"       /* LOFT_BEZIER_ELEVATE_MAX */
 #include "geom/vec.h"           /* loft_vec, loft_box */
 
 LOFT_BEGIN_C
@@ -107,7 +107,7 @@ enum loft_status loft_tensor_sub_v(const loft_tensor *s, loft_unit from, loft_un
 /* The same patch with the degree in u, or in v, higher by `times`. `out` must not overlap the net.
  *
  *   shape   (m + times + 1) (n + 1), or (m + 1) (n + times + 1), points
- *   range   the degree + times <= LOFT_ELEVATE_MAX, otherwise LOFT_ERR_ARG
+ *   range   the degree + times <= LOFT_BEZIER_ELEVATE_MAX, otherwise LOFT_ERR_ARG
  *   error   that of loft_bezier_elevate, per control point
  *   cost    that of loft_bezier_elevate for each column, or row
  */

@@ -162,9 +162,9 @@ enum loft_status loft_triangle_sub(const loft_triangle *t, const loft_bary at[3]
 
 /* Other forms */
 
-/* sum C(i,r) C(j,s) C(k,t) b_rst / C(n+m,n) over r + s + t = n, with (i, j, k) of degree n + m. The
- * products of binomials sum to C(n+m,n) <= C(18,9) = 48620, so the sum is below 48620 * 2^47 <
- * 2^62.6. One division rounds to 2^-33. */
+/* sum C(i,r) C(j,s) C(k,t) b_rst / C(n+m,n) over r + s + t = n, with (i, j, k) of degree n + m. To
+ * degree 18 the products of binomials sum to C(n+m,n) <= C(18,9) = 48620, so the sum is below 48620
+ * * 2^47 < 2^62.6. One division rounds to 2^-33. */
 static loft_acc elevated_coefficient(const loft_acc c[], unsigned n, unsigned i, unsigned j,
                                      unsigned k)
 {
@@ -177,19 +177,47 @@ static loft_acc elevated_coefficient(const loft_acc c[], unsigned n, unsigned i,
     return loft_acc_ratio(sum, loft_binomial(i + j + k, n));
 }
 
+/* The sum is the mean of b_rst when n balls are drawn out of i of the first kind, j of the second
+ * and k of the third. Beyond degree 18 it is taken ball by ball, the last one first. After a draw
+ * of (r, s, t), together d - 1, the next ball is of the first kind with the share
+ *
+ *     (i - r) / (i + j + k - d + 1)
+ *
+ * Shares are positive and sum to 1: no mean exceeds its three numbers, and a sum is below
+ * 32 * 2^47. Each of the n steps rounds to 2^-33. What no draw can reach has the share 0. */
+static loft_acc elevated_by_steps(const loft_acc c[], unsigned n, unsigned i, unsigned j,
+                                  unsigned k)
+{
+    loft_acc x[MOST];
+
+    copy_net(c, LOFT_TRIANGLE_POINTS(n), x);
+    for (unsigned d = n; d > 0; d--)
+        for (unsigned m = 0, p = 0; m < d; m++)
+            for (unsigned t = 0; t <= m; t++, p++) {
+                const unsigned r = d - 1 - m, s = m - t;
+                if (r > i || s > j || t > k)
+                    continue;
+                const loft_acc sum = x[p] * (int32_t)(i - r) + x[p + m + 1] * (int32_t)(j - s) +
+                                     x[p + m + 2] * (int32_t)(k - t);
+                x[p] = loft_acc_ratio(sum, (int32_t)(i + j + k - d + 1));
+            }
+    return x[0];
+}
+
 enum loft_status loft_triangle_elevate(const loft_triangle *t, unsigned times, loft_vec out[])
 {
     const unsigned n = t->degree, most = n + times;
     loft_acc c[MOST];
 
-    if (times > LOFT_ELEVATE_MAX - n)
+    if (times > LOFT_BEZIER_ELEVATE_MAX - n)
         return LOFT_ERR_ARG;
     for (int axis = 0; axis < LOFT_AXES; axis++) {
         axis_to_acc(t->p, LOFT_TRIANGLE_POINTS(n), axis, c);
         for (unsigned m = 0; m <= most; m++)
             for (unsigned k = 0; k <= m; k++)
                 out[loft_triangle_place(m - k, k)].axis[axis] = loft_acc_round(
-                    elevated_coefficient(c, n, most - m, m - k, k));
+                    most > LOFT_ELEVATE_MAX ? elevated_by_steps(c, n, most - m, m - k, k)
+                                            : elevated_coefficient(c, n, most - m, m - k, k));
     }
     return LOFT_OK;
 }

@@ -9,7 +9,7 @@
 #ifndef LOFT_SURFACE_TRIANGLE_TRIANGLE_PIECES_H
 #define LOFT_SURFACE_TRIANGLE_TRIANGLE_PIECES_H
 
-#include "curve/bezier.h"               /* LOFT_ELEVATE_MAX */
+#include "curve/bezier.h"               /* LOFT_BEZIER_ELEVATE_MAX */
 #include "surface/triangle/triangle.h"  /* loft_triangle */
 
 LOFT_BEGIN_C
@@ -54,10 +54,12 @@ enum loft_status loft_triangle_sub(const loft_triangle *t, const loft_bary corne
 /* The same surface with a degree higher by `times`: LOFT_TRIANGLE_POINTS(degree + times) control
  * points.
  *
- *   range   degree + times <= LOFT_ELEVATE_MAX, otherwise LOFT_ERR_ARG
+ *   range   degree + times <= LOFT_BEZIER_ELEVATE_MAX, otherwise LOFT_ERR_ARG
  *   error   q16: 1/2 LSB + 2^-17 LSB   f32: 1 ulp   f64: degree + 3 ulp
+ *           beyond degree 18, q16: 1/2 LSB + degree * 2^-17 LSB   f64: 2 degree + 3 ulp
  *   cost    per control point of the result: at most one small product per point of the net, and
- *           one division; 450 bytes of stack
+ *           one division; beyond degree 18 degree (degree + 1) (degree + 2) / 6 times three small
+ *           products and a division; 1 kB of stack
  *   see     Farin, ch. 17: degree elevation
  */
 enum loft_status loft_triangle_elevate(const loft_triangle *t, unsigned times,

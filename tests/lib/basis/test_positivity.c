@@ -2,12 +2,12 @@
  * SPDX-License-Identifier: MIT
  *
  * Polynomials are made as products of known factors with small whole coefficients, so roots and
- * their multiplicities are known. Others are compared with their values.
+ * their multiplicities are known. Others are compared with their values. High degrees have a test
+ * of their own, which takes more memory.
  */
-#include "support/exact.h"          /* exact_eval; CHECK, PROPERTY, BY_NUM */
 #include "basis/positivity.h"
 #include "basis/sign.h"
-#include "support/products.h"
+#include "support/signs.h"          /* arb_product, changes_of_values */
 
 #define MOST LOFT_DEGREE_MAX
 
@@ -22,44 +22,6 @@ static bool to_reals(const product *p, loft_real out[])
         out[i] = loft_real_from_raw((int32_t)raw);
     }
     return true;
-}
-
-typedef struct {
-    bool changes, ends;
-    int roots;
-} known;
-
-/* Roots a / b in 0..1, each once, twice or three times, and a factor without real roots. */
-static known arb_product(arb *a, product *p)
-{
-    static const int64_t none[2][3] = { { 1, 1, 1 }, { 2, 2, 1 } };
-    known k = { false, false, 0 };
-    bool used[7] = { false };
-
-    *p = (product) { 0, { arb_below(a, 2) ? 1 : -1 } };
-    for (unsigned tries = arb_below(a, 4); tries > 0; tries--) {
-        const unsigned at = arb_below(a, 7), times = 1 + arb_below(a, 3);
-        const int64_t root[2] = { -(int64_t)at, 6 - (int64_t)at };     /* 6 t - at */
-        if (used[at] || p->degree + times > 7)
-            continue;
-        used[at] = true;
-        for (unsigned i = 0; i < times; i++)
-            multiply(p, root, 1);
-        k.roots++;
-        k.ends = k.ends || at == 0 || at == 6;
-        k.changes = k.changes || (at > 0 && at < 6 && times % 2);
-    }
-    if (arb_below(a, 2))
-        multiply(p, none[arb_below(a, 2)], 2);
-    return k;
-}
-
-static long double value_at(const loft_real b[], unsigned n, long double t)
-{
-    long double c[MOST + 1];
-    for (unsigned i = 0; i <= n; i++)
-        c[i] = exact_of(b[i]);
-    return exact_eval(c, n, t);
 }
 
 static void known_roots_are_counted(arb *a)
@@ -86,7 +48,6 @@ static void answers_agree_with_values(arb *a)
     const int32_t limit = 1 + (int32_t)arb_below(a, 100);
     loft_real b[MOST + 1];
     loft_positivity got = { false, false, 0 };
-    int changes = 0, before = 0;
     bool one_sign = true;
 
     for (unsigned i = 0; i <= n; i++) {
@@ -94,14 +55,7 @@ static void answers_agree_with_values(arb *a)
         one_sign = one_sign && b[i] > 0;
     }
     CHECK(loft_bernstein_positivity(b, n, &got) == LOFT_OK);
-    for (int i = 0; i <= 64; i++) {
-        const long double y = value_at(b, n, i / 64.0L);
-        const int sign = fabsl(y) < 1e-12L ? 0 : y > 0 ? 1 : -1;
-        changes += sign && before && sign != before;
-        before = sign ? sign : before;
-        CHECK(sign >= 0 || !got.nonnegative);
-        CHECK(sign > 0 || !got.positive || fabsl(y) < 1e-12L);
-    }
+    const int changes = changes_of_values(b, n, 64, &got);
     CHECK(got.roots < 0 || got.roots >= changes);
     CHECK(!one_sign || (got.positive && got.roots == 0));
 }
@@ -136,11 +90,26 @@ static void mistakes_and_zero_are_told(arb *a)
     CHECK(got.nonnegative && !got.positive && got.roots == -1);
 }
 
+static void low_convexity_is_that_of_the_theorem(arb *a)
+{
+    static uint32_t work[LOFT_POSITIVITY_WORK(4)];
+    const unsigned n = arb_below(a, 5);
+    loft_real b[5];
+    bool net[2] = { false, true }, convex[2] = { false, true };
+
+    for (unsigned i = 0; i <= n; i++)
+        b[i] = arb_below(a, 2) ? arb_real(a, 100) : LOFT_REAL((int)(i * i));
+    CHECK(loft_bernstein_convex(b, n, &net[0], &convex[0]) == LOFT_OK);
+    CHECK(loft_bernstein_convex_in(b, n, work, &net[1], &convex[1]) == LOFT_OK);
+    CHECK(net[0] == net[1] && convex[0] == convex[1]);
+}
+
 int main(void)
 {
     PROPERTY(known_roots_are_counted,           300);
     PROPERTY(answers_agree_with_values,         150);
     PROPERTY(degree_two_is_that_of_the_theorem, 300);
     PROPERTY(mistakes_and_zero_are_told,          1);
+    PROPERTY(low_convexity_is_that_of_the_theorem, 100);
     return check_failures();
 }

@@ -164,6 +164,54 @@ static void axes_are_those_of_the_curve(arb *a)
 }
 
 /* A raised conic is one, and gives its points back; one LSB aside (8 in f32) it is none. */
+/* Weights whose w0 w2 and w1^2 agree in up to 62 bits: the centre is as near as s allows, and the
+ * area of the axes is f g (U x V)^2 of curve/conic.c. */
+static void centres_near_a_parabola_are_near(arb *a)
+{
+    const int32_t size = 1 << arb_below(a, 24);
+    const int32_t u = 1 + (int32_t)arb_below(a, 180), v = 1 + (int32_t)arb_below(a, 180),
+                  f = 1 + (int32_t)arb_below(a, 60000);
+    const int32_t raw[3] = { u * u * f + arb_small(a, 1), u * v * f + arb_small(a, 1), v * v * f };
+    loft_weighted p[3];
+    loft_vec centre = { { 0 } };
+    loft_real axes[2] = { 0, 0 };
+    quad x[3][2], w[3];
+
+    for (int k = 0; k < 3; k++) {
+        p[k].p = (loft_vec) { { 0 } };
+        for (int i = 0; i < 2; i++) {
+            p[k].p.axis[i] = loft_real_from_raw(arb_small(a, size));
+            x[k][i] = quad_of(p[k].p.axis[i]);
+        }
+        p[k].w = loft_real_from_raw(raw[k]);
+        w[k] = quad_of(p[k].w);
+    }
+    const quad outer = w[0] * w[2], d = outer - w[1] * w[1], s = d ? outer / (2 * d) : 0;
+    const quad cross = (x[2][0] - x[0][0]) * (x[0][1] - x[1][1]) -
+                       (x[2][1] - x[0][1]) * (x[0][0] - x[1][0]);
+    const enum loft_status status = loft_conic_axes(p, &centre, axes);
+    if (!d || !cross) {
+        CHECK(status == LOFT_SINGULAR);
+        return;
+    }
+    if (status != LOFT_OK) {
+        CHECK(BY_NUM(true, false, false) && status == LOFT_ERR_RANGE);
+        return;
+    }
+    const long double steep = 2 * fabsl((long double)s), far = steep * size / 65536,
+                      e = bound_by_num(0x1p-52L, 0x1p-44L, 0x1p-44L);
+    for (int i = 0; i < 2; i++) {
+        const quad want = x[1][i] + s * (x[0][i] + x[2][i] - 2 * x[1][i]);
+        CHECK_EXACT((long double)(quad_of(centre.axis[i]) - want), 0,
+                    bound_by_num(LSB / 2 + 0x1p-33L, ulp((long double)want), 0) + e * far);
+    }
+    const long double area = (long double)(outer * w[1] * w[1] / (d * d) * s / 2 * cross * cross),
+                      got = exact_of(axes[0]) * exact_of(axes[1]),
+                      half = bound_by_num(LSB / 2 + 0x1p-33L, 0, 0) *
+                             (exact_of(axes[0]) + exact_of(axes[1]) + LSB);
+    CHECK_EXACT(got, sqrtl(fabsl(area)), got * bound_by_num(1e-15L, 1e-6L, 1e-13L) + half);
+}
+
 static void raised_conics_are_recognized(arb *a)
 {
     loft_weighted p[3], q[4], out[3];
@@ -288,6 +336,7 @@ int main(void)
     PROPERTY(foci_are_where_they_are_known,            500);
     PROPERTY(lines_have_no_foci,                        20);
     PROPERTY(axes_are_those_of_the_curve,              500);
+    PROPERTY(centres_near_a_parabola_are_near,        2000);
     PROPERTY(raised_conics_are_recognized,             500);
     PROPERTY(half_ellipses_have_a_half,                300);
     return check_failures();

@@ -109,6 +109,42 @@ static void reduced_curves_are_nearest_and_within_their_bound(arb *a)
     CHECK(distance_sum(&b, q, m) <= distance_sum(&b, other, m));
 }
 
+/* Curves of a few LSB anywhere: every coefficient of the difference is within the bound. */
+static void bounds_hold_far_from_the_origin(arb *a)
+{
+    const unsigned n = 2 + arb_below(a, LOFT_DEGREE_MAX - 1), times = 1 + arb_below(a, n - 1),
+                   m = n - times;
+    loft_vec p[MOST], q[MOST];
+    int32_t start[LOFT_AXES];
+    quad square[MOST] = { 0 }, largest = 0;
+    loft_acc bound = 0;
+    loft_bezier b;
+
+    for (int i = 0; i < LOFT_AXES; i++)
+        start[i] = arb_raw(a, 30000 * 65536) / 2;
+    for (unsigned k = 0; k <= n; k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            p[k].axis[i] = loft_real_from_raw(start[i] + (int32_t)arb_below(a, 9));
+    CHECK(loft_bezier_init(&b, p, n) == LOFT_OK);
+    CHECK(loft_bezier_reduce(&b, times, q, &bound) == LOFT_OK);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        quad c[MOST];
+        for (unsigned k = 0; k <= m; k++)
+            c[k] = quad_of(q[k].axis[i]);
+        for (unsigned k = m; k < n; k++)
+            raise_once(c, k);
+        for (unsigned k = 0; k <= n; k++) {
+            const quad d = c[k] - quad_of(p[k].axis[i]);
+            square[k] += d * d;
+        }
+    }
+    for (unsigned k = 0; k <= n; k++)
+        largest = square[k] > largest ? square[k] : largest;
+    const long double length = (long double)quad_sqrt(largest);
+    CHECK(length <= exact_acc(bound));
+    CHECK(exact_acc(bound) <= length + bound_by_num(4 * LSB, 16 * ulp(16000), 1e-9L));
+}
+
 /* Nothing is lost where nothing need be. */
 static void reducing_a_raised_curve_gives_it_back(arb *a)
 {
@@ -146,6 +182,7 @@ int main(void)
 {
     PROPERTY(raised_curves_come_back,                           2000);
     PROPERTY(reduced_curves_are_nearest_and_within_their_bound,  300);
+    PROPERTY(bounds_hold_far_from_the_origin,                    500);
     PROPERTY(reducing_a_raised_curve_gives_it_back,              300);
     PROPERTY(mistakes_are_refused,                                20);
     return check_failures();

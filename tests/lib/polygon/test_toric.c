@@ -2,57 +2,13 @@
  * SPDX-License-Identifier: MIT
  */
 #include "support/arb_patch.h"              /* arb_net, power */
+#include "support/lattices.h"               /* arb_lattice */
 #include "polygon/toric.h"
 #include "surface/tensor/tensor.h"
 #include "surface/triangle/triangle.h"
 
 static net points;
 static loft_real factor[PATCH_POINTS];
-
-/* Polygons with edges of any direction and length. */
-static const struct {
-    loft_whole v[LOFT_SIDES_MAX];
-    unsigned n;
-} shape[] = {
-    { { { { 0, 0 } }, { { 4, 0 } }, { { 0, 4 } } }, 3 },
-    { { { { 0, 0 } }, { { 1, 0 } }, { { 7, 1 } } }, 3 },
-    { { { { 0, 0 } }, { { 3, 1 } }, { { 1, 3 } } }, 3 },
-    { { { { -3, -2 } }, { { 5, -2 } }, { { 5, 1 } }, { { -3, 1 } } }, 4 },
-    { { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, 2 } }, { { 0, 2 } } }, 5 },
-    { { { { -3, -2 } }, { { 1, -3 } }, { { 4, 0 } }, { { 3, 3 } }, { { -1, 4 } }, { { -4, 1 } } },
-      6 },
-    { { { { 0, 0 } },
-        { { 4, 0 } },
-        { { 6, 1 } },
-        { { 6, 3 } },
-        { { 4, 5 } },
-        { { 1, 5 } },
-        { { 0, 3 } } },
-      7 },
-    { { { { 1, 0 } },
-        { { 2, 0 } },
-        { { 3, 1 } },
-        { { 3, 2 } },
-        { { 2, 3 } },
-        { { 1, 3 } },
-        { { 0, 2 } },
-        { { 0, 1 } } },
-      8 },
-};
-
-#define SHAPES (sizeof shape / sizeof shape[0])
-
-static loft_lattice_polygon arb_lattice(arb *a)
-{
-    const unsigned k = arb_below(a, SHAPES), turn = arb_below(a, shape[k].n);
-    loft_whole v[LOFT_SIDES_MAX];
-    loft_lattice_polygon l = { .sides = 0 };
-
-    for (unsigned i = 0; i < shape[k].n; i++)
-        v[i] = shape[k].v[(i + turn) % shape[k].n];
-    CHECK(loft_lattice_polygon_init(&l, v, shape[k].n) == LOFT_OK);
-    return l;
-}
 
 /* `tame`: points to 100 and weights as multiples of a power of two. */
 static loft_toric arb_toric(arb *a, const loft_lattice_polygon *l)

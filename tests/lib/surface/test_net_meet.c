@@ -395,9 +395,9 @@ int main(void)
 {
     PROPERTY(heights_meet_everywhere_they_cross, 12);
     PROPERTY(points_lie_on_both, 12);
-    PROPERTY(branches_cross_where_both_are_level, 3);
+    PROPERTY_LONG(branches_cross_where_both_are_level, 3);
     PROPERTY(cylinders_meet_in_one_curve, 4);
-    PROPERTY(a_plane_cuts_an_octant_in_an_arc, 3);
+    PROPERTY_LONG(a_plane_cuts_an_octant_in_an_arc, 3);
     PROPERTY(a_bowl_is_cut_in_a_closed_curve, 5);
     PROPERTY(surfaces_that_coincide_say_so, 2);
     PROPERTY(nets_in_another_order_are_the_same, 200);

@@ -289,8 +289,8 @@ static void refuses_what_it_cannot_keep(arb *a)
 int main(void)
 {
     PROPERTY(refuses_what_it_cannot_keep, 1);
-    PROPERTY(curves_keep_to_the_lines, 80);
+    PROPERTY_LONG(curves_keep_to_the_lines, 80);
     PROPERTY(faults_are_true, 120);
-    PROPERTY(nothing_is_cut, 6);
+    PROPERTY_LONG(nothing_is_cut, 6);
     return check_failures();
 }

@@ -119,6 +119,64 @@ static void cusps_are_as_asked_and_nothing_is_cut(arb *a)
     CHECK(exact_of(r.cusp) <= cusp * 1.0001L && exact_of(r.cusp) > cusp * 0.9L);
 }
 
+/* How far a centre is from the path of centres, a radius of 1 above the tips. */
+static long double from_path(const long double centre[3])
+{
+    long double least = 1e6L;
+
+    for (unsigned k = 0; k + 1 < count; k++) {
+        long double along = 0, l2 = 0, d2 = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            const long double by = path[k + 1][axis] - path[k][axis];
+            along += by * (centre[axis] - path[k][axis] - (axis == 2));
+            l2 += by * by;
+        }
+        const long double t = l2 > 0 ? fminl(1, fmaxl(0, along / l2)) : 0;
+        for (int axis = 0; axis < 3; axis++) {
+            const long double on = path[k][axis] + t * (path[k + 1][axis] - path[k][axis]),
+                              off = centre[axis] - on - (axis == 2);
+            d2 += off * off;
+        }
+        least = fminl(least, sqrtl(d2));
+    }
+    return least;
+}
+
+/* Over a plane that slopes along both axes the corners of a spiral are acute. A ball of radius 1
+ * that touches a point has its centre at a distance d from the path: 1 - sqrt(1 - d^2) is left. */
+static void corners_on_slopes_leave_no_more(arb *a)
+{
+    static hills h;
+    const loft_real p = arb_real(a, 3), q = arb_real(a, 3);
+    const long double slope[2] = { exact_of(p), exact_of(q) },
+                      steep = sqrtl(1 + slope[0] * slope[0] + slope[1] * slope[1]);
+    const double cusp = 0.1;
+    long double most = 0;
+    loft_cutter c;
+    loft_raster r;
+    loft_drop d;
+
+    gentle_hills(a, &h);
+    for (int k = 0; k < 16; k++)
+        h.p[k].axis[2] = loft_mul(p, h.p[k].axis[0]) + loft_mul(q, h.p[k].axis[1]);
+    CHECK(loft_tensor_init(&h.as.tensor, h.p, 3, 3) == LOFT_OK);
+    CHECK(loft_sheet_from_tensor(&h.sheet, &h.as.tensor) == LOFT_OK);
+    CHECK(loft_cutter_init(&c, LOFT_REAL(1), LOFT_REAL(1)) == LOFT_OK);
+    CHECK(loft_drop_init(&d, &h.sheet, 1, &c, LOFT_REAL(cusp / 25), -LOFT_REAL(60)) == LOFT_OK);
+    CHECK(loft_raster_init_spiral(&r, &d, &table, LOFT_REAL(cusp), 0) == LOFT_OK);
+    walk_raster(&r);
+    for (int i = 0; i <= 50; i++)
+        for (int j = 0; j <= 50; j++) {
+            const long double x = 1.5L + i / 10.0L, y = 1.5L + j / 10.0L,
+                              centre[3] = { x - slope[0] / steep, y - slope[1] / steep,
+                                            slope[0] * x + slope[1] * y + 1 / steep },
+                              off = from_path(centre);
+            most = fmaxl(most, 1 - sqrtl(fmaxl(0, 1 - off * off)));
+        }
+    CHECK(most <= exact_of(r.cusp) * 1.02L + cusp / 25 && most >= exact_of(r.cusp) * 0.7L);
+    CHECK(exact_of(r.cusp) <= cusp * 1.0001L);
+}
+
 /* Any cutter over any sheet, and beside it: no point of the path is below the tip of any point. */
 static void no_path_cuts(arb *a)
 {
@@ -233,8 +291,9 @@ static void wrong_rasters_are_refused(arb *a)
 
 int main(void)
 {
-    PROPERTY(cusps_are_as_asked_and_nothing_is_cut, 4);
-    PROPERTY(no_path_cuts, 4);
+    PROPERTY_LONG(cusps_are_as_asked_and_nothing_is_cut, 4);
+    PROPERTY_LONG(corners_on_slopes_leave_no_more, 8);
+    PROPERTY_LONG(no_path_cuts, 4);
     PROPERTY(lines_follow_each_other, 3);
     PROPERTY(spirals_leave_nothing_out, 2);
     PROPERTY(wrong_rasters_are_refused, 1);

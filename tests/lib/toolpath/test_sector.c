@@ -174,7 +174,7 @@ int main(void)
 {
     PROPERTY(parts_are_as_flat_as_the_bend_says, 150);
     PROPERTY(bends_of_fine_parts_are_near, 20);
-    PROPERTY(a_tip_cuts_no_point_of_a_patch, 5);
+    PROPERTY_LONG(a_tip_cuts_no_point_of_a_patch, 5);
     PROPERTY(what_has_no_bounds_is_refused, 1);
     return check_failures();
 }

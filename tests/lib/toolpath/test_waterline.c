@@ -185,7 +185,7 @@ static void wrong_lines_are_refused(arb *a)
 int main(void)
 {
     PROPERTY(a_plate_is_gone_around_at_its_distance, 4);
-    PROPERTY(no_line_cuts_and_each_comes_back, 12);
+    PROPERTY_LONG(no_line_cuts_and_each_comes_back, 12);
     PROPERTY(wrong_lines_are_refused, 1);
     return check_failures();
 }

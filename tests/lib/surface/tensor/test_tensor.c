@@ -171,28 +171,56 @@ static void splitting_changes_nothing(arb *a)
         CHECK(loft_vec_equal(left[i * (x->n + 1) + x->n], right[i * (x->n + 1)]));
 }
 
+static loft_vec raised[(LOFT_BEZIER_ELEVATE_MAX + 1) * (LOFT_DEGREE_MAX + 1)];
+
 static void parts_and_raised_patches_are_the_patch(arb *a)
 {
-    static loft_vec net[(LOFT_ELEVATE_MAX + 1) * (LOFT_DEGREE_MAX + 1)];
     const tensor *x = arb_tensor(a);
     const loft_unit from = arb_unit(a), to = arb_unit(a);
     const long double piece[2] = { exact_unit(from), exact_unit(to) }, whole[2] = { 0, 1 };
     const unsigned times = arb_below(a, 4);
 
-    CHECK(loft_tensor_sub_u(&x->s, from, to, net) == LOFT_OK);
-    check_piece(x, net, x->m, x->n, (long double *)piece, (long double *)whole, a);
-    CHECK(loft_tensor_sub_v(&x->s, from, to, net) == LOFT_OK);
-    check_piece(x, net, x->m, x->n, (long double *)whole, (long double *)piece, a);
+    CHECK(loft_tensor_sub_u(&x->s, from, to, raised) == LOFT_OK);
+    check_piece(x, raised, x->m, x->n, (long double *)piece, (long double *)whole, a);
+    CHECK(loft_tensor_sub_v(&x->s, from, to, raised) == LOFT_OK);
+    check_piece(x, raised, x->m, x->n, (long double *)whole, (long double *)piece, a);
     if (x->m + times <= LOFT_DEGREE_MAX) {
-        CHECK(loft_tensor_elevate_u(&x->s, times, net) == LOFT_OK);
-        check_piece(x, net, x->m + times, x->n, (long double *)whole, (long double *)whole, a);
+        CHECK(loft_tensor_elevate_u(&x->s, times, raised) == LOFT_OK);
+        check_piece(x, raised, x->m + times, x->n, (long double *)whole, (long double *)whole, a);
     }
     if (x->n + times <= LOFT_DEGREE_MAX) {
-        CHECK(loft_tensor_elevate_v(&x->s, times, net) == LOFT_OK);
-        check_piece(x, net, x->m, x->n + times, (long double *)whole, (long double *)whole, a);
+        CHECK(loft_tensor_elevate_v(&x->s, times, raised) == LOFT_OK);
+        check_piece(x, raised, x->m, x->n + times, (long double *)whole, (long double *)whole, a);
     }
-    CHECK(loft_tensor_elevate_u(&x->s, LOFT_ELEVATE_MAX + 1 - x->m, net) == LOFT_ERR_ARG);
-    CHECK(loft_tensor_elevate_v(&x->s, LOFT_ELEVATE_MAX + 1 - x->n, net) == LOFT_ERR_ARG);
+    CHECK(loft_tensor_elevate_u(&x->s, LOFT_BEZIER_ELEVATE_MAX + 1 - x->m, raised) == LOFT_ERR_ARG);
+    CHECK(loft_tensor_elevate_v(&x->s, LOFT_BEZIER_ELEVATE_MAX + 1 - x->n, raised) == LOFT_ERR_ARG);
+}
+
+/* Each row and column is a curve that was raised. */
+static void a_patch_is_raised_curve_by_curve(arb *a)
+{
+    const tensor *x = arb_tensor(a);
+    const unsigned m = x->m, n = x->n, by_u = arb_below(a, LOFT_BEZIER_ELEVATE_MAX + 1 - m),
+                   by_v = arb_below(a, LOFT_BEZIER_ELEVATE_MAX + 1 - n);
+    loft_vec line[LOFT_DEGREE_MAX + 1], high[LOFT_BEZIER_ELEVATE_MAX + 1];
+    loft_bezier b;
+
+    CHECK(loft_tensor_elevate_u(&x->s, by_u, raised) == LOFT_OK);
+    for (unsigned j = 0; j <= n; j++) {
+        for (unsigned i = 0; i <= m; i++)
+            line[i] = x->p[(n + 1) * i + j];
+        CHECK(loft_bezier_init(&b, line, m) == LOFT_OK &&
+              loft_bezier_elevate(&b, by_u, high) == LOFT_OK);
+        for (unsigned i = 0; i <= m + by_u; i++)
+            CHECK(loft_vec_equal(raised[(n + 1) * i + j], high[i]));
+    }
+    CHECK(loft_tensor_elevate_v(&x->s, by_v, raised) == LOFT_OK);
+    for (unsigned i = 0; i <= m; i++) {
+        CHECK(loft_bezier_init(&b, &x->p[(n + 1) * i], n) == LOFT_OK &&
+              loft_bezier_elevate(&b, by_v, high) == LOFT_OK);
+        for (unsigned j = 0; j <= n + by_v; j++)
+            CHECK(loft_vec_equal(raised[(n + by_v + 1) * i + j], high[j]));
+    }
 }
 
 static void a_piece_may_take_the_place_of_its_net(arb *a)
@@ -273,6 +301,7 @@ int main(void)
     PROPERTY(a_derivative_is_within_its_bound_or_refused, 4000);
     PROPERTY(splitting_changes_nothing, 500);
     PROPERTY(parts_and_raised_patches_are_the_patch, 400);
+    PROPERTY(a_patch_is_raised_curve_by_curve, 300);
     PROPERTY(a_piece_may_take_the_place_of_its_net, 300);
     PROPERTY(the_patch_stays_in_its_box, 1000);
     PROPERTY(an_affine_map_of_the_net_maps_the_points, 500);

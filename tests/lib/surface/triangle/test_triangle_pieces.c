@@ -132,15 +132,16 @@ static void a_part_is_within_its_bound_and_the_same_surface(arb *a)
  * points. */
 static void a_raised_triangle_is_within_its_bound(arb *a)
 {
-    static long double c[LOFT_TRIANGLE_POINTS(LOFT_ELEVATE_MAX)],
-        next[LOFT_TRIANGLE_POINTS(LOFT_ELEVATE_MAX)];
-    static loft_vec out[LOFT_TRIANGLE_POINTS(LOFT_ELEVATE_MAX)];
+    static long double c[LOFT_TRIANGLE_POINTS(LOFT_BEZIER_ELEVATE_MAX)],
+        next[LOFT_TRIANGLE_POINTS(LOFT_BEZIER_ELEVATE_MAX)];
+    static loft_vec out[LOFT_TRIANGLE_POINTS(LOFT_BEZIER_ELEVATE_MAX)];
     const arb_net *x = arb_net_of(a, 0, LOFT_DEGREE_MAX, 32767);
     const loft_triangle t = triangle_of(x);
-    const unsigned times = arb_below(a, LOFT_ELEVATE_MAX - x->n + 1);
+    const unsigned times = arb_below(a, LOFT_BEZIER_ELEVATE_MAX - x->n + 1);
+    const bool steps = x->n + times > LOFT_ELEVATE_MAX;
 
     CHECK(loft_triangle_elevate(&t, times, out) == LOFT_OK);
-    CHECK(loft_triangle_elevate(&t, LOFT_ELEVATE_MAX - x->n + 1, out) == LOFT_ERR_ARG);
+    CHECK(loft_triangle_elevate(&t, LOFT_BEZIER_ELEVATE_MAX - x->n + 1, out) == LOFT_ERR_ARG);
     for (int i = 0; i < LOFT_AXES; i++) {
         for (unsigned k = 0; k < x->count; k++)
             c[k] = x->c[i][k];
@@ -157,9 +158,10 @@ static void a_raised_triangle_is_within_its_bound(arb *a)
                 c[p] = next[p];
         }
         for (unsigned p = 0; p < LOFT_TRIANGLE_POINTS(x->n + times); p++)
-            CHECK_EXACT(exact_of(out[p].axis[i]), c[p],
-                        by_kind(LSB / 2 + LSB / 131072 + 0x1p-40L,
-                                ulp(c[p]) / 2 + (x->n + 3) * ulp_double(x->largest)));
+            CHECK_EXACT(
+                exact_of(out[p].axis[i]), c[p],
+                by_kind(LSB / 2 + (steps ? x->n : 1) * LSB / 131072 + 0x1p-40L,
+                        ulp(c[p]) / 2 + ((steps ? 2 : 1) * x->n + 3) * ulp_double(x->largest)));
     }
 }
 

@@ -1,0 +1,245 @@
+/* lib/surface/net_field.c
+ * SPDX-License-Identifier: MIT
+ *
+ * The point is P = X / w, A = (X, w). With D(a, b, c) = w_a X_b x X_c + w_b X_c x X_a + w_c X_a x
+ * X_b, the vector part of the plane through three points, the normal is
+ *
+ *     P_u x P_v = M / w^3,   M = D(A, A_u, A_v)
+ *
+ * De Casteljau's last step gives four points of degrees m - 1, n - 1: A_00, A_10, A_01, A_11. D
+ * alternates, so
+ *
+ *     M = m n ( (1-u) (1-v) D(A_00, A_10, A_01) + u (1-v) D(A_00, A_10, A_11)
+ *             + (1-u) v D(A_00, A_11, A_01) + u v D(A_10, A_11, A_01) )
+ *
+ * of the degrees p = 3 m - 2, q = 3 n - 2. Without weights w = 1 and M = X_u x X_v has the degrees
+ * 2 m - 1, 2 n - 1. In the same way det(X, X_u, X_v) = X . M / w is a sum of determinants of three
+ * points, and the cone over the patch has the volume 1/3 int det / w^3.
+ *
+ * Moments. A point of the cone is r P, its element of volume r^2 dr det / w^3, so the first moments
+ * about the apex are 1/4 int X det / w^4: one polynomial more, of the degrees 4 m - 2, 4 n - 2.
+ *
+ * For Bernstein polynomials B_k^p B_i^r = C(p,k) C(r,i) / C(p+r,k+i) B_(k+i)^(p+r), and the
+ * integral of that one is 1 / (p + r + 1).
+ */
+#include "surface/net_field.h"
+#include "basis/integral.h"     /* loft_binomial_sci */
+
+static loft_sci sci_of(unsigned k) { return loft_sci_from_int((int32_t)k); }
+
+
+// The polynomial
+// --------------
+
+/* A homogeneous point: three coordinates and the weight. */
+typedef struct {
+    loft_sci x[3], w;
+} spot;
+
+static spot spot_of(const loft_net_form *f, unsigned i, unsigned j)
+{
+    spot r;
+
+    for (int axis = 0; axis < 3; axis++)
+        r.x[axis] = axis < LOFT_AXES ? f->axis[axis].c[i][j] : loft_sci_zero();
+    r.w = f->weighted ? f->w.c[i][j] : loft_sci_one();
+    return r;
+}
+
+/* A pair of points, for products with many third ones. */
+typedef struct {
+    loft_sci cross[3], turn[3];         /* X_a x X_b, w_a X_b - w_b X_a */
+} line;
+
+static line line_of(const spot *a, const spot *b)
+{
+    line r;
+
+    loft_sci_cross3(a->x, b->x, r.cross);
+    for (int i = 0; i < 3; i++)
+        r.turn[i] = loft_sci_sub_product(loft_sci_mul(a->w, b->x[i]), b->w, a->x[i]);
+    return r;
+}
+
+/* D(a, b, c) or the determinant, times the factor. */
+static void add_plane(const line *ab, const spot *c, loft_sci factor, unsigned each, loft_sci out[])
+{
+    loft_sci turned[3];
+
+    if (each == 1) {
+        loft_sci_add_product(out, factor, loft_sci_dot3(ab->cross, c->x));
+        return;
+    }
+    loft_sci_cross3(ab->turn, c->x, turned);
+    for (int i = 0; i < 3; i++)
+        loft_sci_add_product(&out[i], factor,
+                             loft_sci_add(turned[i], loft_sci_mul(c->w, ab->cross[i])));
+}
+
+/* One of the four terms: `shift` of its points along u and v, and of its result. */
+static void add_term(const loft_net_form *f, loft_net_field *x, const unsigned shift[4][2])
+{
+    const unsigned m = x->m, n = x->n, wide = x->q + 1;
+
+    for (unsigned ab = 0; ab < m * n * m * n; ab++) {
+        const unsigned i = ab % m, j = ab / m % n, k = ab / (m * n) % m, l = ab / (m * n * m);
+        const spot a = spot_of(f, i + shift[0][0], j + shift[0][1]),
+                   b = spot_of(f, k + shift[1][0], l + shift[1][1]);
+        const line both = line_of(&a, &b);
+        const loft_sci two = loft_sci_from_int(loft_binomial(m - 1, i) * loft_binomial(n - 1, j) *
+                                               (loft_binomial(m - 1, k) * loft_binomial(n - 1, l)));
+        for (unsigned g = 0; g < m; g++)
+            for (unsigned h = 0; h < n; h++) {
+                const spot c = spot_of(f, g + shift[2][0], h + shift[2][1]);
+                const unsigned at = (i + k + g + shift[3][0]) * wide + j + l + h + shift[3][1];
+                const loft_sci one = loft_sci_from_int(loft_binomial(m - 1, g) *
+                                                       loft_binomial(n - 1, h));
+                add_plane(&both, &c, loft_sci_mul(two, one), x->each, x->whole + at * x->each);
+            }
+    }
+}
+
+/* X_u x X_v. The product of four binomials is at most 70 * 126 * 126 * 70 < 2^27. */
+static void add_cross(const loft_net_form *f, loft_net_field *x)
+{
+    const unsigned m = x->m, n = x->n;
+
+    for (unsigned ab = 0; ab < m * (n + 1) * (m + 1) * n; ab++) {
+        const unsigned i = ab % m, j = ab / m % (n + 1), k = ab / (m * (n + 1)) % (m + 1),
+                       l = ab / (m * (n + 1) * (m + 1));
+        const spot a = spot_of(f, i, j), right = spot_of(f, i + 1, j), b = spot_of(f, k, l),
+                   above = spot_of(f, k, l + 1);
+        const loft_sci factor = loft_sci_from_int(loft_binomial(m - 1, i) * loft_binomial(n, j) *
+                                                  loft_binomial(m, k) * loft_binomial(n - 1, l));
+        loft_sci d[2][3], cross[3];
+        for (int axis = 0; axis < 3; axis++) {
+            d[0][axis] = loft_sci_sub(right.x[axis], a.x[axis]);
+            d[1][axis] = loft_sci_sub(above.x[axis], b.x[axis]);
+        }
+        loft_sci_cross3(d[0], d[1], cross);
+        for (int axis = 0; axis < 3; axis++)
+            loft_sci_add_product(&x->whole[((i + k) * (x->q + 1) + j + l) * 3 + (unsigned)axis],
+                                 factor, cross[axis]);
+    }
+}
+
+/* From coefficients times binomials to coefficients, times m n. */
+static void scale_field(loft_net_field *x)
+{
+    const loft_sci both = sci_of(x->m * x->n);
+
+    for (unsigned k = 0; k <= x->p; k++)
+        for (unsigned l = 0; l <= x->q; l++)
+            for (unsigned i = 0; i < x->each; i++) {
+                loft_sci *at = &x->whole[(k * (x->q + 1) + l) * x->each + i];
+                *at = loft_sci_div(
+                    loft_sci_mul(both, *at),
+                    loft_sci_mul(loft_binomial_sci(x->p, k), loft_binomial_sci(x->q, l)));
+            }
+}
+
+static loft_sci product_integral(unsigned p, unsigned k, unsigned r, unsigned i)
+{
+    return loft_sci_div(loft_sci_mul(loft_binomial_sci(p, k), loft_binomial_sci(r, i)),
+                        loft_sci_mul(loft_binomial_sci(p + r, k + i), sci_of(p + r + 1)));
+}
+
+static void load_integrals(loft_net_field *x, int along, unsigned p, unsigned r)
+{
+    for (unsigned k = 0; k <= p; k++) {
+        for (unsigned i = 0; i <= p && x->each == 3 && x->power == 3; i++)
+            x->same[along][k * (p + 1) + i] = product_integral(p, k, p, i);
+        for (unsigned i = 0; i <= r && x->weighted; i++)
+            x->with[along][k * (r + 1) + i] = product_integral(p, k, r, i);
+    }
+}
+
+/* From D in c[] to D X, both times binomials. */
+static void add_moments(const loft_net_form *f, loft_net_field *x)
+{
+    const unsigned p = x->p, q = x->q;
+
+    x->p += x->m;
+    x->q += x->n;
+    x->each = 3;
+    for (unsigned at = 0; at < (p + 1) * (q + 1); at++)
+        for (unsigned i = 0; i <= x->m; i++)
+            for (unsigned j = 0; j <= x->n; j++) {
+                const spot s = spot_of(f, i, j);
+                const loft_sci ways = loft_sci_from_int(loft_binomial(x->m, i) *
+                                                        loft_binomial(x->n, j)),
+                               d = loft_sci_mul(ways, x->c[at]);
+                const unsigned to = (at / (q + 1) + i) * (x->q + 1) + at % (q + 1) + j;
+                for (unsigned axis = 0; axis < 3; axis++)
+                    loft_sci_add_product(&x->whole[to * 3 + axis], d, s.x[axis]);
+            }
+}
+
+/* Divide the memory. */
+static void hold_field(loft_sci memory[], unsigned all, loft_net_field *x)
+{
+    const unsigned weights = (x->m + 1) * (x->n + 1), p = x->p + 1, q = x->q + 1;
+    const bool squares = x->power == 3 && x->each == 3;
+
+    x->whole = memory;
+    x->c = x->whole + all;
+    x->w_whole = x->c + all;
+    x->w = x->w_whole + weights;
+    x->same[0] = x->w + weights;
+    x->same[1] = x->same[0] + (squares ? p * p : 0);
+    x->with[0] = x->same[1] + (squares ? q * q : 0);
+    x->with[1] = x->with[0] + p * (x->m + 1);
+}
+
+static void load_polynomial(const loft_net_form *f, enum loft_net_field_of of, loft_net_field *x)
+{
+    static const unsigned shift[4][4][2] = { { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 0, 0 } },
+                                             { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 1, 0 } },
+                                             { { 0, 0 }, { 1, 1 }, { 0, 1 }, { 0, 1 } },
+                                             { { 1, 0 }, { 1, 1 }, { 0, 1 }, { 1, 1 } } };
+
+    if (of == LOFT_NET_NORMAL && !f->weighted) {
+        add_cross(f, x);
+        return;
+    }
+    for (int term = 0; term < 4; term++)
+        add_term(f, x, shift[term]);
+}
+
+void loft_net_field_load(loft_net s, loft_vec origin, enum loft_net_field_of of, loft_sci memory[],
+                         loft_net_field *x)
+{
+    const bool flat = s.weighted == NULL && of == LOFT_NET_NORMAL, moment = of == LOFT_NET_MOMENT;
+    const unsigned least = flat ? 1 : 2, degree = moment ? 4 : flat ? 2 : 3;
+    loft_net_form f;
+
+    loft_net_load(s, origin, &f);
+    x->m = s.m;
+    x->n = s.n;
+    x->weighted = f.weighted;
+    x->power = moment ? 4 : 3;
+    x->each  = of == LOFT_NET_CONE ? 1 : 3;
+    x->p = degree * s.m - least;
+    x->q = degree * s.n - least;
+    const unsigned all = (x->p + 1) * (x->q + 1) * x->each;
+    hold_field(memory, all, x);
+    for (unsigned k = 0; k < 2 * all; k++)
+        memory[k] = loft_sci_zero();
+    for (unsigned i = 0; i <= s.m && f.weighted; i++)
+        for (unsigned j = 0; j <= s.n; j++)
+            x->w_whole[i * (s.n + 1u) + j] = f.w.c[i][j];
+    if (moment) {               /* D first, in the room of a part */
+        x->p -= s.m;
+        x->q -= s.n;
+        x->each  = 1;
+        x->whole = x->c;
+    }
+    load_polynomial(&f, of, x);
+    if (moment) {
+        x->whole = memory;
+        add_moments(&f, x);
+    }
+    scale_field(x);
+    load_integrals(x, 0, x->p, s.m);
+    load_integrals(x, 1, x->q, s.n);
+}
