@@ -118,5 +118,5 @@ TARGET_BESIDE += check-atmega328p
 .PHONY: check-walk
 check-walk: firmware-atmega328p build/target/chip build/e2e/pty build/e2e/shim.so $(TOOL_OUT)/loft
 	@bash tests/target/walk.sh $(AVR_DIR)/loft.elf $(TOOL_OUT)/loft build/target
-	@bash tests/e2e/e2e.sh $(TOOL_OUT)/loft build/e2e the_page_of_the_boards
+	@bash tests/e2e/e2e.sh $(TOOL_OUT)/loft $(TOOL_OUT)/loft build/e2e the_page_of_the_boards
 TARGET_BESIDE += check-walk

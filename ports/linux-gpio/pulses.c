@@ -68,11 +68,14 @@ static void set_lines(struct pulses *p, uint32_t which, uint32_t on)
         STORE(p->broken, true);
 }
 
-/* Something was done `late` ns after its time. */
+/* Something was done `late` ns after its time. What follows moves by that. Before the first pulse
+ * the job only begins later: that makes it no slower. */
 static void note_late(struct pulses *p, int64_t late)
 {
-    if (late > p->slot_ns) {
-        p->origin += late - p->slot_ns;
+    if (late <= p->slot_ns)
+        return;
+    p->origin += late - p->slot_ns;
+    if (p->late.pulses > 0) {
         p->late.moved++;
         p->late.moved_ns += late - p->slot_ns;
     }
@@ -123,8 +126,8 @@ static void give_pulse(struct pulses *p, int64_t due, uint8_t step)
     set_lines(p, which, 0);
     p->fell = now_ns();
     const int64_t late = (p->rose - now > 2 * p->slot_ns ? p->rose : now) - due;
-    count_pulse(p, late);
     note_late(p, late);
+    count_pulse(p, late);
 }
 
 static void give_level(struct pulses *p, int output, uint16_t level)
