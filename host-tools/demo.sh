@@ -3,7 +3,7 @@
 # through a pty, to counted pulses and a picture
 # SPDX-License-Identifier: MIT
 # usage: host-tools/demo.sh draw LOFT DRAWING DIRECTORY [MACHINE-FILE]
-#        host-tools/demo.sh mill LOFT SURFACES DIRECTORY TOOL CUSP
+#        host-tools/demo.sh mill LOFT SURFACES DIRECTORY TOOL STEP STOCK
 set -eu
 what=$1 loft=$2 input=$3 out=$4; shift 4
 is=(--steps 320 --slots 80) as=() job=$input tol=0.005
@@ -16,8 +16,8 @@ trap clean_up EXIT
 trap 'exit 130' INT TERM
 
 if [ "$what" = mill ]; then
-    tool=$1 cusp=$2 job=$out/path.loft
-    "$loft" mill "$input" --tool "$tool" --cusp "$cusp" >"$job"
+    tool=$1 step=$2 stock=$3 job=$out/path.loft
+    "$loft" mill "$input" --tool "$tool" --step "$step" --stock "$stock" >"$job"
     grep '^#' "$job"
 else
     [ $# = 0 ] || { is=(--machine "$1"); as=(--machine "$1")
@@ -38,7 +38,8 @@ wait "$machine" || { code=$?; machine=; cat "$out/machine.log" >&2; exit $code; 
 machine=
 
 if [ "$what" = mill ]; then
-    "$loft" mill "$input" --tool "$tool" --record "$out/pulses.csv" -o "$out/left.png"
+    "$loft" mill "$input" --tool "$tool" --stock "$stock" --record "$out/pulses.csv" \
+        -o "$out/left.png"
 else
     "$loft" plot "$input" --record "$out/pulses.csv" --error 0 --tol "$tol" \
         --output "$out/drawn.png"

@@ -10,12 +10,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "num/status.h"     /* LOFT_SINGULAR, LOFT_MORE */
+#include "num/status.h"     /* LOFT_SINGULAR */
 
 #include "engine/element.h"
 #include "engine/print.h"   /* print_words */
+#include "engine/stretches.h"
 #include "base/source.h"    /* source_name */
 #include "base/tool.h"
+#include "cmd/measure_surface.h"
 
 #define FINE 0.01           /* of the tolerance, for cubics that replace other curves */
 
@@ -195,113 +197,6 @@ static int print_nearest(const measuring *m)
 // Crossings
 // ---------
 
-static bool boxes_apart(const element *a, const element *b, double gap)
-{
-    for (int i = 0; i < CURVE_AXES; i++)
-        if (a->box[0][i] > b->box[1][i] + gap || b->box[0][i] > a->box[1][i] + gap)
-            return true;
-    return false;
-}
-
-/* A stretch along which two curves meet, with three places on each: its begin, the closest place,
- * its end. */
-typedef struct {
-    double s[3], t[3], on_first[3][CURVE_AXES], on_second[3][CURVE_AXES];
-    double point[ENGINE_AXES], distance;
-    bool overlap;
-} stretch;
-
-typedef struct {
-    stretch *row;
-    size_t count, room;
-    double range[2];            /* the ranges of the parameters of both curves */
-} stretches;
-
-static double stretch_gap(const double a[CURVE_AXES], const double b[CURVE_AXES])
-{
-    return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
-}
-
-/* Does one stretch begin where the other ends, or before? The seam of a closed curve does not
- * count. */
-static bool stretches_touch(const double s[3], double at[3][CURVE_AXES], const double other[3],
-                            double other_at[3][CURVE_AXES], double gap, double range)
-{
-    if (s[0] <= other[2] && other[0] <= s[2])
-        return true;
-    const bool after = s[0] > other[2];
-    return fabs(after ? s[0] - other[2] : other[0] - s[2]) <= range / 100 &&
-           stretch_gap(at[after ? 0 : 2], other_at[after ? 2 : 0]) <= gap;
-}
-
-static void extend_stretch(double s[3], double at[3][CURVE_AXES], const double other[3],
-                           double other_at[3][CURVE_AXES])
-{
-    for (int k = 0; k < 3; k += 2)
-        if (k == 0 ? other[k] < s[k] : other[k] > s[k]) {
-            s[k] = other[k];
-            memcpy(at[k], other_at[k], sizeof at[k]);
-        }
-}
-
-/* Curves come in pieces: a stretch that continues in the next piece is one stretch. */
-static void add_stretch(stretches *list, stretch c, double gap)
-{
-    for (size_t k = 0; k < list->count; ) {
-        stretch *r = &list->row[k];
-        if (!stretches_touch(c.s, c.on_first, r->s, r->on_first, gap, list->range[0]) ||
-            !stretches_touch(c.t, c.on_second, r->t, r->on_second, gap, list->range[1])) {
-            k++;
-            continue;
-        }
-        stretch *far = r->distance < c.distance ? &c : r, both = r->distance < c.distance ? *r : c;
-        extend_stretch(both.s, both.on_first, far->s, far->on_first);
-        extend_stretch(both.t, both.on_second, far->t, far->on_second);
-        both.overlap = c.overlap || r->overlap;
-        c = both;
-        memmove(r, r + 1, (--list->count - k) * sizeof *r);
-        k = 0;
-    }
-    if (list->count == list->room) {
-        list->room = list->room ? 2 * list->room : 16;
-        list->row = tool_grow(list->row, list->room * sizeof *list->row);
-    }
-    list->row[list->count++] = c;
-}
-
-/* Parameters of the curve, and points, at three places of an element. */
-static void set_places(const element *x, const double t[3], double out[3], double at[3][CURVE_AXES])
-{
-    double d[3][CURVE_AXES];
-
-    for (int k = 0; k < 3; k++) {
-        piece_eval(&x->p, t[k], d);
-        memcpy(at[k], d[0], sizeof at[k]);
-        out[k] = element_parameter(x, t[k], at[k]);
-    }
-}
-
-static int meet_elements(const measuring *m, const element *a, const element *b, stretches *list)
-{
-    engine_meeting c[ENGINE_MEETINGS];
-    size_t count;
-    const int status = m->p.e->measure->meet(&a->p, &b->p, m->tol / 2, c, &count);
-
-    if (status == LOFT_MORE)
-        return element_error(
-            a, "meets another curve in more places than two curves have: give a larger --tol");
-    if (status != 0)
-        return element_error(a, engine_status(status));
-    for (size_t k = 0; k < count; k++) {
-        stretch r = { .distance = c[k].distance, .overlap = c[k].overlap };
-        memcpy(r.point, c[k].point, sizeof r.point);
-        set_places(a, c[k].s, r.s, r.on_first);
-        set_places(b, c[k].t, r.t, r.on_second);
-        add_stretch(list, r, 4 * m->tol);
-    }
-    return EX_OK;
-}
-
 static int compare_stretches(const void *a, const void *b)
 {
     const stretch *x = a, *y = b;
@@ -339,9 +234,7 @@ static int print_pair(const measuring *m, size_t first, size_t last, size_t othe
     found->range[1] = x[end - 1].to - x[other].from;
     for (size_t i = first; i < last; i++)
         for (size_t j = other; j < end; j++) {
-            const int code = boxes_apart(&x[i], &x[j], m->tol)
-                                 ? EX_OK
-                                 : meet_elements(m, &x[i], &x[j], found);
+            const int code = stretches_meet(found, m->p.e, &x[i], &x[j], m->tol);
             if (code != EX_OK)
                 return code;
         }
@@ -536,6 +429,13 @@ static int run_measure(const tool_command *self, int argc, char **argv)
     if (at.count == 1 || at.count > ENGINE_AXES)
         return tool_error(EX_USAGE, "--nearest: %zu numbers: give x,y or x,y,z", at.count);
 
+    if (argc - first == 1 && text == NULL) {
+        const bool path = meets || joins || distance < 0 || distance > 0;
+        bool done;
+        code = measure_surfaces(argv[first], e, &at, tol, path, &done);
+        if (code != 0 || done)
+            return code;
+    }
     measuring m = { .p = { e, false }, .tol = tol, .distance = distance };
     memcpy(m.at, at.value, at.count * sizeof m.at[0]);
     const size_t files = (size_t)(argc - first) + 1;
@@ -574,6 +474,8 @@ const tool_command command_measure = {
     "cubics in .loft, which all commands read. Parts that would cut into the curve are left\n"
     "out; corners between curves are not joined. Curves with weights (for length and offset\n"
     "also curves above degree 3) are first converted to cubics within a hundredth of the\n"
-    "tolerance, or within what the number type can hold.\n",
+    "tolerance, or within what the number type can hold.\n\n"
+    "Of one FILE of surfaces with nets: the area of each within --tol mm^2, or with --nearest\n"
+    "X,Y,Z the point, as `loft decide area` and `nearest` print them.\n",
     run_measure
 };

@@ -12,6 +12,7 @@
 #include "base/tool.h"
 #include "cmd/mill_chip.h"      /* mill_chip_run */
 #include "draw/left.h"
+#include "draw/stock.h"
 #include "draw/surface_plot.h"
 #include "engine/mill.h"
 #include "engine/print.h"       /* print_point */
@@ -22,6 +23,7 @@
 typedef struct {
     mill_order o;
     const char *name;           /* of the tool, as given */
+    stock block;
 } tool_wish;
 
 /* ball:6, flat:6, bull:6:1 */
@@ -51,6 +53,17 @@ static bool parse_tool(const char *text, void *out)
                      "diameter of 0.05 to 250 mm",
                      text);
     return false;
+}
+
+/* 0.5, cusp:0.01 */
+static bool parse_step(const char *text, void *out)
+{
+    mill_order *o = &((tool_wish *)out)->o;
+
+    o->cusp = o->step = 0;
+    if (strncmp(text, "cusp:", 5) == 0)
+        return tool_number("step cusp:", text + 5, 0.0005, 60, &o->cusp);
+    return tool_number("step", text, 0.001, 1000, &o->step);
 }
 
 /* straight, ramp:5, helix:2, helix:2:5 */
@@ -115,9 +128,21 @@ static int print_path(const engine *e, const tool_wish *w, const mill_cut *p, co
            w->o.tol);
     if (r->cusp > 0)
         printf("# cusps: at most %.6f, asked %g\n", r->cusp, w->o.cusp);
+    if (p->count > 0) {
+        printf("# left on the surfaces: at most %.4f\n", r->left);
+        printf(r->hollow > r->reached
+                   ? "# left in hollows tighter than the tool: at most %.4f\n"
+                   : "# left in hollows tighter than the tool: no more than %.4f\n",
+               fmax(r->hollow, r->reached));
+    }
     if (w->o.entry != MILL_STRAIGHT)
         printf("# entries: %zu by a helix, %zu by a ramp, %zu straight down\n",
                r->entries[MILL_HELIX], r->entries[MILL_RAMP], r->entries[MILL_STRAIGHT]);
+    if (w->block.given) {
+        const double *const d = w->block.size, *const low = w->block.low;
+        printf("# out of --stock %.7gx%.7gx%.7g@%.7g,%.7g,%.7g, in one pass through all of it\n",
+               d[0], d[1], d[2], low[0], low[1], low[2]);
+    }
     if (p->count > 0)
         puts("line");
     for (size_t i = 0; i < p->count; i++)
@@ -147,8 +172,7 @@ static int refuse(const char *file, const surfaces *all, const mill_report *r, i
                           "%s: nothing is left inside of the loops: --trim takes mm, "
                           "--trim-uv 0 to 1",
                           file);
-    return tool_error(EX_DATAERR, "%s: --tool, --cusp, --step, --area: %s", file,
-                      engine_status(status));
+    return tool_error(EX_DATAERR, "%s: --tool, --step, --area: %s", file, engine_status(status));
 }
 
 static int mill_surfaces(const engine *e, tool_wish *w, const char *file)
@@ -168,14 +192,22 @@ static int mill_surfaces(const engine *e, tool_wish *w, const char *file)
             code = tool_error(
                 EX_DATAERR, "%s:%u: %s: has no u and v: give --trim, and --along x or y",
                 source_name(file), all.surface[k].line, surface_name(all.surface[k].kind));
+    if (code == 0 && w->block.given)
+        code = stock_place(&w->block, &all, &w->o.trim, source_name(file));
     if (code == 0) {
+        w->o.stocked  = w->block.given;
+        w->o.stock[0] = w->block.low[2];
+        w->o.stock[1] = w->block.low[2] + w->block.size[2];
         progress_start(&bar, 1);
         w->o.tell = show;
         w->o.context = &bar;
         const int status = run(&all, &w->o, &path, &r);
         progress_clear(&bar);
-        code = status == 0 ? print_path(e, w, &path.cut[0], &r)
-                           : refuse(source_name(file), &all, &r, status);
+        code = status != 0       ? refuse(source_name(file), &all, &r, status)
+               : w->block.given ? stock_holds(&w->block, &path.cut[0], source_name(file))
+                                : 0;
+        if (code == 0)
+            code = print_path(e, w, &path.cut[0], &r);
     }
     mill_cuts_free(&path);
     surfaces_free(&all);
@@ -183,18 +215,20 @@ static int mill_surfaces(const engine *e, tool_wish *w, const char *file)
 }
 
 /* A picture of the surfaces, coloured by what a machine left on them. */
-static int plot_left(const tool_wish *w, const char *file, const char *record_file,
-                     const char *output)
+static int plot_left(tool_wish *w, const char *file, const char *record_file, const char *output)
 {
     surfaces all = { 0 };
     record r = { 0 };
     left_over l;
     int code = surfaces_read_only(&all, file);
 
+    if (code == 0 && w->block.given)
+        code = stock_place(&w->block, &all, &w->o.trim, source_name(file));
     if (code == 0)
         code = record_read(&r, record_file, 0);
     if (code == 0) {
         left_make(&l, &r, w->o.radius, w->o.corner);
+        l.block = w->block.given ? &w->block : NULL;
         const surface_options o = { .all = &all,
                                     .name = file,
                                     .output = output,
@@ -203,8 +237,10 @@ static int plot_left(const tool_wish *w, const char *file, const char *record_fi
                                     .value = left_at,
                                     .context = &l,
                                     .words = "left, mm",
+                                    .around = w->block.given ? left_around : NULL,
+                                    .around_words = "rest of the block",
                                     .azimuth = -55,
-                                    .elevation = 40 };
+                                    .elevation = w->block.given ? 55 : 40 };
         code = surface_plot(&o);
         if (code == 0 && printf("%s: %zu places of the tool, %.4f mm left at worst, %.4f mm cut\n",
                                 output, l.count, l.most[1], l.most[0]) < 0)
@@ -246,9 +282,10 @@ static int mill_on_chip(mill_chip *c, const tool_wish *w, const char *along, con
     if (strcmp(pattern, "raster") != 0 || (along != NULL && strchr("uv", along[0]) == NULL))
         return tool_error(EX_USAGE, "--plan chip: a machine cuts by lines along u or v by itself: "
                                     "give --along u or v, and no --pattern");
-    if (o->trim.count > 0 || o->bounded || o->floored || o->entry != MILL_STRAIGHT)
+    if (o->trim.count > 0 || o->bounded || o->floored || o->entry != MILL_STRAIGHT ||
+        w->block.given)
         return tool_error(EX_USAGE, "--plan chip: a machine cuts the whole surface: leave out "
-                                    "--trim, --area, --floor and --entry");
+                                    "--trim, --area, --floor, --entry and --stock");
     if (o->tol > 1)
         return tool_error(EX_USAGE, "--tol %g: give at most 1 with --plan chip", o->tol);
     c->o.radius  = o->radius;
@@ -265,7 +302,7 @@ static int run_mill(const tool_command *self, int argc, char **argv)
     const engine *e = &engine_f64;
     tool_wish w = { .o = { .radius = 3, .corner = 3, .tol = 0.01, .safe = 5 }, .name = "ball:6" };
     tool_list area = { .count = 0 }, lowest = { .count = 0 };
-    const char *along = NULL, *pattern = "raster", *record_file = NULL, *output = "left.png",
+    const char *along = NULL, *pattern = "raster", *record_file = NULL, *output = NULL,
                *trim[2] = { NULL, NULL }, *where = "host";
     mill_chip chip;
     int first, code = mill_chip_start(&chip, argc, argv);
@@ -276,10 +313,12 @@ static int run_mill(const tool_command *self, int argc, char **argv)
     const tool_option options[] = {
         TOOL_PARSED("tool", "KIND:MM[:MM]", &w, parse_tool,
                     "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER (ball:6)"),
-        TOOL_NUMBER("cusp", "MM", &w.o.cusp, 0.0005, 60,
-                    "height that a ball may leave between two lines (0.02)"),
-        TOOL_NUMBER("step", "MM", &w.o.step, 0.001, 1000,
-                    "distance of lines or heights, instead of --cusp"),
+        TOOL_PARSED("step", "MM|cusp:MM", &w, parse_step,
+                    "distance of lines or heights; cusp: as far apart as leaves cusps of a ball at "
+                    "most so high (cusp:0.02)"),
+        TOOL_PARSED("stock", "WxDxH", &w.block, stock_parse,
+                    "the block, mm, its middle under that of the surfaces and its top at their "
+                    "highest point; or WxDxH@X,Y,Z with its lowest corner (no end of material)"),
         TOOL_TEXT("pattern", "KIND", &pattern,
                   "raster: there and back; spiral: around and inward; waterline: at even heights; "
                   "pencil: along valleys where a ball touches twice (raster)"),
@@ -290,23 +329,26 @@ static int run_mill(const tool_command *self, int argc, char **argv)
                     "all lines of a raster along x or y in one direction, with ways back above"),
         TOOL_NUMBER("tol", "MM", &w.o.tol, 0.001, 10,
                     "how much higher than necessary the path may be (0.01)"),
-        TOOL_LIST("area", "X,Y,X,Y", &area, -4096, 4096,
-                  "where the axis of the tool may be: two corners (0.7 radius around the surfaces, "
-                  "1.25 with "
-                  "waterlines)"),
+        TOOL_LIST(
+            "area", "X,Y,X,Y", &area, -4096, 4096,
+            "where the axis of the tool may be: two corners (0.7 radius around the surfaces, as "
+            "far as touches a steeper border; 1.25 with waterlines)"),
         TOOL_TEXT("trim", "DRAWING", &trim[1],
                   "closed paths in x and y, mm: what is outside of the surfaces is not there"),
         TOOL_TEXT("trim-uv", "DRAWING", &trim[0],
                   "the same in the parameters u and v, 0 to 1, of each surface"),
-        TOOL_LIST("floor", "Z", &lowest, -4096, 4096,
-                  "lowest height of the tip (that of the surfaces)"),
+        TOOL_LIST(
+            "floor", "Z", &lowest, -4096, 4096,
+            "lowest height of the tip (so low that it touches all borders of the surfaces; of "
+            "pencils, and along u or v, that of the surfaces)"),
         TOOL_NUMBER("safe", "MM", &w.o.safe, 0, 1000,
-                    "height above the surfaces where the path begins and ends (5)"),
+                    "height above the surfaces and the block where the path begins and ends (5)"),
         TOOL_PARSED("entry", "KIND", &w, parse_entry,
                     "how the tool goes down to a line: straight, ramp:DEGREES along it, "
                     "helix:MM[:DEGREES] around (straight)"),
         TOOL_TEXT("record", "FILE", &record_file,
-                  "no path, but a picture of what is left, by pulses of `loft simulate --record`"),
+                  "no path, but a picture of what is left, by pulses of `loft simulate --record`; "
+                  "with --stock as the path says it, of the block too"),
         TOOL_TEXT("output", "FILE", &output, "or -o: that picture, .png .svg or .pdf (left.png)"),
         TOOL_TEXT("plan", "host|chip", &where,
                   "host: print the path; chip: send patches, which the machine cuts by itself "
@@ -320,8 +362,6 @@ static int run_mill(const tool_command *self, int argc, char **argv)
         return code == TOOL_HELP ? EX_OK : code;
     if (argc - first != 1)
         return tool_error(EX_USAGE, "mill: give one file: see `loft mill --help`");
-    if (w.o.cusp > 0 && w.o.step > 0)
-        return tool_error(EX_USAGE, "--cusp and --step: give one of them");
     const bool on_chip = strcmp(where, "chip") == 0;
     if (!on_chip && strcmp(where, "host") != 0)
         return tool_error(EX_USAGE, "--plan %s: give host or chip", where);
@@ -330,11 +370,18 @@ static int run_mill(const tool_command *self, int argc, char **argv)
                                     "path is printed, for `loft stream`");
     if (on_chip && record_file != NULL)
         return tool_error(EX_USAGE, "--record: draws what a machine has left: leave out --plan");
+    if (record_file == NULL && output != NULL)
+        return tool_error(EX_USAGE,
+                          "--output %s: is the picture of --record; the path goes to the "
+                          "standard output: > FILE.loft",
+                          output);
+    if (record_file != NULL && (trim[0] || trim[1]))
+        return tool_error(EX_USAGE, "--record: draws whole surfaces: leave out --trim");
     const bool ball = w.o.corner == w.o.radius;
     if (w.o.cusp > 0 && !ball)
-        return tool_error(EX_USAGE, "--cusp: is for a ball: give --step for %s", w.name);
+        return tool_error(EX_USAGE, "--step cusp: is for a ball: give --step MM for %s", w.name);
     if (w.o.cusp >= w.o.radius / 2)
-        return tool_error(EX_USAGE, "--cusp %g: give less than a quarter of the diameter",
+        return tool_error(EX_USAGE, "--step cusp:%g: give less than a quarter of the diameter",
                           w.o.cusp);
     if (along != NULL && (strlen(along) != 1 || strchr("xyuv", along[0]) == NULL))
         return tool_error(EX_USAGE, "--along %s: give x, y, u or v", along);
@@ -381,6 +428,7 @@ static int run_mill(const tool_command *self, int argc, char **argv)
             return tool_error(EX_USAGE, "--area: is empty: give two corners apart");
     }
     if (record_file != NULL) {
+        output = output ? output : "left.png";
         const int refused = create_check(output);
         return refused ? refused : plot_left(&w, argv[first], record_file, output);
     }
@@ -388,7 +436,7 @@ static int run_mill(const tool_command *self, int argc, char **argv)
 }
 
 const tool_command command_mill = {
-    "mill", "[--tool ball:6] [--cusp MM|--step MM] [--plan chip --port PORT] FILE|-",
+    "mill", "[--tool ball:6] [--step MM|cusp:MM] [--stock WxDxH] [--plan chip --port PORT] FILE|-",
     "the path of a mill's tool over surfaces, as a curve in space",
     "FILE has surfaces in the format of host-tools/LOFT.md: tensor, bicubic, coons, triangle,\n"
     "pn, octant, toric, basepoint, ring, and spatch, gb with Wachspress coordinates. Prints\n"
@@ -397,19 +445,27 @@ const tool_command command_mill = {
     "chord is proved not to cut below any surface; beside walls the path goes up and down on\n"
     "the spot. --pattern spiral goes around the area and inward without a lift, one side to\n"
     "the left. --pattern waterline goes around what is steep, from above down, the surface to\n"
-    "the right; the distance of heights is that of --cusp on an upright wall; each hill is\n"
+    "the right; with --step cusp: the distance of heights is that on an upright wall; each hill "
+    "is\n"
     "finished before the next one. --pattern pencil goes along valleys, where a ball touches\n"
     "in two places that are half its radius apart: what a raster leaves there. --entry leads\n"
     "the tool into the material along the line or around, proved as all chords are; a helix\n"
     "without room becomes a ramp. --trim leaves of the surfaces what is inside of closed\n"
     "paths; loops in loops are holes. The first lines of the output say what is proved and\n"
-    "measured. Surfaces are seen from above. With --record the surfaces are drawn instead,\n"
+    "measured: also what is left on the surfaces at most, and in hollows tighter than the\n"
+    "tool. Surfaces are seen from above. With --record the surfaces are drawn instead,\n"
     "coloured by what a machine left on them or cut off them.\n"
+    "\n"
+    "--stock is the block that is cut: surfaces or lines that leave it, or are below its bottom,\n"
+    "are refused; the path begins and ends above it, as do the ways between lines. There is no\n"
+    "roughing: the one pass goes through all of the material, so choose the feed for that. The\n"
+    "first lines of the path say where the block is, in the form that --record --stock takes: its\n"
+    "picture then begins with the block, its top and its sides.\n"
     "\n"
     "With --plan chip nothing is printed but a summary: each tensor or bicubic patch of degrees\n"
     "up to 3 x 3 goes to the machine at --port as its control net, about 200 bytes, and the\n"
     "machine cuts it with a ball by lines along v, or --along u, from where it stands and back.\n"
-    "Lines are at most --step apart along the surface, or as far as leaves --cusp where it is\n"
+    "Lines are at most --step apart along the surface, or as far as leaves such cusps where it is\n"
     "flat. What no machine can prove is refused here, with the remedy. Keys as of `loft stream`.\n",
     run_mill
 };

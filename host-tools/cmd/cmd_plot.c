@@ -127,7 +127,7 @@ static int plot_surfaces(const plot_options *p, const surface_wishes *w, const s
 static int plot_file(plot_options *o, const page_options *sheet, const char *record_file,
                      const surface_wishes *w, bool of_drawings)
 {
-    surfaces all = { 0 };
+    surfaces all = { .drawn = true };
     int code = surfaces_read(&all, o->name);
 
     if (code == 0 && all.count > 0 && of_drawings)

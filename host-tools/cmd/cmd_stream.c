@@ -4,102 +4,26 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "wire/action_code.h"    /* LOFT_OUTPUTS_MOST */
 
 #include "base/keys.h"           /* keys_start, keys_hasty */
-#include "plan/tools.h"          /* tools_split */
+#include "cmd/stream_grbl.h"     /* stream_grbl, stream_parts */
 #include "send/change.h"         /* change_tool */
 #include "plan/check.h"          /* check_print */
 #include "plan/missing.h"        /* missing_tell */
-#include "send/grbl.h"           /* grbl_run */
 #include "plan/planning.h"       /* planning_limit */
 #include "send/settings.h"       /* settings_adopt */
 #include "send/report.h"         /* report_start */
 #include "send/stream.h"         /* stream_run */
-#include "plan/table.h"          /* table_check */
-#include "base/spool.h"          /* spool_passed */
 #include "base/tool.h"
 #include "plan/toolpath.h"       /* toolpath_make */
 
-typedef struct {
-    planning p;
-    const char *port, *record, *log;
-    unsigned baud;
-    double wait;
-    const char *where, *from_tool;
-    bool asks;                  /* standard input can answer */
-    bool points, grbl, g5, dry, check, hold, resume, abort, chip, away, view, json;
-} stream_options;
-
-/* A drawing by the tools that draw it, and from which of them on. */
-typedef struct {
-    const char *file;
-    tools_part part[TOOLS_PARTS];
-    size_t count, first;
-} parts;
-
-/* A job and the data that it is planned from. */
-typedef struct {
-    toolpath path;
-    joints of;
-    job j;
-} work;
-
-static void free_work(work *w)
-{
-    job_free(&w->j);
-    joints_free(&w->of);
-    toolpath_free(&w->path);
-}
-
-static int find_parts(const stream_options *o, const char *file, const drawing *d,
-                      const drawing *smooth, parts *all)
-{
-    all->file  = file;
-    all->count = tools_split(&o->p.machine.tools, d, smooth, all->part);
-    all->first = 0;
-    if (all->count == 0)
-        return tool_error(EX_DATAERR, "%s: more than %u changes of the tool: split the program",
-                          file, TOOLS_PARTS);
-    if (o->from_tool == NULL)
-        return 0;
-    for (; all->first < all->count; all->first++)
-        if (all->part[all->first].tool != NULL &&
-            strcmp(all->part[all->first].tool->name, o->from_tool) == 0)
-            return 0;
-    return tool_error(EX_USAGE,
-                      "--from-tool %s: %s draws nothing here: `--dry-run` lists those that do",
-                      o->from_tool,
-                      machine_tools_find(&o->p.machine.tools, o->from_tool)
-                          ? "this tool"
-                          : "it is not in the machine file, so it");
-}
-
-/* How a part is drawn: before a pause the tool goes to its parking place, and stays lifted. */
-static toolpath_options way_of(const stream_options *o, const parts *all, size_t k)
-{
-    toolpath_options how = planning_path(&o->p);
-    const bool last      = k + 1 == all->count;
-
-    how.lift = tools_lift(all->part[k].tool, o->p.lift);
-    if (all->part[k].d.program && k > 0)
-        tools_counted(&all->part[k].d, how.counted);
-    if (last || all->part[k].d.program)
-        return how;
-    how.park    = *all->part[k + 1].tool->pause != '\0';
-    how.zero[0] = o->p.machine.park[0];
-    how.zero[1] = o->p.machine.park[1];
-    how.zero[2] = NAN;
-    return how;
-}
-
 /* Plan the first portion of a part, from the position of the motors. */
-static int plan_work(const stream_options *o, const parts *all, size_t k,
-                     const double start[ENGINE_AXES], const job_options *as, work *w)
+static int plan_work(const stream_options *o, const stream_parts *all, size_t k,
+                     const double start[ENGINE_AXES], const job_options *as, job_work *w)
 {
-    toolpath_options how = way_of(o, all, k);
+    toolpath_options how = stream_parts_way(o, all, k);
     const drawing *d     = &all->part[k].smooth;
     const char *file     = all->file;
     int status = 0;
@@ -144,7 +68,7 @@ static struct job_does does_of(const stream_options *o, const loft_sender *s)
 }
 
 /* From the first part that is drawn. */
-static missing_job asked_by(const stream_options *o, const parts *all)
+static missing_job asked_by(const stream_options *o, const stream_parts *all)
 {
     return (missing_job){ all->file, &all->part[all->first], all->count - all->first, o->points,
                           o->chip };
@@ -177,8 +101,8 @@ static void print_page(const drawing *d)
 }
 
 /* Print what a part takes, and add it to the sum. */
-static void print_part(const stream_options *o, const parts *all, size_t k, const work *w,
-                       work *sum, double *seconds)
+static void print_part(const stream_options *o, const stream_parts *all, size_t k,
+                       const job_work *w, toolpath *sum, double *seconds)
 {
     const tools_part *p = &all->part[k];
 
@@ -195,9 +119,9 @@ static void print_part(const stream_options *o, const parts *all, size_t k, cons
                                   .tol  = o->p.tol,
                                   .id   = w->j.head.id },
                    job_seconds(&w->j), job_items(&w->j));
-    sum->path.curves += w->path.curves;
-    sum->path.drawn += w->path.drawn;
-    sum->path.travelled += w->path.travelled;
+    sum->curves += w->path.curves;
+    sum->drawn += w->path.drawn;
+    sum->travelled += w->path.travelled;
     *seconds += job_seconds(&w->j) + (p->tool ? p->tool->delay : 0);
 }
 
@@ -209,11 +133,11 @@ static void end_of(const job *j, double out[ENGINE_AXES])
                                              : j->last[i] / 65536.0;
 }
 
-static int dry_run(const stream_options *o, const drawing *d, const parts *all)
+static int dry_run(const stream_options *o, const drawing *d, const stream_parts *all)
 {
     double start[ENGINE_AXES] = { 0, 0, 0 }, seconds = 0;
     job_options as = { .patch = NULL };
-    work sum = { .path = { 0 } };
+    toolpath sum = { 0 };
 
     planning_machine(&o->p, &as.limits);
     for (int i = 0; i < ENGINE_AXES; i++)
@@ -223,7 +147,7 @@ static int dry_run(const stream_options *o, const drawing *d, const parts *all)
     const missing_job asked = asked_by(o, all);
     missing_tell(&asked, &as.does);
     for (size_t k = all->first; k < all->count && code == 0; k++) {
-        work w = { .path = { 0 } };
+        job_work w = { .path = { 0 } };
         code   = plan_work(o, all, k, start, &as, &w);
         if (code == 0)
             code = finish_job(all->file, &w.j);
@@ -235,11 +159,11 @@ static int dry_run(const stream_options *o, const drawing *d, const parts *all)
                 check_print(&o->p.machine, all->file, &all->part[k].smooth, &w.path, o->p.feed);
             end_of(&w.j, start);
         }
-        free_work(&w);
+        job_work_free(&w);
     }
     if (code == 0 && all->count - all->first > 1)
-        printf("in all: %zu curve%s, %.3f m drawn, %.3f m travelled, %.1f s\n", sum.path.curves,
-               tool_s(sum.path.curves), sum.path.drawn / 1000, sum.path.travelled / 1000, seconds);
+        printf("in all: %zu curve%s, %.3f m drawn, %.3f m travelled, %.1f s\n", sum.curves,
+               tool_s(sum.curves), sum.drawn / 1000, sum.travelled / 1000, seconds);
     return code;
 }
 
@@ -254,12 +178,12 @@ static int check_machine(const stream_options *o, const loft_sender *s)
                       o->port);
 }
 
-static int plan_for(const stream_options *o, const parts *all, size_t k,
-                    const double start[ENGINE_AXES], const loft_sender *s, work *w)
+static int plan_for(const stream_options *o, const stream_parts *all, size_t k,
+                    const double start[ENGINE_AXES], const loft_sender *s, job_work *w)
 {
     job_options as = { .patch = NULL };
 
-    free_work(w);
+    job_work_free(w);
     stream_machine(s, &as.limits);
     for (int i = 0; i < ENGINE_AXES; i++)
         as.steps_per_mm[i] = s->axis[i].steps_per_mm;
@@ -270,8 +194,8 @@ static int plan_for(const stream_options *o, const parts *all, size_t k,
 
 /* If the machine has a job, it may be one of these. It is if its id equals that of this job,
  * planned from the same start. Then *at is its part, and *w the job. */
-static int find_old(const stream_options *o, const parts *all, const loft_sender *s, work *w,
-                    size_t *at)
+static int find_old(const stream_options *o, const stream_parts *all, const loft_sender *s,
+                    job_work *w, size_t *at)
 {
     double start[ENGINE_AXES];
     int code = 0;
@@ -289,8 +213,8 @@ static int find_old(const stream_options *o, const parts *all, const loft_sender
 }
 
 /* Send the part that is planned, or else plan it from where the machine is. */
-static int stream_part(const stream_options *o, const parts *all, size_t k, bool planned, talk *t,
-                       work *w)
+static int stream_part(const stream_options *o, const stream_parts *all, size_t k, bool planned,
+                       talk *t, job_work *w)
 {
     const loft_sender *s = &t->sender;
     double start[ENGINE_AXES];
@@ -326,9 +250,9 @@ static int change(const stream_options *o, const machine_tool *tool, talk *t)
 }
 
 /* One job for each tool, one after the other. */
-static int stream_drawing(const stream_options *o, const parts *all, talk *t)
+static int stream_drawing(const stream_options *o, const stream_parts *all, talk *t)
 {
-    work w      = { .path = { 0 } };
+    job_work w      = { .path = { 0 } };
     size_t old  = all->count;
     int code    = check_machine(o, &t->sender);
     const struct job_does does = does_of(o, &t->sender);
@@ -350,7 +274,7 @@ static int stream_drawing(const stream_options *o, const parts *all, talk *t)
         if (code == 0)
             code = stream_part(o, all, k, k == old, t, &w);
     }
-    free_work(&w);
+    job_work_free(&w);
     return code;
 }
 
@@ -367,63 +291,8 @@ static int control_machine(const stream_options *o)
     return code;
 }
 
-/* The G-code of a part, sent from where the controller is, or printed in a dry run. */
-static int draw_part(const stream_options *o, const parts *all, size_t k, grbl *g,
-                     double start[ENGINE_AXES])
-{
-    const tools_part *p   = &all->part[k];
-    toolpath_options how  = way_of(o, all, k);
-    const gcode_options as = { .tol = (o->p.tol - o->p.smoothed) / 2,
-                               .curves = o->g5 ? GCODE_G5 : GCODE_ARCS,
-                               .rapids = p->d.program };
-    int code = 0;
-    toolpath path;
-    gcode lines;
-
-    how.laser = false;                  /* its controller sees to that ($32) */
-    memcpy(how.start, g ? grbl_place(g) : start, sizeof how.start);
-    toolpath_make(&path, &p->smooth, &how);
-    gcode_make(&lines, &path, &as);
-    if (path.count == 0)
-        code = tool_error(EX_DATAERR,
-                          "%s: nothing to draw in it: give a drawing with visible outlines",
-                          all->file);
-    else
-        code = table_check(&o->p.machine, all->file, &p->smooth, &path, o->p.tol);
-    if (code == 0 && g != NULL && p->tool != NULL)
-        code = change_tool(p->tool, o->asks);
-    if (code == 0 && g != NULL)
-        code = grbl_run(g, &lines,
-                        &(report_job){ all->file, o->port, p->tool ? p->tool->name : NULL, &path,
-                                       o->p.tol, 0 });
-    if (code == 0 && g == NULL && p->tool != NULL)
-        printf("(tool %s)\n%s", p->tool->name, *p->tool->pause ? "M0\n" : "");
-    for (size_t i = 0; code == 0 && g == NULL && i < lines.count; spool_passed(i++))
-        puts(gcode_text(&lines, i));
-    if (path.count > 0)
-        memcpy(start, path.move[path.count - 1].p[3], sizeof how.start);
-    gcode_free(&lines);
-    toolpath_free(&path);
-    return code;
-}
-
-/* A controller of grbl's kind, which plans. */
-static int draw_gcode(stream_options *o, const parts *all)
-{
-    grbl *g = NULL;
-    double start[ENGINE_AXES] = { 0, 0, 0 };
-    int code = o->dry ? 0 : grbl_open(&g, o->port, o->baud, o->wait);
-
-    if (g != NULL && o->p.file == NULL)
-        (void)grbl_table(g, &o->p.machine);
-    for (size_t k = all->first; k < all->count && code == 0; k++)
-        code = draw_part(o, all, k, g, start);
-    if (g != NULL)
-        grbl_close(g);
-    return code;
-}
-
-static int read_file(stream_options *o, const char *file, drawing *d, drawing *smooth, parts *all)
+static int read_file(stream_options *o, const char *file, drawing *d, drawing *smooth,
+                     stream_parts *all)
 {
     keys_hasty(true);
     o->p.passes = o->record == NULL;
@@ -434,12 +303,12 @@ static int read_file(stream_options *o, const char *file, drawing *d, drawing *s
         code = tool_error(
             EX_CONFIG, "%s: G61: a machine that plans does not stop at corners: give --plan host",
             file);
-    return code == 0 ? find_parts(o, file, d, smooth, all) : code;
+    return code == 0 ? stream_parts_find(o, file, d, smooth, all) : code;
 }
 
 /* The machine may say that its spindle is a laser. Then the rows of a raster are to be lines. */
 static int adopt(stream_options *o, const char *file, talk *t, drawing *d, drawing *smooth,
-                 parts *all)
+                 stream_parts *all)
 {
     const bool laser = o->p.machine.laser > 0;
     int code         = settings_adopt(&o->p.machine, t);
@@ -455,12 +324,12 @@ static int adopt(stream_options *o, const char *file, talk *t, drawing *d, drawi
 static int draw_file(stream_options *o, const char *file)
 {
     drawing d = { 0 }, smooth = { 0 };
-    parts all;
+    stream_parts all;
     talk t;
 
     int code = read_file(o, file, &d, &smooth, &all);
     if (code == 0 && o->grbl)
-        code = draw_gcode(o, &all);
+        code = stream_grbl(o, &all);
     else if (code == 0 && o->dry)
         code = dry_run(o, &smooth, &all);
     else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait, o->log)) == 0) {

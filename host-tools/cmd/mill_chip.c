@@ -20,76 +20,71 @@ int mill_chip_start(mill_chip *c, int argc, char **argv)
     return planning_start(&c->p, argc, argv);
 }
 
-/* A job, and what it is made of. */
+/* A patch, its path, and their job. */
 typedef struct {
     lines_patch patch;
     loft_item item[LOFT_PATCH_PARTS];
-    toolpath path;
     drawing d;
-    joints of;
-    job j;
-} work;
+    job_work w;
+} milling;
 
-static void free_work(work *w)
+static void free_milling(milling *m)
 {
-    job_free(&w->j);
-    joints_free(&w->of);
-    toolpath_free(&w->path);
-    drawing_free(&w->d);
-    *w = (work){ .d.count = 0 };
+    job_work_free(&m->w);
+    drawing_free(&m->d);
 }
 
 /* The job of a surface, from there. */
 static int plan_work(const mill_chip *c, const surface *s, const char *file,
-                     const double start[ENGINE_AXES], const engine_limits *machine, work *w)
+                     const double start[ENGINE_AXES], const engine_limits *machine, milling *m)
 {
-    job_options as = { .e = c->p.e, .kind = LOFT_CURVES, .limits = *machine, .patch = w->item };
+    job_options as = { .e = c->p.e, .kind = LOFT_CURVES, .limits = *machine, .patch = m->item };
 
-    free_work(w);
+    free_milling(m);
     planning_limit(&c->p, &as.limits);
-    int code = patch_make(&w->patch, s, &c->o, start, file);
+    int code = patch_make(&m->patch, s, &c->o, start, file);
     if (code != 0)
         return code;
-    as.parts = patch_items(&w->patch, w->item);
-    patch_path(&w->patch, &c->o, s->line, &w->path, &w->d);
+    as.parts = patch_items(&m->patch, m->item);
+    patch_path(&m->patch, &c->o, s->line, &m->w.path, &m->d);
     keys_hasty(true);
-    code = planning_joints(&c->p, file, &w->d, start, true, &as.limits, &w->path, &w->of);
-    const int status = code == 0 ? job_open(&w->j, &w->of, &as) : LOFT_OK;
+    code = planning_joints(&c->p, file, &m->d, start, true, &as.limits, &m->w.path, &m->w.of);
+    const int status = code == 0 ? job_open(&m->w.j, &m->w.of, &as) : LOFT_OK;
     keys_hasty(false);
     return status == LOFT_OK ? code
                              : tool_error(EX_DATAERR, "%s:%u: cannot be planned: %s",
                                           source_name(file), s->line, engine_status(status));
 }
 
-static void tell(const work *w, const surface *s, const char *file)
+static void tell(const milling *m, const surface *s, const char *file)
 {
     printf("%s:%u: %u lines of %u curves, %.3f m on it, %.3f m above, in %zu items\n",
-           source_name(file), s->line, w->patch.head.rows + 1u, w->patch.head.columns,
-           w->path.drawn / 1000, w->path.travelled / 1000, w->j.count);
+           source_name(file), s->line, m->patch.head.rows + 1u, m->patch.head.columns,
+           m->w.path.drawn / 1000, m->w.path.travelled / 1000, m->w.j.count);
 }
 
 static int dry_run(mill_chip *c, const surfaces *all, const char *file)
 {
     const double start[ENGINE_AXES] = { 0, 0, 0 };
     engine_limits limits            = { .tol = 0 };
-    work w                          = { .d.count = 0 };
+    milling m                       = { .d.count = 0 };
     int code                        = 0;
 
     planning_machine(&c->p, &limits);
     c->o.columns = COLUMNS;
     c->o.lines   = engine_lines_q16;
     for (size_t k = 0; k < all->count && code == 0; k++) {
-        code = plan_work(c, &all->surface[k], file, start, &limits, &w);
-        const int status = code == 0 ? job_finish(&w.j) : LOFT_OK;
+        code = plan_work(c, &all->surface[k], file, start, &limits, &m);
+        const int status = code == 0 ? job_finish(&m.w.j) : LOFT_OK;
         if (status != LOFT_OK)
             code = tool_error(EX_DATAERR, "%s:%u: cannot be planned: %s", source_name(file),
                               all->surface[k].line, engine_status(status));
         if (code == 0) {
-            tell(&w, &all->surface[k], file);
-            printf("planned: %.1f s\n", job_seconds(&w.j));
+            tell(&m, &all->surface[k], file);
+            printf("planned: %.1f s\n", job_seconds(&m.w.j));
         }
     }
-    free_work(&w);
+    free_milling(&m);
     return code;
 }
 
@@ -117,7 +112,7 @@ static int check_machine(mill_chip *c, const talk *t)
 
 /* The machine may be in one of these jobs: the one with its id, planned from the same start. */
 static int find_old(const mill_chip *c, const surfaces *all, const char *file, const talk *t,
-                    const engine_limits *limits, work *w, size_t *at)
+                    const engine_limits *limits, milling *m, size_t *at)
 {
     double start[ENGINE_AXES];
     int code = 0;
@@ -125,8 +120,8 @@ static int find_old(const mill_chip *c, const surfaces *all, const char *file, c
     *at = all->count;
     stream_old_start(&t->sender, false, start);
     for (size_t k = 0; k < all->count && t->sender.machine.job != 0 && code == 0; k++) {
-        code = plan_work(c, &all->surface[k], file, start, limits, w);
-        if (code == 0 && w->j.head.id == t->sender.machine.job) {
+        code = plan_work(c, &all->surface[k], file, start, limits, m);
+        if (code == 0 && m->w.j.head.id == t->sender.machine.job) {
             *at = k;
             break;
         }
@@ -134,43 +129,43 @@ static int find_old(const mill_chip *c, const surfaces *all, const char *file, c
     return code;
 }
 
-static int run_job(const mill_chip *c, const surface *s, const char *file, talk *t, work *w)
+static int run_job(const mill_chip *c, const surface *s, const char *file, talk *t, milling *m)
 {
     const stream_subject about = { .file = file,
-                                   .curves = w->path.curves,
-                                   .drawn = w->path.drawn,
+                                   .curves = m->w.path.curves,
+                                   .drawn = m->w.path.drawn,
                                    .tol = c->p.tol + c->o.tol,
-                                   .d = &w->d,
+                                   .d = &m->d,
                                    .k = &c->p.machine.k,
                                    .port = c->port,
-                                   .path = &w->path };
-    const int code             = stream_limits(t, c->p.machine.hard_stop > 0, &w->j.head);
+                                   .path = &m->w.path };
+    const int code             = stream_limits(t, c->p.machine.hard_stop > 0, &m->w.j.head);
 
-    tell(w, s, file);
-    return code ? code : stream_run(t, &w->j, &about);
+    tell(m, s, file);
+    return code ? code : stream_run(t, &m->w.j, &about);
 }
 
 static int run_jobs(mill_chip *c, const surfaces *all, const char *file, talk *t)
 {
-    work w = { .d.count = 0 };
+    milling m = { .d.count = 0 };
     engine_limits limits = { .tol = 0 };
     double start[ENGINE_AXES];
     size_t old = all->count;
 
     stream_machine(&t->sender, &limits);
-    int code = find_old(c, all, file, t, &limits, &w, &old);
+    int code = find_old(c, all, file, t, &limits, &m, &old);
     for (size_t k = old < all->count ? old : 0; k < all->count && code == 0; k++) {
         const bool first = k == (old < all->count ? old : 0);
         if (!first)
             code = talk_again(t, c->wait);
         if (code == 0 && k != old) {
             stream_new_start(&t->sender, start);
-            code = plan_work(c, &all->surface[k], file, start, &limits, &w);
+            code = plan_work(c, &all->surface[k], file, start, &limits, &m);
         }
         if (code == 0)
-            code = run_job(c, &all->surface[k], file, t, &w);
+            code = run_job(c, &all->surface[k], file, t, &m);
     }
-    free_work(&w);
+    free_milling(&m);
     return code;
 }
 

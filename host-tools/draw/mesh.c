@@ -8,6 +8,7 @@
 #include "num/status.h"     /* LOFT_SINGULAR */
 
 #include "draw/mesh.h"
+#include "engine/drawn_surface.h"
 #include "engine/sided.h"   /* sided_spot */
 #include "base/tool.h"      /* tool_error, tool_grow, sysexits */
 
@@ -20,8 +21,8 @@ static void make_vertex(const surface *s, unsigned kite, double u, double v, mes
     *out = (mesh_vertex){ .u = at[0], .v = at[1] };
 }
 
-/* Compute the point in the number type of `e`, the rest in double. A degenerate surface (a line)
- * has no normal. */
+/* Compute the point in the number type of `e`, the rest in double; of a degree above those of the
+ * library all in double. A degenerate surface (a line) has no normal. */
 static int add_vertex(mesh *m, const engine *e, const surface *s, const engine_surface *held,
                       const engine_surface *fine, unsigned kite, double u, double v)
 {
@@ -29,10 +30,11 @@ static int add_vertex(mesh *m, const engine *e, const surface *s, const engine_s
     engine_look here;
 
     make_vertex(s, kite, u, v, out);
-    int status = e->surface->kite(held, kite, u, v, out->p);
+    int status = held ? e->surface->kite(held, kite, u, v, out->p) : 0;
     if (status != 0)
         return status;
-    status = engine_f64.surface->look(fine, kite, u, v, &here);
+    status = held ? engine_f64.surface->look(fine, kite, u, v, &here)
+                  : drawn_surface(s, u, v, out->p, &here);
     if (status == 0) {
         memcpy(out->normal, here.normal, sizeof out->normal);
         out->gauss = here.gauss;
@@ -176,6 +178,24 @@ static size_t count_kites(const surfaces *all)
     return kites;
 }
 
+static int mesh_surface(mesh *m, const surface *s, const engine *e, unsigned n, unsigned lines)
+{
+    engine_surface *held, *fine;
+
+    if (surface_is_high(s))
+        return add_surface(m, s, e, NULL, NULL, n, lines);
+    int status = e->surface->open(s, &held);
+    if (status != 0)
+        return status;
+    status = engine_f64.surface->open(s, &fine);
+    if (status == 0) {
+        status = (surface_is_sided(s) ? add_kites : add_surface)(m, s, e, held, fine, n, lines);
+        engine_f64.surface->close(fine);
+    }
+    e->surface->close(held);
+    return status;
+}
+
 int mesh_make(mesh *m, const surfaces *all, const char *file, const engine *e, unsigned n,
               unsigned lines)
 {
@@ -185,21 +205,12 @@ int mesh_make(mesh *m, const surfaces *all, const char *file, const engine *e, u
     m->cell   = tool_grow(NULL, kites * n * n * sizeof *m->cell);
     for (size_t k = 0; k < all->count; k++) {
         const surface *s = &all->surface[k];
-        engine_surface *held = NULL, *fine = NULL;
-        int status = e->surface->open(s, &held);
-        if (status == 0) {
-            status = engine_f64.surface->open(s, &fine);
-            if (status == 0) {
-                status = (surface_is_sided(s) ? add_kites : add_surface)(m, s, e, held, fine, n,
-                                                                         lines);
-                engine_f64.surface->close(fine);
-            }
-            e->surface->close(held);
-        }
+        const int status = mesh_surface(m, s, e, n, lines);
         if (status != 0)
             return tool_error(EX_DATAERR, "%s:%u: %s: %s", file, s->line, surface_name(s->kind),
                               surface_status(s, status));
     }
+    m->mapped = m->vertices;
     return 0;
 }
 

@@ -31,6 +31,7 @@ typedef struct {
     mesh_vertex *vertex;
     mesh_cell *cell;
     size_t vertices, cells;
+    size_t mapped;              /* vertices of the surfaces; those after them are around */
 } mesh;
 
 /* Add a grid of n x n cells for each surface (a triangle: n rows; n sides: kites of n/2 x n/2, see

@@ -324,10 +324,11 @@ static int compare_depths(const void *a, const void *b)
 static void shade_cell(const scene *s, const mesh_cell *c, double rgb[3])
 {
     static const double light[3] = { -0.42, 0.56, 0.71 };
+    const bool mapped = s->value && c->corner[0] < s->m->mapped;
     double n[3] = { 0, 0, 0 }, value = 0, at[3];
 
     for (int k = 0; k < 4; k++) {
-        value += s->value ? s->value[c->corner[k]] / 4 : 0;
+        value += mapped ? s->value[c->corner[k]] / 4 : 0;
         for (int i = 0; i < 3; i++)
             n[i] += s->m->vertex[c->corner[k]].normal[i];
     }
@@ -337,10 +338,10 @@ static void shade_cell(const scene *s, const mesh_cell *c, double rgb[3])
     const bool back = at[2] < 0;
     const double lit = fmax((back ? -1 : 1) * dot_product(at, light), 0), gleam = pow(lit, 24);
     const double dark = s->value ? 0.68 + 0.32 * lit : 0.42 + 0.58 * lit;
-    if (s->value)
+    if (mapped)
         scene_colour(&s->scale, value, rgb);
     else
-        memcpy(rgb, scene_sides[back], 3 * sizeof rgb[0]);
+        memcpy(rgb, s->value ? scene_around : scene_sides[back], 3 * sizeof rgb[0]);
     for (int i = 0; i < 3; i++)
         rgb[i] = fmin(rgb[i] * dark + (s->value ? 0.04 : 0.22) * gleam, 1);
 }

@@ -77,8 +77,9 @@ void scene_scale_of(scene_scale *s, const double value[], size_t count, double f
 
 void scene_colour(const scene_scale *s, double value, double rgb[3]);
 
-/* The colours of the two sides without a map, and of lines, nets and contours. */
-extern const double scene_sides[2][3], scene_pens[3][3];
+/* The colours of the two sides without a map, of what is around the surfaces, and of lines, nets
+ * and contours. */
+extern const double scene_sides[2][3], scene_around[3], scene_pens[3][3];
 
 /* Draw a colour bar with numbers, below the words that say what it shows. */
 void scene_bar(const plot_view *v, const scene_scale *s, const char *words, double x, double top,

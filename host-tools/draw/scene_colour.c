@@ -9,6 +9,7 @@
 #include "base/tool.h"       /* tool_grow */
 
 const double scene_sides[2][3] = { { 0.53, 0.68, 0.86 }, { 0.90, 0.74, 0.50 } };
+const double scene_around[3] = { 0.83, 0.76, 0.63 };
 const double scene_pens[3][3] = { [SCENE_NET] = { 0.90, 0.45, 0.10 },
                                   [SCENE_CONTOUR] = { 0.42, 0.05, 0.36 },
                                   [SCENE_EDGE] = { 0.12, 0.15, 0.22 } };

@@ -98,6 +98,8 @@ static void draw_legend(const surface_view *s)
     }
     if (!s->scene.plain)
         swatch(s, &x, lines, true, "u, v at eighths");
+    if (s->o->around)
+        swatch(s, &x, scene_around, false, s->o->around_words);
     if (s->o->control)
         swatch(s, &x, scene_pens[SCENE_NET], true, "control net");
     if (s->heights > 0) {

@@ -32,12 +32,12 @@ static double *make_map(surface_view *s)
 
     if (s->o->map == MAP_NONE)
         return NULL;
-    value = tool_grow(NULL, m->vertices * sizeof *value);
-    for (size_t i = 0; i < m->vertices; i++)
+    value = tool_grow(NULL, m->mapped * sizeof *value);
+    for (size_t i = 0; i < m->mapped; i++)
         value[i] = value_of(s->o, &m->vertex[i]);
     s->scene.value = value;
     s->scene.scale.signs = s->o->map != MAP_LARGEST;
-    scene_scale_of(&s->scene.scale, value, m->vertices, flat);
+    scene_scale_of(&s->scene.scale, value, m->mapped, flat);
     return value;
 }
 
@@ -109,6 +109,8 @@ int surface_plot(const surface_options *o)
         return tool_error(EX_USAGE, "%s: give a name that ends with .png, .svg or .pdf", o->output);
     int code = mesh_make(&m, o->all, source_name(o->name), o->e, n, n / 8);
     if (code == 0) {
+        if (o->around != NULL)
+            o->around(o->context, &m);
         add_lines(&s);
         scene_look(&s.scene);
         double *value = make_map(&s);

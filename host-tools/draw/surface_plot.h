@@ -23,6 +23,8 @@ typedef struct {
     double (*value)(void *context, const mesh_vertex *v);       /* MAP_GIVEN: the map's values */
     void *context;
     const char *words;          /* MAP_GIVEN: what they are */
+    void (*around)(void *context, mesh *m);     /* MAP_GIVEN: adds what is around, or NULL */
+    const char *around_words;
     bool control, wire;         /* control nets; parameter lines only, nothing hidden           */
     unsigned contours;          /* about this many contours, at round heights */
     const double *height;       /* or contours at these heights */

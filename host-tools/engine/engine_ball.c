@@ -23,9 +23,9 @@ static void turn(int k, const int at[2], int out[2])
 static int visit_octant(const loft_sphere *s, int down, int around, engine_net_visit *visit,
                         void *context)
 {
-    const engine_net_part part = { { 0.5 * down, 0.25 * around },
-                                   { { 0.5, 0 }, { 0, 0.25 } },
-                                   true };
+    const engine_net_part part = { .from  = { 0.5 * down, 0.25 * around },
+                                   .share = { { 0.5, 0 }, { 0, 0.25 } },
+                                   .round = true };
     loft_weighted p[9];
     loft_tensor_rational r;
 

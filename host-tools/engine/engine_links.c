@@ -166,7 +166,8 @@ static bool find_helix(const links *l, const mill_cut *c, double high, mill_cuts
 /* From over the start of a line down to it */
 static void enter(links *l, mill_cut *c, double from)
 {
-    const double high = fmin(from - c->point[0][2], l->out->depth);
+    const double above = l->o->stocked ? l->out->clear : from,
+                 high = fmin(above - c->point[0][2], l->out->depth);
     enum mill_entry kind = l->o->entry;
     mill_cuts entry = { 0 };
 
@@ -208,9 +209,10 @@ static double cross(links *l, const mill_cut *c)
     double over[ENGINE_AXES];
     loft_vec from, to;
 
-    lift(over, c, 0, l->out->top + l->o->safe);
+    lift(over, c, 0, l->out->clear + l->o->safe);
     if (p->count > 0 && vec_of(p->point[p->count - 1], &from) && vec_of(c->point[0], &to)) {
-        const double z = double_of(loft_drop_over(l->d, &from, &to));
+        const double over_all = double_of(loft_drop_over(l->d, &from, &to)),
+                     z = l->o->stocked ? fmax(over_all, l->out->clear + l->o->safe) : over_all;
         lift(over, p, p->count - 1, z);
         give(l, over, true);
         lift(over, c, 0, z);
@@ -234,7 +236,7 @@ void ENGINE_OF(engine_links)(const loft_drop *d, const mill_order *o, mill_cuts 
     }
     const mill_cut *const all = &path->cut[0];
     if (all->count > 0) {
-        lift(end, all, all->count - 1, out->top + o->safe);
+        lift(end, all, all->count - 1, out->clear + o->safe);
         give(&l, end, true);
     }
 }

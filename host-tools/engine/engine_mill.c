@@ -10,15 +10,17 @@
 
 #include "base/tool.h"              /* tool_grow */
 #include "engine/engine_isolines.h"
+#include "engine/engine_left.h"
 #include "engine/engine_levels.h"
 #include "engine/engine_links.h"
 #include "engine/engine_pencils.h"
 #include "engine/engine_points.h"
 #include "engine/engine_sheet.h"
+#include "engine/engine_touch.h"
 #include "engine/mill.h"
 
 #define FEW     16      /* so many surfaces are cut into 64 sheets each */
-#define BEYOND  0.7     /* radii: there a ball touches a border that slopes outward by 45 degrees */
+#define BEYOND  0.7     /* radii: so much at least, to round the border */
 #define AROUND  1.25    /* radii: there is room to go around */
 
 /* Surfaces stay open, for sheets borrow them. */
@@ -102,7 +104,7 @@ static void trim_box(const mill_trim *t, double low[2], double high[2])
 }
 
 /* What the order leaves open is that of the sheets. */
-static int complete_order(const sheet_list *l, mill_order *o, loft_box *area, mill_report *out)
+static void complete_order(const sheet_list *l, mill_order *o, mill_report *out)
 {
     const loft_sheet *const s = l->of.sheet;
     loft_box box = s[0].box;
@@ -110,8 +112,9 @@ static int complete_order(const sheet_list *l, mill_order *o, loft_box *area, mi
     for (size_t k = 0; k < l->of.count; k++)
         box = loft_box_join(loft_box_join(box, s[k].box.min), s[k].box.max);
     out->top = double_of(box.max.axis[2]);
+    out->clear = o->stocked ? fmax(out->top, o->stock[1]) : out->top;
     if (!o->floored)
-        o->lowest = double_of(box.min.axis[2]);
+        o->lowest = fmax(double_of(box.min.axis[2]), o->stocked ? o->stock[0] : -INFINITY);
     double low[2], high[2];
     for (int k = 0; k < 2; k++) {
         low[k] = double_of(box.min.axis[k]);
@@ -123,15 +126,10 @@ static int complete_order(const sheet_list *l, mill_order *o, loft_box *area, mi
         o->area[0][k] = low[k] - margin;
         o->area[1][k] = high[k] + margin;
     }
-    *area = box;
-    for (int k = 0; k < 2; k++)
-        if (!real_of(o->area[0][k], &area->min.axis[k]) ||
-            !real_of(o->area[1][k], &area->max.axis[k]))
-            return LOFT_ERR_RANGE;
-    return LOFT_OK;
 }
 
-static int start_drop(const sheet_list *l, const mill_order *o, loft_drop *d)
+/* Both are the order's, which is completed. */
+static int start_drop(const sheet_list *l, mill_order *o, loft_drop *d, loft_box *area)
 {
     loft_real radius, corner, tol, lowest;
     loft_cutter cutter;
@@ -139,7 +137,21 @@ static int start_drop(const sheet_list *l, const mill_order *o, loft_drop *d)
     if (!real_of(o->radius, &radius) || !real_of(o->corner, &corner) || !tol_of(o->tol, &tol) ||
         !real_of(o->lowest, &lowest))
         return LOFT_ERR_RANGE;
-    const int status = loft_cutter_init(&cutter, radius, corner);
+    int status = loft_cutter_init(&cutter, radius, corner);
+    if (status == LOFT_OK)
+        status = loft_drop_init(d, l->of.sheet, (uint32_t)l->of.count, &cutter, tol, lowest);
+    if (status == LOFT_OK && o->pattern != MILL_PENCIL && !o->parametric) {
+        ENGINE_OF(engine_touch)(d, o);
+        if (o->stocked && !o->floored)
+            o->lowest = fmax(o->lowest, o->stock[0]);
+    }
+    *area = l->of.sheet[0].box;
+    for (int k = 0; k < 2; k++)
+        if (!real_of(o->area[0][k], &area->min.axis[k]) ||
+            !real_of(o->area[1][k], &area->max.axis[k]))
+            return LOFT_ERR_RANGE;
+    if (!real_of(o->lowest, &lowest))
+        return LOFT_ERR_RANGE;
     return status
                ? status
                : (int)loft_drop_init(d, l->of.sheet, (uint32_t)l->of.count, &cutter, tol, lowest);
@@ -225,10 +237,10 @@ int ENGINE_OF(engine_mill)(const surfaces *all, mill_order *o, mill_cuts *path, 
     int status = open_sheets(&l, all, &out->failed);
     if (status == LOFT_OK)
         status = trim_sheets(&l, &o->trim);
-    if (status == LOFT_OK)
-        status = complete_order(&l, o, &area, out);
-    if (status == LOFT_OK)
-        status = start_drop(&l, o, &d);
+    if (status == LOFT_OK) {
+        complete_order(&l, o, out);
+        status = start_drop(&l, o, &d, &area);
+    }
     if (status == LOFT_OK && o->parametric) {
         status = ENGINE_OF(engine_isolines)(&d, &l.of, o, &cuts, &out->lines);
         out->depth = out->top - o->lowest;
@@ -236,8 +248,13 @@ int ENGINE_OF(engine_mill)(const surfaces *all, mill_order *o, mill_cuts *path, 
         status = (o->pattern == MILL_WATERLINE ? mill_levels
                   : o->pattern == MILL_PENCIL  ? mill_valleys
                                                : mill_raster)(&d, o, &area, &cuts, out);
-    if (status == LOFT_OK)
+    if (o->stocked)
+        out->depth = out->clear - o->lowest;
+    if (status == LOFT_OK) {
         ENGINE_OF(engine_links)(&d, o, &cuts, path, out);
+        if (path->cut[0].count > 1)
+            ENGINE_OF(engine_left)(&d, o, &path->cut[0], out);
+    }
     mill_cuts_free(&cuts);
     close_sheets(&l);
     return status;

@@ -39,11 +39,16 @@ static bool limits_of(const engine_limits *from, loft_limits *out)
            real_of(from->exact, &out->exact) && real_of(from->tol, &out->tol);
 }
 
+/* Points are rounded to 2^-16 mm, as spans are sent: what is beyond would be left to the last span
+ * of a chain, which would exceed its limits by up to a part of 2^-16 mm. */
 static bool move_of(const engine_plan *p, size_t n, loft_move *out)
 {
     engine_move move;
 
     p->source(p->context, n, &move);
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < ENGINE_AXES; i++)
+            move.p[k][i] = round(move.p[k][i] * 65536.0) / 65536.0;
     return vecs_of((const double(*)[ENGINE_AXES])move.p, 4, out->curve.p) &&
            real_of(move.feed, &out->feed);
 }

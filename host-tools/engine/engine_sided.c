@@ -12,7 +12,6 @@
 #include "polygon/zheng_ball.h"     /* loft_zheng_ball */
 #include "polygon/disk.h"           /* loft_disk */
 #include "polygon/spatch.h"         /* loft_spatch */
-#include "polygon/spatch_triangle.h"    /* loft_spatch_triangle */
 #include "polygon/toric.h"          /* loft_toric */
 #include "polygon/wachspress.h"     /* loft_wachspress_eval */
 
@@ -20,27 +19,8 @@
 #include "engine/engine_num.h"          /* real_of, vec_of, point_of */
 #include "engine/engine_sheet.h"        /* engine_sectors */
 #include "engine/engine_sided.h"
+#include "engine/engine_sided_patch.h"  /* struct engine_sided */
 #include "base/tool.h"                  /* tool_grow */
-
-/* One of the library's patches; s->kind says which. */
-struct engine_sided {
-    const surface *s;
-    loft_vec *p;
-    loft_real *w, *c;
-    loft_spot v[SURFACE_SIDES_MAX];
-    loft_domain domain;
-    engine_harmonic *harmonic;
-    loft_lattice_polygon lattice;
-    loft_disk round;                    /* for sheets */
-    loft_sector sector[SURFACE_SIDES_MAX];
-    union {
-        loft_spatch spatch;
-        loft_toric toric;
-        loft_basepoint basepoint;
-        loft_zheng_ball zheng_ball;
-        loft_gb gb;
-    } as;
-};
 
 
 // Open and close
@@ -414,32 +394,6 @@ static int sided_sheets(engine_sided *e, unsigned level, engine_sheet_list *out)
 
     return status ? status
                   : ENGINE_OF(engine_sectors)(&e->round, e->sector, level ? level + finer : 2, out);
-}
-
-/* The triangles around the middle of an S-patch, where it is a quotient of polynomials of the
- * library's degrees. */
-int ENGINE_OF(engine_sided_nets)(const engine_sided *e, engine_net_visit *visit, void *context)
-{
-    const unsigned n = e->s->n;
-    engine_net_part part = { .round = false };
-    loft_weighted p[LOFT_SPATCH_TRIANGLE_MAX];
-    loft_triangle_rational t;
-    int status = e->s->coordinates == COORDINATES_WACHSPRESS ? LOFT_OK : LOFT_ERR_ARG;
-
-    for (unsigned i = 0; i < n; i++)
-        for (int k = 0; k < 2; k++)
-            part.from[k] += double_of(e->v[i].at[k]) / n;
-    for (unsigned edge = 0; edge < n && status == LOFT_OK; edge++) {
-        for (unsigned corner = 0; corner < 2; corner++)
-            for (int k = 0; k < 2; k++)
-                part.share[k][corner] = double_of(e->v[(edge + corner) % n].at[k]) - part.from[k];
-        status = loft_spatch_triangle(&e->as.spatch, &e->domain, edge, p);
-        if (status == LOFT_OK)
-            status = loft_triangle_rational_init(&t, p, e->s->m * (n - 2));
-        if (status == LOFT_OK)
-            status = visit(context, loft_net_from_triangle_rational(&t), &part);
-    }
-    return status;
 }
 
 /* The first vertex at which a polygon does not turn left. */

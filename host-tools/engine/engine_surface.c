@@ -550,7 +550,7 @@ static int visit_spans(const engine_surface *e, engine_net_visit *visit, void *c
 
 int ENGINE_OF(engine_nets)(engine_surface *e, engine_net_visit *visit, void *context)
 {
-    static const engine_net_part all = { { 0, 0 }, { { 1, 0 }, { 0, 1 } }, false };
+    static const engine_net_part all = { .share = { { 1, 0 }, { 0, 1 } } };
     const enum surface_kind kind = e->s->kind;
     const bool weighted = e->s->rational || kind == SURFACE_OCTANT;
 
@@ -561,7 +561,7 @@ int ENGINE_OF(engine_nets)(engine_surface *e, engine_net_visit *visit, void *con
     }
     if (kind == SURFACE_SPHERE)
         return ENGINE_OF(engine_ball_nets)(&e->as.sphere, visit, context);
-    if (kind == SURFACE_SPATCH)
+    if (e->sided)
         return ENGINE_OF(engine_sided_nets)(e->sided, visit, context);
     if (kind == SURFACE_BICUBIC || kind == SURFACE_COONS || kind == SURFACE_PN) {
         const int status = convert_surface(e);

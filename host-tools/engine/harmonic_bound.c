@@ -10,7 +10,8 @@
  *     |e| <= (S + E) / cos(pi N / 2 M) + E
  *
  * C comes from the sizes of the terms in a disk around the ellipse. A power of a corner counts
- * nothing on that corner's own edges: its imaginary part is 0 there.
+ * nothing on that corner's own edges: its imaginary part is 0 there. Products of sizes and of
+ * coefficients are summed in double: none is negative, so the sum errs by 2^-52 of it for each.
  *
  *   see     Ehlich, Zeller, Schwankung von Polynomen zwischen Gitterpunkten (1964); Trefethen,
  *           Approximation Theory and Approximation Practice (2013), theorem 8.2
@@ -39,6 +40,7 @@ typedef struct {
     const harmonic_series *s;
     long double enough; /* an E that does not matter */
     long double *term;
+    double (*size)[HARMONIC_SIDES]; /* of the coefficients, term by term; 0 beyond the sides */
     unsigned points;
 } proof;
 
@@ -91,12 +93,31 @@ static long double *corner_sizes(const proof *p, const disk *d, unsigned i,
     return out;
 }
 
-/* C: the largest sum of coefficients times sizes of terms. */
+/* The largest sum, over the coordinates, of coefficients times sizes of terms. */
+static double largest_sum(const proof *p)
+{
+    double sum[HARMONIC_SIDES] = { 0 }, most = 0;
+
+    for (unsigned k = 0; k < p->s->terms; k++) {
+        const double term = (double)p->term[k], *size = p->size[k];
+        if (isfinite(term))
+            for (unsigned i = 0; i < HARMONIC_SIDES; i++)
+                sum[i] += term * size[i];
+        else
+            for (unsigned i = 0; i < HARMONIC_SIDES; i++)
+                sum[i] += size[i] > 0 ? INFINITY : 0;
+    }
+    for (unsigned i = 0; i < HARMONIC_SIDES; i++)
+        most = fmax(most, sum[i]);
+    return most * (1 + 0x1p-40);
+}
+
+/* C */
 static long double size_in_disk(const proof *p, const disk *d)
 {
     const harmonic_series *s = p->s;
     const long double(*pole)[3] = s->pole;
-    long double *out = p->term, most = 0;
+    long double *out = p->term;
 
     for (unsigned i = 0; i < s->sides; pole += s->corner_poles[i++])
         out = corner_sizes(p, d, i, pole, out);
@@ -107,13 +128,7 @@ static long double size_in_disk(const proof *p, const disk *d)
     *out++ = 1;
     for (unsigned k = 1; k <= s->degree; k++, out += 2)
         out[0] = out[1] = powl(t, k);
-    for (unsigned i = 0; i < s->sides; i++) {
-        long double sum = 0;
-        for (unsigned k = 0; k < s->terms; k++)
-            sum += p->term[k] * fabsl(s->coefficient[k * s->sides + i]);
-        most = fmaxl(most, sum);
-    }
-    return most;
+    return largest_sum(p);
 }
 
 /* E of an interval of distances from the edge's start, or, for a vertex, of that length from it:
@@ -208,12 +223,22 @@ static long double edge_bound(proof *p, unsigned edge)
 long double harmonic_bound(const harmonic_shape *h, harmonic_series *s, long double sampled)
 {
     const long double rounding = s->weight * 0x1p-58L; /* of the samples themselves */
-    proof p = { h, s, fmaxl(sampled / 32, rounding), least_room(s->terms * sizeof *p.term), 0 };
+    proof p = { h,
+                s,
+                fmaxl(sampled / 32, rounding),
+                least_room(s->terms * sizeof *p.term),
+                least_room(s->terms * sizeof *p.size),
+                0 };
     long double bound = 0;
+
+    for (unsigned k = 0; k < s->terms; k++)
+        for (unsigned i = 0; i < HARMONIC_SIDES; i++)
+            p.size[k][i] = i < s->sides ? (double)fabsl(s->coefficient[k * s->sides + i]) : 0;
 
     for (unsigned e = 0; e < h->sides; e++)
         bound = fmaxl(bound, edge_bound(&p, e));
     free(p.term);
+    free(p.size);
     s->points = p.points;
     return bound + rounding;
 }

@@ -5,6 +5,8 @@
  *     engine_levels.c   waterlines, level by level; likewise
  *     engine_isolines.c lines of constant parameters; likewise
  *     engine_pencils.c  valleys; likewise
+ *     engine_touch.c    where a tool must be to touch all of the surfaces; likewise
+ *     engine_left.c     what the path leaves, at most; likewise
  *     engine_links.c    the ways between lines, and into the material; likewise
  *     mill_cuts.c       lines, and the order in which they are cut
  *     mill_trim.h       reads loops to which surfaces are trimmed
@@ -37,13 +39,16 @@ typedef struct {
     unsigned axis;              /* along which lines run: 0, x; 1, y */
     bool one_way;               /* all lines in one direction, with ways back above */
     bool parametric;            /* 0, u; 1, v: then step is one of the other parameter */
-    bool bounded, floored;      /* area, lowest are given; otherwise those of the surfaces */
+    bool bounded, floored;      /* area, lowest are given; otherwise of the surfaces */
     double area[2][2];          /* the smallest x and y, the largest */
     double lowest;              /* height of the tip */
+    bool stocked;               /* the surfaces are cut out of a block */
+    double stock[2];            /* the heights of its bottom and top */
     enum mill_entry entry;
     double slope, around;       /* of ramps and helices: the tangent; the radius of a helix */
     mill_trim trim;             /* no edge: the whole surfaces */
-    double safe;                /* above the surfaces, where the path begins and ends */
+    double safe;                /* above all of it, where the path begins and ends; with a block
+                                 * ways between lines are there too */
     void (*tell)(void *context, double share);      /* of the work that is done */
     void *context;
 } mill_order;
@@ -54,7 +59,11 @@ typedef struct {
     size_t entries[MILL_ENTRIES];
     double ways;                /* length of what is between lines */
     double cusp;                /* the largest one, 0 if only a step was asked */
+    double left;                /* of material on the surfaces by the path, at most */
+    double hollow, reached;     /* by a tool that may be anywhere, at most; if that is no more than
+                                 * `reached` it was not looked at more closely */
     double top;                 /* of the surfaces' control points */
+    double clear;               /* above the surfaces and the block */
     double depth;               /* of what a line cuts, at most: from there down ramps begin */
     size_t failed;              /* after an error: the surface, or all->count */
 } mill_report;

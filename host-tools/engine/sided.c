@@ -6,7 +6,6 @@
 
 #include "polygon/basepoint.h"      /* loft_basepoint_side_of */
 #include "polygon/gb.h"             /* loft_gb_count */
-#include "polygon/lattice.h"        /* loft_lattice_polygon */
 #include "polygon/zheng_ball.h"     /* loft_zheng_ball_count */
 #include "polygon/spatch.h"         /* loft_links */
 

@@ -11,6 +11,8 @@
 #ifndef LOFT_HOST_SIDED_H
 #define LOFT_HOST_SIDED_H
 
+#include "polygon/lattice.h"        /* loft_lattice_polygon */
+
 #include "engine/surface.h"
 
 /* How a place on such a patch is given. */
@@ -57,6 +59,11 @@ void sided_regular(surface *patch);
 
 /* Does the polygon have integer vertices from -32 to 32, and is it convex and counterclockwise? */
 bool sided_is_lattice(const surface *patch);
+
+/* The parameters that a patch has at the place s, t of its quarter at a vertex: the point of the
+ * polygon of a toric one, the shares of one with base points (polygon/toric_tensor.h). */
+void sided_quarter(const surface *patch, const loft_lattice_polygon *lattice, unsigned vertex,
+                   double s, double t, double out[2]);
 
 /* The number of sides, and of points: those that LOFT.md lists, without those that base points cut
  * off. 0: the polygon is invalid. */

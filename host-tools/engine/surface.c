@@ -38,6 +38,12 @@ bool surface_is_triangle(const surface *s)
     return s->kind == SURFACE_TRIANGLE || s->kind == SURFACE_PN || s->kind == SURFACE_OCTANT;
 }
 
+bool surface_is_high(const surface *s)
+{
+    return (s->kind == SURFACE_TRIANGLE && s->m > SURFACE_DEGREE_MAX) ||
+           (s->kind == SURFACE_TENSOR && (s->m > SURFACE_DEGREE_MAX || s->n > SURFACE_DEGREE_MAX));
+}
+
 bool surface_is_sided(const surface *s) { return s->kind >= SURFACE_SPATCH; }
 
 unsigned surface_kites(const surface *s)

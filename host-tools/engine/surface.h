@@ -7,6 +7,7 @@
  *     engine.h        their representation in the library
  *     mesh.h          triangles of them, normals and curvatures; STL and PLY
  *     sided.h         surfaces with n sides: their polygons, nets and grids
+ *     drawn_surface.h those of higher degrees, in pictures
  *     solid.h         tetrahedra: their faces
  *     surface_plot.h  pictures
  *
@@ -22,6 +23,7 @@
 
 #define SURFACE_AXES       3
 #define SURFACE_DEGREE_MAX 9        /* of the library */
+#define SURFACE_DRAWN_MAX  32       /* of `tensor` and `triangle` in pictures: drawn_surface.h */
 #define SURFACE_SIDES_MAX  8
 #define SURFACE_PARTS_MAX  6        /* convex ones of a polygon */
 
@@ -87,12 +89,16 @@ typedef struct surfaces {
     surface *surface;
     size_t count;
     bool solids;                /* asked for: tetrahedra stay what they are, else their faces */
+    bool drawn;                 /* asked for: degrees up to SURFACE_DRAWN_MAX                  */
 } surfaces;
 
 const char *surface_name(enum surface_kind kind);
 
 /* Is its domain the triangle u + v <= 1? */
 bool surface_is_triangle(const surface *s);
+
+/* Has it a degree above those of the library? */
+bool surface_is_high(const surface *s);
 
 /* Does it have n sides? */
 bool surface_is_sided(const surface *s);

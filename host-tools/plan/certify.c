@@ -28,9 +28,9 @@
 
 #define LSB      (1 / 65536.0)
 #define UP       (1 + 1 / 562949953421312.0)    /* 1 + 2^-49: above eight roundings of 2^-53 */
-#define FINE     400        /* parts of the tolerance, */
-#define FINER    4000       /* and where these do not decide */
-#define DOUBT    1.05       /* tolerances: what is farther is too far in any case */
+#define FINE     400        /* parts of the tolerance, and where these do not decide */
+#define FINEST   400000     /* ten times as many, up to these */
+#define DOUBT    20         /* of these parts: what is beyond the bound by more is so in any case */
 #define NEAR     0.25       /* mm along the other path, in which the first search looks */
 #define DEPTH    60         /* halvings of a curve */
 
@@ -50,6 +50,7 @@ typedef struct {
 typedef struct {
     const chords *to;
     double tol, fine;
+    double step;                /* by which the worst rises: `fine`, as it counts at corners */
     double share;               /* of what is compared */
     size_t near;                /* the chord that was the nearest */
     double worst, worst_share;
@@ -358,7 +359,7 @@ static double least_distance(search *s, const double a[ENGINE_AXES], const doubl
     return least;
 }
 
-/* Compare a curve. Returns whether some of it is farther by `fine` than the worst so far; *t is its
+/* Compare a curve. Returns whether some of it is farther by `step` than the worst so far; *t is its
  * parameter. */
 static bool compare_curve(search *s, const cubic *c, double *t)
 {
@@ -373,11 +374,12 @@ static bool compare_curve(search *s, const cubic *c, double *t)
         double a[ENGINE_AXES], b[ENGINE_AXES];
         eval(c, from, a);
         eval(c, to, b);
-        const double more = bulge * (to - from) * (to - from) + s->fine, most = s->worst + s->fine,
-                     off  = least_distance(s, a, b, most - more) + more;
+        const double fine = s->share * s->fine,
+                     more = s->share * bulge * (to - from) * (to - from) + fine,
+                     most = s->worst + s->step, off = least_distance(s, a, b, most - more) + more;
         if (off <= most)
             continue;
-        if ((space_distance(a, b) <= s->fine && more <= 2 * s->fine) || parts > DEPTH) {
+        if ((space_distance(a, b) <= s->fine && more <= 2 * fine) || parts > DEPTH) {
             s->worst = off;
             s->worst_share = s->share * s->to->share[s->near];
             *t = middle;
@@ -405,7 +407,7 @@ static void compare_points(search *s, const cubic *c)
 /* Now all of it is compared. */
 static void begin_curves(search *s)
 {
-    s->worst = fmax(s->worst - 2 * s->fine, 0);
+    s->worst = fmax(s->worst - 2 * s->step, 0);
     s->near  = 0;
 }
 
@@ -419,10 +421,10 @@ static void cubic_of_chord(search *s, const chords *c, size_t k, cubic *out)
     s->share = c->share[k];
 }
 
-static void take_distance(certify_worst *w, const search *s, double more)
+static void take_distance(certify_worst *w, const search *s)
 {
     w->tol   = s->tol / s->worst_share;
-    w->worst = (s->worst + more) / s->worst_share;
+    w->worst = (s->worst + s->step) / s->worst_share;
 }
 
 static void compare_motion(certify *c, const certify_plan *plan, search *off)
@@ -444,7 +446,7 @@ static void compare_motion(certify *c, const certify_plan *plan, search *off)
         }
         begin += h;
     }
-    take_distance(&c->off, off, off->fine);
+    take_distance(&c->off, off);
 }
 
 static void compare_drawing(certify *c, const chords *drawn, search *missed)
@@ -464,7 +466,7 @@ static void compare_drawing(certify *c, const chords *drawn, search *missed)
             eval(&curve, t, c->missed.at);
         }
     }
-    take_distance(&c->missed, missed, missed->fine);
+    take_distance(&c->missed, missed);
 }
 
 static void compare_paths(certify *c, const certify_plan *plan, double fine)
@@ -472,11 +474,16 @@ static void compare_paths(certify *c, const certify_plan *plan, double fine)
     chords drawn, moved;
 
     make_chords(&drawn, plan, cubic_of_move, plan->moves, fine / 4);
-    make_chords(&moved, plan, cubic_of_span, plan->spans, fine);
-    if (plan->corner > plan->tol)
+    make_chords(&moved, plan, cubic_of_span, plan->spans, fine / 2);
+    search off = { .to = &drawn, .tol = plan->tol, .fine = fine, .share = 1, .worst_share = 1 };
+
+    off.step = fine;
+    if (plan->corner > plan->tol) {
         mark_corners(&drawn, plan);
-    search off = { .to = &drawn, .tol = plan->tol, .fine = fine, .share = 1, .worst_share = 1 },
-           missed = { .to = &moved, .tol = plan->tol, .fine = fine, .share = 1, .worst_share = 1 };
+        off.step *= plan->tol / plan->corner;
+    }
+    search missed = off;
+    missed.to = &moved;
     compare_motion(c, plan, &off);
     compare_drawing(c, &drawn, &missed);
     free_chords(&drawn);
@@ -487,10 +494,10 @@ static void compare_paths(certify *c, const certify_plan *plan, double fine)
 // All of it
 // ---------
 
-/* May it be beyond its bound by the error of that alone? */
-static bool is_doubtful(const certify_worst *w)
+/* May it be beyond its bound by the error of these parts alone? */
+static bool is_doubtful(const certify_worst *w, double parts)
 {
-    return w->worst > w->tol && w->worst <= DOUBT * w->tol;
+    return w->worst > w->tol && w->worst <= w->tol * (1 + DOUBT / parts);
 }
 
 void certify_make(certify *c, const certify_plan *plan)
@@ -503,10 +510,11 @@ void certify_make(certify *c, const certify_plan *plan)
         c->connected = c->connected && is_connected(plan, n);
         ticks += plan->span[n].ticks;
     }
-    if (c->connected)
-        compare_paths(c, plan, plan->tol / FINE);
-    if (c->connected && (is_doubtful(&c->off) || is_doubtful(&c->missed)))
-        compare_paths(c, plan, plan->tol / FINER);
+    for (double parts = FINE; c->connected && parts <= FINEST; parts *= 10) {
+        compare_paths(c, plan, plan->tol / parts);
+        if (!is_doubtful(&c->off, parts) && !is_doubtful(&c->missed, parts))
+            break;
+    }
 }
 
 bool certify_holds(const certify *c)

@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,14 +11,15 @@
 #include "wire/sender.h"    /* loft_job_id */
 
 #include "plan/job.h"
+#include "plan/job_curve.h"      /* job_curve */
+#include "plan/job_input.h"      /* job_input_crc */
 #include "base/progress.h"       /* progress_show */
 #include "base/spool.h"          /* spool_grow */
-#include "base/tool.h"           /* tool_grow, tool_clock, tool_version */
+#include "base/tool.h"           /* tool_grow, tool_clock */
 
 #define FIRST   64          /* items that identify the plan */
 #define AHEAD   65536       /* items planned ahead: more than any queue, so that frames are full */
 #define OPENING 0.2         /* s for the first portion */
-#define KNOWN   0.02        /* of the path: enough to estimate the duration of all of it */
 
 
 // Items
@@ -264,58 +264,9 @@ static void add_levels(job *j, const engine_span *span, size_t kept)
     j->event += left - j->levels.left;
 }
 
-const char *job_pause(const job *j, size_t executed)
-{
-    for (size_t k = 0; k < j->pauses; k++)
-        if (j->pause[k].item + 1 == executed)
-            return j->pause[k].text;
-    return NULL;
-}
-
 
 // Curves
 // ------
-
-/* A line takes fewer bytes if its inner points are exactly its thirds. Rounding has moved them by
- * at most one step from there. */
-static void straighten_item(loft_item *item, const int32_t from[ENGINE_AXES])
-{
-    int32_t inner[2][ENGINE_AXES];
-
-    for (int i = 0; i < ENGINE_AXES; i++) {
-        const int32_t third = (int32_t)lround(((double)item->p[2][i] - from[i]) / 3);
-        inner[0][i] = from[i] + third;
-        inner[1][i] = item->p[2][i] - third;
-        for (int k = 0; k < 2; k++)
-            if (abs(inner[k][i] - item->p[k][i]) > 1)
-                return;
-    }
-    memcpy(item->p, inner, sizeof inner);
-}
-
-static loft_item curve_of(const engine_move *m, const int32_t from[ENGINE_AXES])
-{
-    loft_item item = { .ticks = (uint16_t)fmin(fmax(floor(m->feed * 60 + 1e-6), 1), 65535) };
-
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < ENGINE_AXES; i++)
-            item.p[k][i] = (int32_t)lround(m->p[k + 1][i] * 65536);
-    straighten_item(&item, from);
-    return item;
-}
-
-static loft_job_limits limits_of(const engine_limits *l)
-{
-    loft_job_limits out = { .corner = (int32_t)floor(l->corner * 65536),
-                            .tol    = (int32_t)floor(l->tol * 65536) };
-
-    for (int i = 0; i < ENGINE_AXES; i++) {
-        out.axis[i].max_speed = (int32_t)lround(l->max_speed[i] * 65536);
-        out.axis[i].max_accel = (int32_t)lround(l->max_accel[i] * 65536);
-        out.axis[i].max_jerk  = (uint32_t)lround(l->max_jerk[i]);
-    }
-    return out;
-}
 
 static void add_curves(job *j, const joints *of, const job_options *o)
 {
@@ -324,7 +275,7 @@ static void add_curves(job *j, const joints *of, const job_options *o)
     for (unsigned n = 0; o->patch != NULL && n < o->parts; n++)
         add_item(j, &o->patch[n], 0);
     for (size_t n = 0; o->patch == NULL && n < of->count; spool_passed(n++)) {
-        const loft_item item = curve_of(&of->move[n], n > 0 ? j->last : j->head.start);
+        const loft_item item = job_curve(&of->move[n], n > 0 ? j->last : j->head.start);
         add_item(j, &item, 0);
     }
 }
@@ -365,7 +316,8 @@ static void begin_job_at(job *j, const int32_t at[ENGINE_AXES])
 {
     loft_vec from;
 
-    memcpy(from.axis, at, sizeof from.axis);
+    for (unsigned i = 0; i < ENGINE_AXES; i++)
+        from.axis[i] = at[i];
     memcpy(j->start, at, sizeof j->start);
     memcpy(j->end, at, sizeof j->end);
     memcpy(j->head.start, at, sizeof j->head.start);
@@ -470,62 +422,9 @@ int job_finish(job *j)
     return status;
 }
 
-uint32_t job_items(const job *j)
-{
-    return j->whole || j->head.kind == LOFT_CURVES ? (uint32_t)j->count : LOFT_ITEMS_OPEN;
-}
-
 
 // Beginning
 // ---------
-
-static uint32_t crc_of(uint32_t crc, double x)
-{
-    uint64_t bits;
-
-    memcpy(&bits, &x, sizeof bits);
-    return loft_crc32(loft_crc32(crc, (uint32_t)bits), (uint32_t)(bits >> 32));
-}
-
-static uint32_t limits_crc(uint32_t crc, const engine_limits *l)
-{
-    for (int i = 0; i < ENGINE_AXES; i++)
-        crc = crc_of(crc_of(crc_of(crc, l->max_speed[i]), l->max_accel[i]), l->max_jerk[i]);
-    return loft_crc32(crc_of(crc_of(crc_of(crc, l->corner), l->tol), l->exact), l->tick_hz);
-}
-
-static uint32_t events_crc(uint32_t crc, const toolpath *path, const struct job_does *does)
-{
-    for (size_t n = 0; n < path->events; n++) {
-        const drawing_event *e = &path->event[n].e;
-        crc = loft_crc32(loft_crc32(crc, (uint32_t)path->event[n].move),
-                         (uint32_t)e->doing * 256 + (uint32_t)e->way * 2 + job_can(does, e));
-        crc = crc_of(crc_of(crc_of(crc, e->amount), path->event[n].feed), e->along);
-    }
-    return path->events > 0 ? crc_of(crc_of(crc, does->s_max), does->spin_up) : crc;
-}
-
-/* All data that a plan depends on. */
-static uint32_t input_crc(uint32_t crc, const joints *of, const job_options *o)
-{
-    const engine_limits limits = joints_limits(of, &o->limits);
-
-    for (const char *at = tool_version; *at != '\0'; at++)
-        crc = loft_crc32(crc, (uint32_t)*at);
-    for (const char *at = o->e->name; *at != '\0'; at++)
-        crc = loft_crc32(crc, (uint32_t)*at);
-    crc = limits_crc(crc, &limits);
-    for (int i = 0; i < ENGINE_AXES; i++)
-        crc = loft_crc32(crc_of(crc, of->scale[i]),
-                         o->kind == LOFT_POINTS ? (uint32_t)o->steps_per_mm[i] : 0);
-    for (size_t n = 0; n < of->count; spool_passed(n++)) {
-        crc = crc_of(crc, of->move[n].feed);
-        for (int k = 0; k < 4; k++)
-            for (int i = 0; i < ENGINE_AXES; i++)
-                crc = crc_of(crc, of->move[n].p[k][i]);
-    }
-    return events_crc(crc, of->path, &o->does);
-}
 
 /* A job of curves has all its items, and nothing else is sent. In other jobs, the first items
  * reveal another planner of the same version. */
@@ -534,7 +433,7 @@ static uint32_t id_of(job *j, const joints *of, const job_options *o)
     if (o->kind == LOFT_CURVES)
         return loft_job_id(&j->head, (uint32_t)j->count, job_source, j);
     const uint32_t first = (uint32_t)(j->count < FIRST ? j->count : FIRST);
-    const uint32_t crc   = input_crc(loft_job_id(&j->head, first, job_source, j), of, o);
+    const uint32_t crc   = job_input_crc(loft_job_id(&j->head, first, job_source, j), of, o);
 
     return crc ? crc : 1;
 }
@@ -559,7 +458,7 @@ int job_open(job *j, joints *of, const job_options *o)
         j->all += seconds_of(&of->move[n]);
     if (o->kind == LOFT_CURVES) {
         const engine_limits planned = joints_limits(of, &o->limits);
-        j->limits = limits_of(&planned);
+        j->limits = job_curve_limits(&planned);
         j->head.limits = &j->limits;
         add_curves(j, of, o);
         time_item(j, 0, 0);
@@ -584,107 +483,9 @@ void job_free(job *j)
     *j = (job){ 0 };
 }
 
-
-// How far it is
-// -------------
-
-double job_part(const job *j) { return j->whole || !(j->all > 0) ? 1 : fmin(j->done / j->all, 1); }
-
-double job_ticks(const job *j) { return (double)j->ticks / fmax(job_part(j), 1e-6); }
-
-const char *job_of(const job *j, char text[32])
+void job_work_free(job_work *w)
 {
-    const double part = job_part(j);
-
-    if (j->whole || j->head.kind == LOFT_CURVES)
-        snprintf(text, 32, " of %zu", j->count);
-    else if (part >= KNOWN)
-        snprintf(text, 32, " of about %.0f", ceil((double)j->count / part / 100) * 100);
-    else
-        text[0] = '\0';
-    return text;
-}
-
-const char *job_words(const job *j)
-{
-    return j->head.kind == LOFT_POINTS ? "points"
-           : j->patch                    ? "parts of a patch"
-           : j->head.kind == LOFT_CURVES ? "curves"
-                                         : "spans";
-}
-
-/* How many moves end at that item, or tick, or before: see `ends`. */
-static size_t moves_to(const job *j, uint64_t at)
-{
-    size_t low = 0, high = j->passed;
-
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (j->ends[middle] <= at)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-size_t job_moves(const job *j, size_t executed)
-{
-    if (j->patch && executed < j->count)        /* they are executed at its end */
-        return 0;
-    if (j->whole && executed >= j->count)
-        return j->of->path->count;
-    const size_t move = j->head.kind == LOFT_CURVES ? executed : moves_to(j, executed);
-    return move < j->of->count ? j->of->of[move] : j->of->path->count;
-}
-
-double job_seconds(const job *j) { return (double)j->ticks / (double)j->tick_hz; }
-
-static const job_entry *entry_of(const job *j, size_t n) { return &j->entry[n - j->low]; }
-
-size_t job_item_at(const job *j, uint64_t tick)
-{
-    size_t low = j->low, high = j->timed;       /* due[low] <= tick < due[high] */
-
-    if (j->patch) {
-        const size_t move = moves_to(j, tick);
-        return move < j->of->count ? move : j->of->count - 1;
-    }
-    while (high > low + 1) {
-        const size_t middle = low + (high - low) / 2;
-        if (entry_of(j, middle)->due <= tick)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-static void tool_at(const job *j, const int32_t motors[ENGINE_AXES], double out[ENGINE_AXES])
-{
-    double at[ENGINE_AXES];
-
-    for (int i = 0; i < ENGINE_AXES; i++)
-        at[i] = motors[i] / 65536.0;
-    if (!kinematics_tool(j->k, at, out))
-        memcpy(out, at, sizeof at);
-}
-
-double job_feed(const job *j, size_t n)
-{
-    double from[ENGINE_AXES], to[ENGINE_AXES], sum = 0;
-
-    if (j->patch)
-        return j->of->move[n].feed;
-    if (n < j->low || n >= j->timed || j->head.kind == LOFT_POINTS || (n > 0 && n == j->low))
-        return 0;
-    if (j->head.kind == LOFT_CURVES && j->k->kind == ENGINE_CARTESIAN)
-        return entry_of(j, n)->item.ticks / 60.0;
-    tool_at(j, n > 0 ? entry_of(j, n - 1)->item.p[2] : j->start, from);
-    tool_at(j, entry_of(j, n)->item.p[2], to);
-    for (int i = 0; i < ENGINE_AXES; i++)
-        sum += (to[i] - from[i]) * (to[i] - from[i]);
-    const uint64_t due  = entry_of(j, n)->due;
-    const uint64_t next = n + 1 < j->timed ? entry_of(j, n + 1)->due : j->ticks;
-    return next > due ? sqrt(sum) * (double)j->tick_hz / (double)(next - due) : 0;
+    job_free(&w->j);
+    joints_free(&w->of);
+    toolpath_free(&w->path);
 }

@@ -16,6 +16,7 @@
 #include "engine/engine.h"  /* engine, engine_limits */
 #include "plan/joints.h"    /* joints */
 #include "plan/levels.h"    /* levels */
+#include "plan/toolpath.h"  /* toolpath */
 
 /* What a machine does beside motion. */
 struct job_does {
@@ -78,6 +79,14 @@ typedef struct {
     unsigned parts;
 } job_options;
 
+/* A job, and the path that it is planned from. Begin with { .path = { 0 } }; it must not move while
+ * it has a job. */
+typedef struct {
+    toolpath path;
+    joints of;
+    job j;
+} job_work;
+
 /* Can a job do this, on a machine that does so much? */
 bool job_can(const struct job_does *does, const drawing_event *e);
 
@@ -87,6 +96,9 @@ bool job_can(const struct job_does *does, const drawing_event *e);
  * enum loft_status. Call job_free in any case. */
 int  job_open(job *j, joints *of, const job_options *o);
 void job_free(job *j);
+
+/* Free the job and its path; *w is empty then. */
+void job_work_free(job_work *w);
 
 /* Continue planning for about `seconds`, until the job is complete, or until enough items after
  * `kept` are planned. Items before `kept` will not be asked for again. Returns enum loft_status. */

@@ -19,6 +19,7 @@
 #include "engine/sided.h"           /* sided_regular, sided_is_lattice */
 #include "engine/solid.h"           /* solid_faces */
 #include "engine/surface.h"
+#include "read/surface_ends.h"      /* surface_end_knots, surface_end_domain */
 
 typedef struct {
     surfaces *all;
@@ -31,21 +32,46 @@ typedef struct {
 // First lines
 // -----------
 
-static bool is_degree(double x, unsigned least)
+static bool is_whole(double x, unsigned least, unsigned most)
 {
-    return x == floor(x) && x >= least && x <= SURFACE_DEGREE_MAX;
+    return x == floor(x) && x >= least && x <= most;
+}
+
+static bool is_degree(double x, unsigned least) { return is_whole(x, least, SURFACE_DEGREE_MAX); }
+
+/* The library computes up to degree 9; a picture of higher ones is drawn by the host. */
+static unsigned most_degree(const reading *r, const surface *s)
+{
+    return r->all->drawn && (s->kind == SURFACE_TENSOR || s->kind == SURFACE_TRIANGLE)
+               ? SURFACE_DRAWN_MAX
+               : SURFACE_DEGREE_MAX;
+}
+
+/* Say whether a picture may have them. */
+static int wrong_degree(reading *r, const double degree[], int count, unsigned least, bool two)
+{
+    const unsigned most = most_degree(r, r->now);
+    bool drawn = count > 0 && most < SURFACE_DRAWN_MAX &&
+                 (r->now->kind == SURFACE_TENSOR || r->now->kind == SURFACE_TRIANGLE);
+    char remedy[160];
+
+    for (int k = 0; k < count; k++)
+        drawn = drawn && is_whole(degree[k], 0, SURFACE_DRAWN_MAX);
+    snprintf(remedy, sizeof remedy, "give %s from %u to %u, %s%s",
+             two ? "two whole numbers" : "a whole number", least, most,
+             two ? "that along u and that along v" : "or nothing: then the points are counted",
+             drawn ? "; only `loft plot` takes up to 32" : "");
+    return lines_wrong(&r->at, two ? "not two degrees" : "not a degree", remedy);
 }
 
 static int head_degrees(reading *r, unsigned least)
 {
+    const unsigned most = most_degree(r, r->now);
     double degree[2];
+    const int count = lines_numbers_alone(&r->at, degree, 2);
 
-    if (lines_numbers_alone(&r->at, degree, 2) != 2 || !is_degree(degree[0], least) ||
-        !is_degree(degree[1], least))
-        return lines_wrong(
-            &r->at, "not two degrees",
-            least ? "give two whole numbers from 1 to 9, that along u and that along v"
-                  : "give two whole numbers from 0 to 9, that along u and that along v");
+    if (count != 2 || !is_whole(degree[0], least, most) || !is_whole(degree[1], least, most))
+        return wrong_degree(r, degree, count == 2 ? 2 : 0, least, true);
     r->now->m = (unsigned)degree[0];
     r->now->n = (unsigned)degree[1];
     return 0;
@@ -58,10 +84,8 @@ static int head_triangle(reading *r)
     double degree = 0;
     const int count = lines_numbers_alone(&r->at, &degree, 1);
 
-    if (count < 0 || !is_degree(degree, 0))
-        return lines_wrong(
-            &r->at, "not a degree",
-            "give a whole number from 0 to 9, or nothing: then the points are counted");
+    if (count < 0 || !is_whole(degree, 0, most_degree(r, r->now)))
+        return wrong_degree(r, &degree, count, 0, false);
     r->counted = count == 1;
     r->now->m  = (unsigned)degree;
     return 0;
@@ -270,9 +294,8 @@ static int point_line(reading *r)
                            "32, convex, counterclockwise");
     if (lines_vector(&r->at, p.p) == 0 || !what_is_behind(r, &p) || !lines_over(&r->at))
         return lines_wrong(&r->at, "not a point", row_of(r->now)->point);
-    const unsigned most = r->counted                       ? surface_points(r->now)
-                          : r->now->kind == SURFACE_TRIANGLE ? 55
-                                                             : 220;
+    surface highest = { .kind = r->now->kind, .m = most_degree(r, r->now) };
+    const unsigned most = surface_points(r->counted ? r->now : &highest);
     if (r->now->count == most) {
         snprintf(words, sizeof words, "more than the %u point%s of this %s", most,
                  most == 1 ? "" : "s", surface_name(r->now->kind));
@@ -331,119 +354,18 @@ static int knot_line(reading *r)
                : lines_wrong(&r->at, "not a knot", "give numbers: rows, or columns, + degree + 1");
 }
 
-/* Without knots: 0 .. 0 1 2 .. m .. m, as for curves. */
-static int end_knots(const lines *at, surface *s)
-{
-    char words[96];
-
-    for (unsigned along = 0; along < 2; along++) {
-        const unsigned degree = along ? s->n : s->m, points = along ? s->columns : s->rows,
-                       pieces = points - degree, count = points + degree + 1;
-        for (unsigned i = 0; i < count && s->knots[along] == i; i++)
-            surface_add_knot(s, along, i <= degree ? 0 : i - degree < pieces ? i - degree : pieces);
-        if (s->knots[along] != count) {
-            snprintf(words, sizeof words, "%u knots %c for %u points of degree %u", s->knots[along],
-                     along ? 'v' : 'u', points, degree);
-            return lines_wrong(at, words, "give as many as points + degree + 1, or none");
-        }
-        const double *k = s->knot[along];
-        for (unsigned i = 0; i < points; i++)
-            if (!(k[i] < k[i + degree + 1]))
-                return lines_wrong(at, "too many equal knots",
-                                   "give each at most degree + 1 times");
-        if (!(k[degree] < k[points]))
-            return lines_wrong(at, "knots that leave no surface",
-                               "let those behind the first `degree` ascend");
-    }
-    return 0;
-}
 
 
 // Surfaces
 // --------
 
-/* Take the degree of a triangle or tetrahedron from the number of its points; 10 if there is none
- * of so many. */
+/* Take the degree of a triangle or tetrahedron from the number of its points; the next one if there
+ * is none of so many. */
 static void count_degree(surface *s)
 {
     s->m = 0;
-    while (s->m <= SURFACE_DEGREE_MAX && surface_points(s) != s->count)
+    while (surface_points(s) < s->count)
         s->m++;
-}
-
-/* Sides are counted from 1: side k goes from vertex k to the next one. */
-static int broken_domain(const lines *at, const surface *s, const unsigned side[2])
-{
-    const unsigned i = side[0], j = side[1], k = (j + 1) % s->n, n = (i + 1) % s->n;
-    const double *a = s->domain[i], *b = s->domain[n], *c = s->domain[j], *d = s->domain[k];
-    const double over = (b[0] - a[0]) * (d[1] - c[1]) - (b[1] - a[1]) * (d[0] - c[0]);
-    const double share = ((c[0] - a[0]) * (d[1] - c[1]) - (c[1] - a[1]) * (d[0] - c[0])) / over;
-    unsigned one = 0;
-    char words[160];
-
-    while (one < s->n &&
-           memcmp(s->domain[one], s->domain[(one + 1) % s->n], sizeof *s->domain) != 0)
-        one++;
-    if (one < s->n)
-        snprintf(words, sizeof words, "vertices %u and %u of the domain are one point, (%g, %g)",
-                 one + 1, (one + 1) % s->n + 1, s->domain[one][0], s->domain[one][1]);
-    else if (j == n)
-        snprintf(words, sizeof words, "the domain folds back onto itself at vertex %u, (%g, %g)",
-                 j + 1, c[0], c[1]);
-    else if (over != 0)
-        snprintf(words, sizeof words, "sides %u and %u of the domain meet at (%g, %g)", i + 1,
-                 j + 1, a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]));
-    else
-        snprintf(words, sizeof words, "sides %u and %u of the domain lie on each other", i + 1,
-                 j + 1);
-    return lines_wrong(at, words, "list its vertices once around, so that no two sides touch");
-}
-
-/* Is the polygon valid, and valid for these coordinates? */
-static int judge_domain(const lines *at, surface *s)
-{
-    unsigned where[2];
-    char words[160];
-    const int status = engine_sides_f64.cut(s, where);
-
-    if (status == LOFT_SINGULAR)
-        return broken_domain(at, s, where);
-    if (status == LOFT_ERR_ARG)
-        return lines_wrong(at, "the vertices of the domain run clockwise",
-                           "list them counterclockwise, and the points of the net with them");
-    const double *v = s->domain[where[0] % SURFACE_SIDES_MAX];
-    if (status != LOFT_OK) {
-        snprintf(words, sizeof words, "vertex %u of the domain, (%g, %g)", where[0] + 1, v[0],
-                 v[1]);
-        return lines_wrong(
-            at, words, "give coordinates below 32768, of not more than 15 digits behind the point");
-    }
-    if (where[0] < s->n && s->coordinates == COORDINATES_WACHSPRESS) {
-        snprintf(
-            words, sizeof words,
-            "the domain is not convex at vertex %u, (%g, %g), which Wachspress coordinates ask for",
-            where[0] + 1, v[0], v[1]);
-        return lines_wrong(at, words, "write meanvalue or harmonic behind the numbers");
-    }
-    return 0;
-}
-
-/* A patch with n sides has a polygon: the regular one if none was given. */
-static int end_domain(const lines *at, surface *s)
-{
-    char words[64];
-
-    if (s->kind == SURFACE_TORIC && !sided_is_lattice(s))
-        return lines_wrong(at, "toric without a polygon",
-                           "give `domain x y x y ..` below it: whole numbers of -32 to 32, convex, "
-                           "counterclockwise");
-    if (s->kind != SURFACE_TORIC && s->corners != 0 && s->corners != s->n) {
-        snprintf(words, sizeof words, "%u sides over a domain of %u vertices", s->n, s->corners);
-        return lines_wrong(at, words, "give as many, or none for a regular polygon");
-    }
-    if (s->corners == 0 && s->kind != SURFACE_BASEPOINT)
-        sided_regular(s);
-    return judge_domain(at, s);
 }
 
 /* The surface is complete: is it valid? */
@@ -452,29 +374,32 @@ static int end_surface(reading *r)
     const lines at = { .file = r->at.file, .line = r->now ? r->now->line : 0 };
     surface *s = r->now;
     char words[64], remedy[64];
+    const bool counted = r->counted;
 
     r->now = NULL;
     if (s == NULL)
         return 0;
     if ((s->kind == SURFACE_SPHERE || s->kind == SURFACE_OCTANT) && s->count == 0)
         surface_add_point(s, &(surface_point){ .w = 1, .c = 1 });
-    if (!r->counted)
+    if (!counted)
         count_degree(s);
-    const int code = surface_is_sided(s)          ? end_domain(&at, s)
-                     : s->kind == SURFACE_NURBS ? end_knots(&at, s)
+    const int code = surface_is_sided(s)          ? surface_end_domain(&at, s)
+                     : s->kind == SURFACE_NURBS ? surface_end_knots(&at, s)
                                                 : 0;
     if (code == 0 && s->kind == SURFACE_GB && engine_sides_f64.complete(s) != 0)
         return lines_wrong(&at, "a net beyond +-32767 mm", "make the part smaller");
-    if (code != 0 || (s->m <= SURFACE_DEGREE_MAX && s->count == surface_points(s)))
+    if (code != 0 || s->count == surface_points(s))
         return code;
     snprintf(words, sizeof words, "%s with %u point%s", surface_name(s->kind), s->count,
              s->count == 1 ? "" : "s");
-    snprintf(remedy, sizeof remedy, "give %u", surface_points(s));
-    return lines_wrong(&at, words,
-                       s->m <= SURFACE_DEGREE_MAX    ? remedy
-                       : s->kind == SURFACE_TRIANGLE ? "give 1, 3, 6, 10, 15, 21, 28, 36, 45 or 55"
-                                                     : "give 1, 4, 10, 20, 35, 56, 84, 120, 165 or "
-                                                       "220");
+    surface lower = *s;
+    lower.m -= !counted && s->m > 0;
+    const unsigned fewer = surface_points(&lower), points = surface_points(s);
+    if (fewer < points)
+        snprintf(remedy, sizeof remedy, "give %u or %u", fewer, points);
+    else
+        snprintf(remedy, sizeof remedy, "give %u", points);
+    return lines_wrong(&at, words, remedy);
 }
 
 static int word_line(reading *r)

@@ -77,20 +77,13 @@ int mover_ready(mover *v)
 // Planning
 // --------
 
-/* A path of one move, and what is planned from it. */
-typedef struct {
-    toolpath path;
-    joints of;
-    job j;
-} one_move;
-
 static void limits_of(const mover *v, engine_limits *l)
 {
     stream_machine(&v->t.sender, l);
     planning_limit(&v->p, l);
 }
 
-static int plan_move(const mover *v, const mover_move *m, one_move *w)
+static int plan_move(const mover *v, const mover_move *m, job_work *w)
 {
     const drawing nothing = { 0 };
     planning p            = v->p;
@@ -123,13 +116,6 @@ static int plan_move(const mover *v, const mover_move *m, one_move *w)
     return status == LOFT_OK ? code
                              : tool_error(EX_DATAERR, "%s: this move cannot be planned: %s",
                                           v->port, engine_status(status));
-}
-
-static void free_move(one_move *w)
-{
-    job_free(&w->j);
-    joints_free(&w->of);
-    toolpath_free(&w->path);
 }
 
 
@@ -207,7 +193,7 @@ static int take_report(mover *v, const mover_move *m, job *j, bool ended, mover_
 
 int mover_go(mover *v, const mover_move *m, mover_outcome *out)
 {
-    one_move w = { .path = { 0 } };
+    job_work w = { .path = { 0 } };
     bool ended = false;
     int code   = 0;
 
@@ -224,7 +210,7 @@ int mover_go(mover *v, const mover_move *m, mover_outcome *out)
         code = run_job(v, m, &w.j, &ended);
     if (code == 0)
         code = take_report(v, m, &w.j, ended, out);
-    free_move(&w);
+    job_work_free(&w);
     return code;
 }
 

@@ -75,6 +75,21 @@ static int ask_of_file(const decide_question *q, const decide_input *numbers, co
     return code;
 }
 
+static unsigned number_type(const engine *e)
+{
+    return e == &engine_q16 ? 0 : e == &engine_f32 ? 1 : 2;
+}
+
+int decide_surfaces(const char *question, const engine *e, const tool_list *of, const surfaces *all,
+                    const char *file)
+{
+    static const decide_question *const table[3] = { decide_q16, decide_f32, decide_f64 };
+    const decide_input in = { e, of, NULL, all, NULL };
+
+    return ask(question_of(table[number_type(e)], DECIDE_QUESTIONS, question), &in,
+               source_name(file));
+}
+
 int decide_run(const tool_command *self, const decide_question *const table[3], unsigned count,
                int argc, char **argv)
 {
@@ -90,10 +105,7 @@ int decide_run(const tool_command *self, const decide_question *const table[3], 
         return code == TOOL_HELP ? EX_OK : code;
     if (first >= argc)
         return tool_error(EX_USAGE, "no word after %s: see `loft help %s`", self->name, self->name);
-    const decide_question *q = question_of(table[e == &engine_q16   ? 0
-                                                 : e == &engine_f32 ? 1
-                                                                    : 2],
-                                           count, argv[first]);
+    const decide_question *q = question_of(table[number_type(e)], count, argv[first]);
     if (q == NULL)
         return tool_error(EX_USAGE, "%s: not known to %s: see `loft help %s`", argv[first],
                           self->name, self->name);

@@ -61,6 +61,11 @@ extern const decide_question decide_q16[DECIDE_QUESTIONS], decide_f32[DECIDE_QUE
 
 extern const decide_question make_q16[MAKE_VERBS], make_f32[MAKE_VERBS], make_f64[MAKE_VERBS];
 
+/* Print the answer of `loft decide` to a question about surfaces, or why there is none. Returns an
+ * exit code. */
+int decide_surfaces(const char *question, const engine *e, const tool_list *of,
+                    const struct surfaces *all, const char *file);
+
 /* Run a command whose first word is a question of a table, one table per number type. */
 int decide_run(const tool_command *self, const decide_question *const table[3], unsigned count,
                int argc, char **argv);

@@ -3,12 +3,13 @@
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "basis/bernstein_operator.h"           /* loft_bernstein_operator */
 #include "basis/copositive.h"                   /* loft_matrix_copositive */
 #include "basis/integral.h"                     /* loft_bernstein_mean */
-#include "basis/positivity.h"                   /* loft_bernstein_positivity */
-#include "basis/sign.h"                         /* loft_quadratic_sign, loft_bernstein_convex */
+#include "basis/positivity.h"                   /* loft_bernstein_positivity_in, .._convex_in */
+#include "basis/sign.h"                         /* loft_quadratic_sign */
 #include "curve/conic.h"                        /* loft_conic_init */
 #include "curve/crossings.h"                    /* loft_bezier_crossings */
 #include "curve/enclosed.h"                     /* loft_chain_enclosed */
@@ -17,6 +18,8 @@
 #include "curve/tangent.h"                      /* loft_rational_tangent */
 #include "surface/triangle/triangle_shape.h"    /* loft_triangle_convex */
 
+#include "base/progress.h"
+#include "base/tool.h"                          /* tool_grow */
 #include "study/decide.h"
 #include "study/engine_parts.h"
 #include "study/engine_patch.h"
@@ -36,15 +39,53 @@ static bool triangular(size_t count, unsigned *degree)
 // Numbers
 // -------
 
+#define LONG_DEGREE 48          /* from there on it is told that it takes seconds */
+
+/* A polynomial, and memory to decide about it. */
+typedef struct {
+    loft_real b[LOFT_POSITIVITY_DEGREE + 1];
+    unsigned degree;
+    uint32_t *work;
+    progress bar;
+} polynomial;
+
+static int open_polynomial(const decide_input *in, polynomial *p)
+{
+    const size_t count = in->of->count;
+
+    p->work = NULL;
+    if (count >= 1 && count <= LOFT_POSITIVITY_DEGREE + 1) {
+        p->degree = (unsigned)count - 1;
+        p->work = tool_grow(NULL, LOFT_POSITIVITY_WORK(p->degree) * sizeof *p->work);
+        progress_start(&p->bar, 1);
+        if (p->degree >= LONG_DEGREE)
+            progress_show(&p->bar, 0,
+                          p->degree <= 64 ? "deciding: up to 5 seconds"
+                                          : "deciding: up to 2 minutes");
+        return numbers_of(in, p->b, LOFT_POSITIVITY_DEGREE + 1);
+    }
+    snprintf(in->why, DECIDE_WHY, "degree %zu: give 1 to %d coefficients, to degree %d", count - 1,
+             LOFT_POSITIVITY_DEGREE + 1, LOFT_POSITIVITY_DEGREE);
+    return LOFT_ERR_ARG;
+}
+
+static void close_polynomial(polynomial *p)
+{
+    if (p->work != NULL)
+        progress_clear(&p->bar);
+    free(p->work);
+}
+
 static int answer_positive(const decide_input *in)
 {
-    loft_real b[MOST];
     loft_positivity p;
     loft_sign s;
-    int status = numbers_of(in, b, MOST);
+    polynomial of;
+    int status = open_polynomial(in, &of);
 
     if (status == LOFT_OK)
-        status = loft_bernstein_positivity(b, (unsigned)in->of->count - 1, &p);
+        status = loft_bernstein_positivity_in(of.b, of.degree, of.work, &p);
+    close_polynomial(&of);
     if (status != LOFT_OK)
         return status;
     printf("positive %s\nnonnegative %s\n", yes_no(p.positive), yes_no(p.nonnegative));
@@ -54,7 +95,7 @@ static int answer_positive(const decide_input *in)
         printf("roots %d\n", p.roots);
     if (in->of->count != 3)
         return status;
-    status = loft_quadratic_sign(b, &s);
+    status = loft_quadratic_sign(of.b, &s);
     if (status != LOFT_OK)
         return status;
     printf("minimum ");
@@ -68,14 +109,15 @@ static int answer_positive(const decide_input *in)
 
 static int answer_convex(const decide_input *in)
 {
-    loft_real b[MOST];
-    bool net, polynomial;
-    int status = numbers_of(in, b, MOST);
+    bool net, whole;
+    polynomial of;
+    int status = open_polynomial(in, &of);
 
     if (status == LOFT_OK)
-        status = loft_bernstein_convex(b, (unsigned)in->of->count - 1, &net, &polynomial);
+        status = loft_bernstein_convex_in(of.b, of.degree, of.work, &net, &whole);
+    close_polynomial(&of);
     if (status == LOFT_OK)
-        printf("polygon %s\npolynomial %s\n", yes_no(net), yes_no(polynomial));
+        printf("polygon %s\npolynomial %s\n", yes_no(net), yes_no(whole));
     return status;
 }
 

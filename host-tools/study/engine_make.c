@@ -53,31 +53,17 @@ void ENGINE_OF(write_piece)(const decide_input *in, const arc_piece *a)
         write_bezier(in, a->p, a->b.degree);
 }
 
-/* The one number of --of, a whole one from 1 to `most`. */
-static bool times_of(const decide_input *in, unsigned most, unsigned *out)
-{
-    const double x = in->of->count == 1 ? in->of->value[0] : 0;
-
-    *out = x >= 1 && x <= most ? (unsigned)x : 0;
-    return *out > 0 && !(x > *out) && !(x < *out);
-}
-
 static int raise_piece(void *context, const arc_piece *a, size_t number)
 {
     const decide_input *in = context;
     loft_vec p[LOFT_BEZIER_ELEVATE_MAX + 1];
     loft_weighted w[LOFT_ELEVATE_MAX + 1];
     loft_rational r;
-    const unsigned most = a->rational ? LOFT_ELEVATE_MAX : LOFT_BEZIER_ELEVATE_MAX;
     unsigned times;
     int status = LOFT_OK;
 
-    if (!times_of(in, most - a->b.degree, &times)) {
-        snprintf(in->why, DECIDE_WHY,
-                 "piece %zu, of degree %u%s, goes to degree %u: give --of 1 to %u", number,
-                 a->b.degree, a->rational ? " with weights" : "", most, most - a->b.degree);
+    if (!raise_by(in, "piece", number, a->b.degree, a->rational, &times))
         return LOFT_ERR_ARG;
-    }
     if (a->rational) {
         status = loft_rational_init(&r, a->w, a->b.degree);
         if (status == LOFT_OK)

@@ -166,10 +166,10 @@ static int pierce_net(void *context, loft_net net, const engine_net_part *part)
 
     for (unsigned k = 0; k < m->count && status == LOFT_OK; k++) {
         const loft_net_meeting *o = &m->out[k];
-        const double u = double_of_unit(o->at[2]), v = double_of_unit(o->at[3]);
+        double at[2];
+        engine_net_place(part, double_of_unit(o->at[2]), double_of_unit(o->at[3]), at);
         printf("%zu %zu t %.9g u %.9g v %.9g%s at ", m->piece, m->first, double_of_unit(o->at[0]),
-               engine_net_at(part, 0, u, v), engine_net_at(part, 1, u, v),
-               o->touch ? " touch" : "");
+               at[0], at[1], o->touch ? " touch" : "");
         write_solid(m->in, &o->point, 1);
     }
     return status;

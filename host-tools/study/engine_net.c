@@ -27,7 +27,8 @@ typedef struct {
     unsigned hits;
     bool more;
     loft_real tol;
-    double area, volume;
+    double area, volume, moment[3];
+    size_t nets;
 } net_question;
 
 static int ask_nets(net_question *q, engine_net_visit *visit)
@@ -75,8 +76,7 @@ static int nearest_of(void *context, loft_net net, const engine_net_part *part)
         return LOFT_OK;
     q->found = true;
     q->near = near;
-    for (int k = 0; k < 2; k++)
-        q->at[k] = engine_net_at(part, k, double_of_unit(near.u), double_of_unit(near.v));
+    engine_net_place(part, double_of_unit(near.u), double_of_unit(near.v), q->at);
     return LOFT_OK;
 }
 
@@ -128,8 +128,9 @@ static int hits_of(void *context, loft_net net, const engine_net_part *part)
     const int status = loft_net_ray(net, q->point, q->direction, hit, 64, &count);
 
     for (unsigned k = 0; k < count; k++) {
-        const double u = double_of_unit(hit[k].u), v = double_of_unit(hit[k].v);
-        keep_hit(q, &hit[k], engine_net_at(part, 0, u, v), engine_net_at(part, 1, u, v));
+        double at[2];
+        engine_net_place(part, double_of_unit(hit[k].u), double_of_unit(hit[k].v), at);
+        keep_hit(q, &hit[k], at[0], at[1]);
     }
     q->more = q->more || status == LOFT_MORE;
     return status < 0 ? status : LOFT_OK;
@@ -159,7 +160,7 @@ int ENGINE_OF(answer_ray)(const decide_input *in)
     return status ? status : ask_each(&q, hits_of, tell_hits);
 }
 
-static loft_sci memory[LOFT_NET_AREA_MEMORY(LOFT_DEGREE_MAX, LOFT_DEGREE_MAX)];
+static loft_sci memory[LOFT_NET_MOMENT_MEMORY(LOFT_DEGREE_MAX, LOFT_DEGREE_MAX)];
 
 static int tolerance_of(const decide_input *in, loft_real *out)
 {
@@ -202,10 +203,51 @@ static int volume_of(void *context, loft_net net, const engine_net_part *part)
 
     (void)part;
     q->volume += double_of_acc(volume);
+    q->nets++;
+    return status;
+}
+
+/* A number of any size. */
+static double number_of_sci(loft_sci x)
+{
+    loft_acc at = 0;
+    int by      = 0;
+
+    while (by < 64 && !loft_sci_to_acc(loft_sci_mul(x, loft_sci_power2(-by)), &at))
+        by += 8;
+    return ldexp(double_of_acc(at), by);
+}
+
+static int moment_of(void *context, loft_net net, const engine_net_part *part)
+{
+    net_question *q = context;
+    loft_sci moment[3];
+    const int status = loft_net_cone_moment(net, q->point, q->tol, memory, moment);
+
+    (void)part;
+    for (int k = 0; k < 3 && status == LOFT_OK; k++)
+        q->moment[k] += number_of_sci(moment[k]);
     return status;
 }
 
 static void tell_nothing(const net_question *q) { (void)q; }
+
+/* Where there is a volume: each net within the tolerance times the side of a cube of it. */
+static int tell_centroid(net_question *q)
+{
+    const double volume = fabs(q->volume), tol = double_of(q->tol) * cbrt(volume);
+
+    if (!(volume > (double)q->nets * double_of(q->tol)))
+        return LOFT_OK;
+    if (!real_of(tol < 32767 ? tol : 32767, &q->tol) || !(q->tol > 0))
+        q->tol = LOFT_REAL(0.001);
+    const int status = ask_each(q, moment_of, tell_nothing);
+    fputs(status == LOFT_OK ? "centroid" : "", stdout);
+    for (int k = 0; k < 3 && status == LOFT_OK; k++)
+        printf(" %.9g", double_of(q->point.axis[k]) + q->moment[k] / q->volume);
+    fputs(status == LOFT_OK ? "\n" : "", stdout);
+    return status;
+}
 
 /* Cones from one point over all nets. */
 int ENGINE_OF(answer_volume)(const decide_input *in)
@@ -221,5 +263,5 @@ int ENGINE_OF(answer_volume)(const decide_input *in)
     status = ask_each(&q, volume_of, tell_nothing);
     if (status == LOFT_OK)
         printf("volume %.9g\n", q.volume);
-    return status;
+    return status == LOFT_OK ? tell_centroid(&q) : status;
 }

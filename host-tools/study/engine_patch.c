@@ -13,6 +13,8 @@
 #include "study/engine_patch.h"
 #include "study/engine_pieces.h"                /* write_tensor */
 
+#define HIGH (LOFT_BEZIER_ELEVATE_MAX + 1)
+
 typedef struct {
     loft_vec net[MOST * MOST];
     loft_tensor s;
@@ -48,7 +50,7 @@ static void write_triangle(const decide_input *in, unsigned degree, const loft_v
     write_solid(in, net, LOFT_TRIANGLE_POINTS(degree));
 }
 
-typedef int sheet_visit(const decide_input *in, const sheet *s);
+typedef int sheet_visit(const decide_input *in, const sheet *s, size_t number);
 
 /* Tetrahedra come here as such when they are raised alone. */
 static bool is_weighted(const surface *s)
@@ -70,19 +72,18 @@ static int visit_sheets(const decide_input *in, sheet_visit *visit,
         }
         status = sheet_of(in, k, &held);
         if (status == LOFT_OK)
-            status = visit(in, &held);
+            status = visit(in, &held, k);
     }
     return status;
 }
 
-static int raise_sheet(const decide_input *in, const sheet *s)
+/* Along u first. That degree may be above those of a patch: the rows are then taken in bands. */
+static int raise_sheet(const decide_input *in, const sheet *s, size_t number)
 {
-    static loft_vec one[MOST * MOST], both[MOST * MOST];
-    const double times = in->of->value[0];
-    const unsigned by  = times >= 1 && times <= LOFT_DEGREE_MAX ? (unsigned)times : 0;
-    loft_tensor across;
+    static loft_vec one[HIGH * MOST], both[HIGH * HIGH];
+    unsigned by;
 
-    if (by == 0 || s->m + by > LOFT_DEGREE_MAX || (!s->triangle && s->n + by > LOFT_DEGREE_MAX))
+    if (!raise_by(in, "surface", number, s->triangle || s->m > s->n ? s->m : s->n, false, &by))
         return LOFT_ERR_ARG;
     if (s->triangle) {
         const int status = loft_triangle_elevate(&s->t, by, both);
@@ -91,10 +92,13 @@ static int raise_sheet(const decide_input *in, const sheet *s)
         return status;
     }
     int status = loft_tensor_elevate_u(&s->s, by, one);
-    if (status == LOFT_OK)
-        status = loft_tensor_init(&across, one, s->m + by, s->n);
-    if (status == LOFT_OK)
-        status = loft_tensor_elevate_v(&across, by, both);
+    for (unsigned i = 0; i <= s->m + by && status == LOFT_OK; i += MOST) {
+        const unsigned left = s->m + by - i;
+        loft_tensor band;
+        status = loft_tensor_init(&band, one + i * (s->n + 1), left < MOST ? left : MOST - 1, s->n);
+        if (status == LOFT_OK)
+            status = loft_tensor_elevate_v(&band, by, both + i * (s->n + by + 1));
+    }
     if (status == LOFT_OK)
         write_tensor(in, s->m + by, s->n + by, both);
     return status;
@@ -117,11 +121,12 @@ static int split_tensor(const decide_input *in, const sheet *s, loft_unit u, lof
     return status;
 }
 
-static int split_sheet(const decide_input *in, const sheet *s)
+static int split_sheet(const decide_input *in, const sheet *s, size_t number)
 {
     static loft_vec part[3][LOFT_TRIANGLE_POINTS(LOFT_DEGREE_MAX)];
     const double *x = in->of->value;
 
+    (void)number;
     if (in->of->count != 2 || !(x[0] > 0 && x[0] < 1 && x[1] > 0 && x[1] < 1) ||
         (s->triangle && !(x[0] + x[1] < 1)))
         return LOFT_ERR_ARG;
@@ -136,11 +141,12 @@ static int split_sheet(const decide_input *in, const sheet *s)
     return status;
 }
 
-static int quarter_sheet(const decide_input *in, const sheet *s)
+static int quarter_sheet(const decide_input *in, const sheet *s, size_t number)
 {
     static loft_vec part[LOFT_TRIANGLE_POINTS(LOFT_DEGREE_MAX)];
     int status = LOFT_OK;
 
+    (void)number;
     if (!s->triangle)
         return split_tensor(in, s, LOFT_UNIT(0.5), LOFT_UNIT(0.5));
     for (unsigned k = 0; k < 4 && status == LOFT_OK; k++) {
@@ -163,7 +169,7 @@ static int star_of(const decide_input *in, loft_bary *out)
     return LOFT_OK;
 }
 
-static int continue_sheet(const decide_input *in, const sheet *s)
+static int continue_sheet(const decide_input *in, const sheet *s, size_t number)
 {
     static loft_vec rows[LOFT_TRIANGLE_POINTS(LOFT_DEGREE_MAX)],
         net[LOFT_TRIANGLE_POINTS(LOFT_DEGREE_MAX)];
@@ -171,6 +177,7 @@ static int continue_sheet(const decide_input *in, const sheet *s)
     int status = s->triangle ? star_of(in, &star) : LOFT_ERR_ARG;
     const loft_vec *from = rows;
 
+    (void)number;
     if (status == LOFT_OK)
         status = loft_triangle_join_continue(&s->t, star, s->m, rows);
     if (status != LOFT_OK)
@@ -185,13 +192,15 @@ static int continue_sheet(const decide_input *in, const sheet *s)
 static int raise_solid(const decide_input *in, size_t number)
 {
     static loft_vec p[LOFT_TETRA_MAX], out[LOFT_TETRA_MAX];
-    const surface *s   = &in->surfaces->surface[number];
-    const double times = in->of->value[0];
-    const unsigned by  = times >= 1 && times <= LOFT_DEGREE_MAX ? (unsigned)times : 0;
+    const surface *s = &in->surfaces->surface[number];
+    unsigned by;
     loft_tetra t;
 
-    if (by == 0 || s->m + by > LOFT_DEGREE_MAX)
+    if (!times_of(in, LOFT_DEGREE_MAX - s->m, &by)) {
+        snprintf(in->why, DECIDE_WHY, "surface %zu, a tetra of degree %u, goes to degree %d",
+                 number, s->m, LOFT_DEGREE_MAX);
         return LOFT_ERR_ARG;
+    }
     int status = ENGINE_OF(engine_solid_open)(s, p, &t);
     if (status == LOFT_OK)
         status = loft_tetra_elevate(&t, by, out);
@@ -204,13 +213,9 @@ static int raise_solid(const decide_input *in, size_t number)
 
 static int raise_with_weights(const decide_input *in, size_t number)
 {
-    const double times = in->of->value[0];
-
-    if (in->surfaces->surface[number].kind == SURFACE_TETRA)
-        return raise_solid(in, number);
-    if (!(times >= 1 && times <= LOFT_DEGREE_MAX))
-        return LOFT_ERR_ARG;
-    return ENGINE_OF(raise_weighted)(in, number, (unsigned)times);
+    return in->surfaces->surface[number].kind == SURFACE_TETRA
+               ? raise_solid(in, number)
+               : ENGINE_OF(raise_weighted)(in, number);
 }
 
 static int split_with_weights(const decide_input *in, size_t number)

@@ -41,7 +41,7 @@ int ENGINE_OF(answer_pierce)(const decide_input *in);
 /* engine_weighted.c: any surface with nets as tensor patches and triangles; those with weights: the
  * surface of that number, raised or split */
 int ENGINE_OF(make_patches)(const decide_input *in);
-int ENGINE_OF(raise_weighted)(const decide_input *in, size_t number, unsigned by);
+int ENGINE_OF(raise_weighted)(const decide_input *in, size_t number);
 int ENGINE_OF(split_weighted)(const decide_input *in, size_t number, loft_unit u, loft_unit w);
 
 /* It has no net: say why, and what has. */
@@ -52,6 +52,11 @@ static inline void decide_refuse_kind(const decide_input *in, size_t number, con
                  "surface %zu: of a spatch give wachspress coordinates on a convex polygon, and "
                  "depth (sides - 2) up to 9: its degree as triangles",
                  number);
+    else if (s->kind == SURFACE_TORIC || s->kind == SURFACE_BASEPOINT)
+        snprintf(in->why, DECIDE_WHY,
+                 "surface %zu: higher than 9 over a side, or with weights that differ by over "
+                 "2^15, it has no nets: change that, or take `loft contour`",
+                 number);
     else if (surface_is_sided(s))
         snprintf(in->why, DECIDE_WHY,
                  "surface %zu: a %s is no quotient of polynomials up to degree 9: give another "
@@ -60,7 +65,7 @@ static inline void decide_refuse_kind(const decide_input *in, size_t number, con
     else
         snprintf(in->why, DECIDE_WHY,
                  "surface %zu is of kind %s: give tensor, triangle, coons, bicubic, pn, "
-                 "nurbs-surface, spatch, sphere or octant",
+                 "nurbs-surface, spatch, toric, basepoint, sphere or octant",
                  number, surface_name(s->kind));
 }
 

@@ -38,6 +38,29 @@ static inline int numbers_of(const decide_input *in, loft_real out[], size_t mos
     return LOFT_OK;
 }
 
+/* The one number of --of, a whole one from 1 to `most`. */
+static inline bool times_of(const decide_input *in, unsigned most, unsigned *out)
+{
+    const double x = in->of->count == 1 ? in->of->value[0] : 0;
+
+    *out = x >= 1 && x <= most ? (unsigned)x : 0;
+    return *out > 0 && !(x > *out) && !(x < *out);
+}
+
+/* By how much a degree is raised, or why it cannot be. */
+static inline bool raise_by(const decide_input *in, const char *what, size_t number,
+                            unsigned degree, bool weighted, unsigned *times)
+{
+    const unsigned most = weighted ? LOFT_ELEVATE_MAX : LOFT_BEZIER_ELEVATE_MAX;
+    const bool fits = times_of(in, most - degree, times);
+
+    if (!fits)
+        snprintf(in->why, DECIDE_WHY,
+                 "%s %zu, of degree %u%s, goes to degree %u: give --of 1 to %u", what, number,
+                 degree, weighted ? " with weights" : "", most, most - degree);
+    return fits;
+}
+
 static inline void print_vec(const decide_input *in, loft_vec v)
 {
     const print_options p = { in->e, in->curves == NULL || in->curves->solid };

@@ -12,12 +12,13 @@
 #include "study/engine_patch.h"
 #include "study/engine_pieces.h"                    /* print_number */
 
+#define HIGH (LOFT_ELEVATE_MAX + 1)
+
 /* One surface of the file, and its number there. */
 typedef struct {
     const decide_input *in;
     size_t number;
     loft_unit at[2];
-    unsigned by;
 } visit_of;
 
 static void write_weighted(const decide_input *in, bool triangle, unsigned m, unsigned n,
@@ -93,32 +94,45 @@ int ENGINE_OF(make_patches)(const decide_input *in)
 // With weights
 // ------------
 
+/* As raise_sheet of engine_patch.c */
+static int raise_square(loft_net net, unsigned by, loft_weighted out[])
+{
+    static loft_weighted one[HIGH * MOST];
+    loft_tensor_rational r;
+    int status = loft_tensor_rational_init(&r, net.weighted, net.m, net.n);
+
+    if (status == LOFT_OK)
+        status = loft_tensor_rational_elevate_u(&r, by, one);
+    for (unsigned i = 0; i <= net.m + by && status == LOFT_OK; i += MOST) {
+        const unsigned left = net.m + by - i;
+        loft_tensor_rational band;
+        status = loft_tensor_rational_init(&band, one + i * (net.n + 1),
+                                           left < MOST ? left : MOST - 1, net.n);
+        if (status == LOFT_OK)
+            status = loft_tensor_rational_elevate_v(&band, by, out + i * (net.n + by + 1));
+    }
+    return status;
+}
+
 static int raise_net(void *context, loft_net net, const engine_net_part *part)
 {
-    static loft_weighted one[MOST * MOST], both[MOST * MOST];
+    static loft_weighted out[HIGH * HIGH];
     const visit_of *v = context;
-    loft_tensor_rational r;
     loft_triangle_rational t;
+    unsigned by;
     int status;
 
     (void)part;
-    if (net.m + v->by > LOFT_DEGREE_MAX || net.n + v->by > LOFT_DEGREE_MAX)
+    if (!raise_by(v->in, "surface", v->number, net.m > net.n ? net.m : net.n, true, &by))
         return LOFT_ERR_ARG;
     if (net.triangle) {
         status = loft_triangle_rational_init(&t, net.weighted, net.m);
         if (status == LOFT_OK)
-            status = loft_triangle_rational_elevate(&t, v->by, both);
-    } else {
-        status = loft_tensor_rational_init(&r, net.weighted, net.m, net.n);
-        if (status == LOFT_OK)
-            status = loft_tensor_rational_elevate_u(&r, v->by, one);
-        if (status == LOFT_OK)
-            status = loft_tensor_rational_init(&r, one, net.m + v->by, net.n);
-        if (status == LOFT_OK)
-            status = loft_tensor_rational_elevate_v(&r, v->by, both);
-    }
+            status = loft_triangle_rational_elevate(&t, by, out);
+    } else
+        status = raise_square(net, by, out);
     if (status == LOFT_OK)
-        write_weighted(v->in, net.triangle, net.m + v->by, net.n + v->by, both);
+        write_weighted(v->in, net.triangle, net.m + by, net.n + by, out);
     return status;
 }
 
@@ -159,9 +173,9 @@ static int split_net(void *context, loft_net net, const engine_net_part *of)
     return status;
 }
 
-int ENGINE_OF(raise_weighted)(const decide_input *in, size_t number, unsigned by)
+int ENGINE_OF(raise_weighted)(const decide_input *in, size_t number)
 {
-    visit_of v = { .in = in, .number = number, .by = by };
+    visit_of v = { .in = in, .number = number };
     return visit_nets(&v, raise_net);
 }
 

@@ -1,0 +1,68 @@
+/* host-tools/cmd/stream_grbl.c
+ * SPDX-License-Identifier: MIT
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "base/spool.h"         /* spool_passed */
+#include "base/tool.h"
+#include "cmd/stream_grbl.h"
+#include "plan/table.h"         /* table_check */
+#include "send/change.h"        /* change_tool */
+#include "send/gcode.h"         /* gcode_make */
+#include "send/grbl.h"          /* grbl_run */
+
+/* The G-code of a part, sent from where the controller is, or printed in a dry run. */
+static int draw_part(const stream_options *o, const stream_parts *all, size_t k, grbl *g,
+                     double start[ENGINE_AXES])
+{
+    const tools_part *p   = &all->part[k];
+    toolpath_options how  = stream_parts_way(o, all, k);
+    const gcode_options as = { .tol = (o->p.tol - o->p.smoothed) / 2,
+                               .curves = o->g5 ? GCODE_G5 : GCODE_ARCS,
+                               .rapids = p->d.program };
+    int code = 0;
+    toolpath path;
+    gcode lines;
+
+    how.laser = false;                  /* its controller sees to that ($32) */
+    memcpy(how.start, g ? grbl_place(g) : start, sizeof how.start);
+    toolpath_make(&path, &p->smooth, &how);
+    gcode_make(&lines, &path, &as);
+    if (path.count == 0)
+        code = tool_error(EX_DATAERR,
+                          "%s: nothing to draw in it: give a drawing with visible outlines",
+                          all->file);
+    else
+        code = table_check(&o->p.machine, all->file, &p->smooth, &path, o->p.tol);
+    if (code == 0 && g != NULL && p->tool != NULL)
+        code = change_tool(p->tool, o->asks);
+    if (code == 0 && g != NULL)
+        code = grbl_run(g, &lines,
+                        &(report_job){ all->file, o->port, p->tool ? p->tool->name : NULL, &path,
+                                       o->p.tol, 0 });
+    if (code == 0 && g == NULL && p->tool != NULL)
+        printf("(tool %s)\n%s", p->tool->name, *p->tool->pause ? "M0\n" : "");
+    for (size_t i = 0; code == 0 && g == NULL && i < lines.count; spool_passed(i++))
+        puts(gcode_text(&lines, i));
+    if (path.count > 0)
+        memcpy(start, path.move[path.count - 1].p[3], sizeof how.start);
+    gcode_free(&lines);
+    toolpath_free(&path);
+    return code;
+}
+
+int stream_grbl(stream_options *o, const stream_parts *all)
+{
+    grbl *g = NULL;
+    double start[ENGINE_AXES] = { 0, 0, 0 };
+    int code = o->dry ? 0 : grbl_open(&g, o->port, o->baud, o->wait);
+
+    if (g != NULL && o->p.file == NULL)
+        (void)grbl_table(g, &o->p.machine);
+    for (size_t k = all->first; k < all->count && code == 0; k++)
+        code = draw_part(o, all, k, g, start);
+    if (g != NULL)
+        grbl_close(g);
+    return code;
+}

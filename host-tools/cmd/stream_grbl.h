@@ -1,0 +1,12 @@
+/* host-tools/cmd/stream_grbl.h -- loft stream --grbl: a controller of grbl's kind, which plans
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_STREAM_GRBL_H
+#define LOFT_STREAM_GRBL_H
+
+#include "cmd/stream_parts.h"   /* stream_options, stream_parts */
+
+/* Send the parts as G-code, one after the other; in a dry run print them. Returns an exit code. */
+int stream_grbl(stream_options *o, const stream_parts *all);
+
+#endif

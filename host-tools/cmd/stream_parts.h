@@ -1,0 +1,35 @@
+/* host-tools/cmd/stream_parts.h -- loft stream: its options; the parts of a drawing, by their tools
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_STREAM_PARTS_H
+#define LOFT_STREAM_PARTS_H
+
+#include "plan/planning.h"      /* planning */
+#include "plan/tools.h"         /* tools_part */
+
+typedef struct {
+    planning p;
+    const char *port, *record, *log;
+    unsigned baud;
+    double wait;
+    const char *where, *from_tool;
+    bool asks;                  /* standard input can answer */
+    bool points, grbl, g5, dry, check, hold, resume, abort, chip, away, view, json;
+} stream_options;
+
+/* A drawing by the tools that draw it, and from which of them on. */
+typedef struct {
+    const char *file;
+    tools_part part[TOOLS_PARTS];
+    size_t count, first;
+} stream_parts;
+
+/* The parts of a drawing, from the tool that was asked on. Returns 0, or an exit code after
+ * printing one line. */
+int stream_parts_find(const stream_options *o, const char *file, const drawing *d,
+                      const drawing *smooth, stream_parts *all);
+
+/* How part k is drawn: before a pause the tool goes to its parking place, and stays lifted. */
+toolpath_options stream_parts_way(const stream_options *o, const stream_parts *all, size_t k);
+
+#endif
