@@ -169,11 +169,12 @@ demo: tools
 
 SURFACES ?= tests/drawings/patch.loft
 TOOL     ?= ball:4
-CUSP     ?= 0.05
-## Mill surfaces on the simulated machine: left.png   SURFACES=file.loft TOOL=ball:4 CUSP=0.05
+STEP     ?= cusp:0.05
+STOCK    ?= 40x40x20
+## Mill surfaces on the simulated machine: left.png   SURFACES=file.loft TOOL= STEP= STOCK=
 .PHONY: demo-mill
 demo-mill: tools
-	@host-tools/demo.sh mill $(TOOL_OUT)/loft "$(SURFACES)" build/demo-mill $(TOOL) $(CUSP)
+	@host-tools/demo.sh mill $(TOOL_OUT)/loft "$(SURFACES)" build/demo-mill $(TOOL) $(STEP) $(STOCK)
 
 # --- on a fresh machine ---------------------------------------------------------------------------
 HOST_PACKAGES := gcc g++ libc6-dev make pkg-config clang clang-format libclang-rt-14-dev \

@@ -1,7 +1,8 @@
 # tests/tests.mk -- the tests of the library, of readers and pictures, of vectors, of whole jobs
 # SPDX-License-Identifier: MIT
 
-TESTED    = -O1 -g1 $(CPPFLAGS) $(CFLAGS)
+# with sanitizers, -Og compiles in half the time of -O1, and runs at most a third longer
+TESTED    = -Og -g1 $(CPPFLAGS) $(CFLAGS)
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 
 # --- the library: build/test/<num>/<module>, one sanitized program per module and number type -----
@@ -39,15 +40,38 @@ build/test/$(1)/$(SOLVED): $(SOLVER_OBJ)
 endef
 $(foreach n,$(NUMS),$(eval $(call tested,$(n))))
 
-# the longest first, so that no core waits at the end
-TESTS_LONG := plan waypoints harmonic any
+# Those that take long: all seeds as the library is built for use, a share of them sanitized. The
+# longest first, so that no core waits at the end.
+TESTS_LONG := plan any intersect waypoints planner
+TEST_SHARE := 8
+define plain
+build/plain/$(1)/%: test_%.c build/$(1)x$(AXES)/libloft.a
+	@mkdir -p $$(@D)
+	$$(SAY) "  LD  $$@"
+	$$(Q)$$(CC) $$(LDFLAGS) $$(INCLUDE) -Itests $$(BUILT) $$(STD) $$(DEPS) -MF $$@.d -MT $$@ \
+	    $$(call num_flag,$(1)) $$< $$(filter %.o %.a,$$^) -lm -o $$@
+-include $(patsubst %,build/plain/$(1)/%.d,$(TESTS_LONG))
+endef
+$(foreach n,$(NUMS),$(eval $(call plain,$(n))))
 
 ## Run all module tests in q16, f32 and f64 under ASan and UBSan (one module: make test-forward)
 .PHONY: test
-test: $(foreach n,$(NUMS),$(foreach t,$(TESTS),build/test/$(n)/$(t)))
-	@for t in $(TESTS_LONG) $(filter-out $(TESTS_LONG),$(TESTS)); do for n in $(NUMS); do \
-	    echo "echo '-- $$t $$n'; build/test/$$n/$$t"; done; done | \
+test: $(foreach n,$(NUMS),$(foreach t,$(TESTS_LONG),build/plain/$(n)/$(t)) \
+                          $(foreach t,$(TESTS),build/test/$(n)/$(t)))
+	@{ for t in $(TESTS_LONG); do for n in $(NUMS); do \
+	       echo "echo '-- $$t $$n'; build/plain/$$n/$$t"; done; done; \
+	   for t in $(TESTS_LONG); do for n in $(NUMS); do \
+	       echo "echo '-- $$t $$n, sanitized'; LOFT_SHARE=$(TEST_SHARE) build/test/$$n/$$t"; \
+	   done; done; \
+	   for t in $(SOLVED) $(filter-out $(SOLVED) $(TESTS_LONG),$(TESTS)); do for n in $(NUMS); do \
+	       echo "echo '-- $$t $$n'; build/test/$$n/$$t"; done; done; } | \
 	    bash tests/house/beside.sh
+
+## Run all seeds of those that take long under ASan and UBSan too: minutes
+.PHONY: test-long
+test-long: $(foreach n,$(NUMS),$(foreach t,$(TESTS_LONG),build/test/$(n)/$(t)))
+	@for t in $(TESTS_LONG); do for n in $(NUMS); do \
+	    echo "echo '-- $$t $$n'; build/test/$$n/$$t"; done; done | bash tests/house/beside.sh
 
 # one module in all number types: make test-forward
 test-%: $(foreach n,$(NUMS),build/test/$(n)/%)
@@ -356,10 +380,10 @@ test-corpus: $(CORPUS)
 # --- whole jobs -----------------------------------------------------------------------------------
 ## Run whole jobs: the command, sanitized, on the simulated machine   CASE=one of tests/e2e/e2e.sh
 .PHONY: test-e2e
-test-e2e: build/e2e/pty build/e2e/shim.so
+test-e2e: build/loft build/e2e/pty build/e2e/shim.so
 	+@$(PARALLEL) -s tools TOOL_OUT=build/e2e BUILT="$(TESTED) $(SANITIZE)" \
 	    TOOL_LIB=build/test/%/libloft.a
-	@bash tests/e2e/e2e.sh build/e2e/loft build/e2e $(CASE)
+	@bash tests/e2e/e2e.sh build/e2e/loft build/loft build/e2e $(CASE)
 
 build/e2e/pty: tests/e2e/e2e_pty.c
 	@mkdir -p $(@D)

@@ -2,12 +2,13 @@
 # tests/e2e/e2e.sh -- tests whole jobs: the command, a pseudo terminal, the simulated machine,
 # counted pulses
 # SPDX-License-Identifier: MIT
-# usage: tests/e2e/e2e.sh LOFT HELPERS [CASE..] ; HELPERS contains pty and shim.so. Each case prints
-# one line; the last line is the sum.
+# usage: tests/e2e/e2e.sh LOFT PLAIN HELPERS [CASE..] ; HELPERS contains pty and shim.so. LOFT may
+# be sanitized, PLAIN is what users have: memory is measured with it. Each case prints one line; the
+# last line is the sum.
 # The cases mostly wait for machines in real time, so several run at once, each in a folder of its
 # own ($tmp).
 set -u
-loft=$1 pty=$2/pty shim=$2/shim.so; shift 2
+loft=$1 plain=$2 pty=$3/pty shim=$3/shim.so; shift 3
 top=$(mktemp -d)
 trap 'rm -rf "$top"' EXIT
 # they keep their tables until the program ends
@@ -292,9 +293,9 @@ case_planned_there_and_killed() {
     for pause in 0.7 0.4; do cut_off $pause; done
     run 0 "$loft" stream --hold --port "$tmp/killed"
     says out '^held: [0-9]* items executed'
-    run 0 "$loft" stream --resume --port "$tmp/killed"
     one_line 75 'another job' "$loft" stream "$tmp/small.csv" --port "$tmp/killed" "${slowly[@]}" \
         # the same drawing, but another job
+    run 0 "$loft" stream --resume --port "$tmp/killed"
     run 0 "${job[@]}" --record "$tmp/killed.csv"
     gone "$machine"
     says err '^resuming at item'
@@ -564,9 +565,7 @@ case_long_drawing_killed_goes_on() {
 }
 # peak COMMAND..: run it, and append the most memory that it had, in kB, to most[]
 peak() {
-    # freed memory is free at once: a sanitizer would keep it for a while
-    ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}quarantine_size_mb=0 \
-        run 0 python3 -c 'import resource, subprocess, sys
+    run 0 python3 -c 'import resource, subprocess, sys
 code = subprocess.run(sys.argv[1:]).returncode
 print("most", resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
 sys.exit(code)' "$@"
@@ -584,7 +583,7 @@ case_memory_of_a_long_job() {           # 800 thousand points, each of which too
     for rows in 10 60; do
         long_rows $rows
         machine "rows$rows" --speed fast --once
-        peak "$loft" stream "$tmp/rows.csv" --feed 15 --points --port "$tmp/rows$rows"
+        peak "$plain" stream "$tmp/rows.csv" --feed 15 --points --port "$tmp/rows$rows"
         gone "$machine"; says out 'as commanded$'
     done
     # 131072 items are kept at most
@@ -594,7 +593,7 @@ case_memory_of_a_long_plan() {          # 6 more minutes of motion, each of whic
     local most=()
     for rows in 6 30; do
         long_rows $rows
-        peak "$loft" plan "$tmp/rows.csv" --feed 15 --jerk 0 --spans -o "$tmp/spans.csv"
+        peak "$plain" plan "$tmp/rows.csv" --feed 15 --jerk 0 --spans -o "$tmp/spans.csv"
         [ "$(wc -l <"$tmp/spans.csv")" -gt $((50 * rows)) ] || job_fails "spans are missing"
     done
     [ $((most[1] - most[0])) -lt 2048 ] || job_fails "${most[*]} kB"
@@ -609,7 +608,7 @@ case_memory_of_a_long_program() {       # each line took 300 bytes
                     printf "G1 X%.5f Y%.5f\n", 50 * cos(i / 1000), 50 * sin(i / 1000)
                 print "M30" }' >"$tmp/long.nc"
             # shellcheck disable=SC2086
-            peak "$loft" $what "$tmp/long.nc" --feed 300 --accel 30000 --jerk 0
+            peak "$plain" $what "$tmp/long.nc" --feed 300 --accel 30000 --jerk 0
         done
         [ $((most[1] - most[0])) -lt 2048 ] || job_fails "$what: ${most[*]} kB"
     done
@@ -619,7 +618,7 @@ case_memory_of_a_long_program() {       # each line took 300 bytes
             for (i = 1; i <= n; i++)
                 printf "G1 X%d Y%d\n", i % 2 * 2, i % 97
             print "M30" }' >"$tmp/hatch.nc"
-        peak "$loft" stream --grbl --dry-run "$tmp/hatch.nc"
+        peak "$plain" stream --grbl --dry-run "$tmp/hatch.nc"
         [ "$(wc -l <"$tmp/out")" -gt $lines ] || job_fails "lines are missing"
     done
     [ $((most[1] - most[0])) -lt 4096 ] || job_fails "lines: ${most[*]} kB"
@@ -1364,16 +1363,28 @@ case_mill() {
     printf '%s\n' '0 0 0' '0 9 0' '0 9 6' '0 9 -6' '9 0 0' '9 9 0' '0 9 6' '0 9 -6' '9 0 6' \
                   '9 0 6' '0 0 0' '0 0 0' '9 0 -6' '9 0 -6' '0 0 0' '0 0 0' >>"$tmp/dome.loft"
     for num in q16 f64; do
-        run 0 "$loft" mill --num $num --tool ball:4 --cusp 0.1 --tol 0.02 "$tmp/dome.loft"
+        run 0 "$loft" mill --num $num --tool ball:4 --step cusp:0.1 --tol 0.02 "$tmp/dome.loft"
         is_empty err; says out '^# cuts below the surface: none, proved'
         says out '^# cusps: at most 0\.0[0-9]*, asked 0.1$'
+        says out '^# left on the surfaces: at most 0\.1[01]'
+        says out '^# left in hollows tighter than the tool: no more than 0\.14'
         cp "$tmp/out" "$tmp/path.loft"
         run 0 "$loft" plan "$tmp/path.loft";    says out '^in all'
     done
     run 0 "$loft" mill --tool bull:4:0.5 --step 3 --along y "$tmp/dome.loft"
-    says out '^# bull:4:0.5, 5 lines'
+    says out '^# bull:4:0.5, 6 lines'
+    # along the lower border of a slope of 1.6 the ball must go 2 - 2 cos = 0.94 deeper, and half a
+    # step of a cusp of 0.1 along the slope: 0.53 more; and 0.85 of its radius beside it
+    printf 'tensor 1 1\n0 0 -5\n0 9 -5\n5 0 3\n5 9 3\n' >"$tmp/slope.loft"
+    run 0 "$loft" mill --tool ball:4 --step cusp:0.1 "$tmp/slope.loft"
+    awk '/^[-0-9]/ { if ($1 < x) x = $1; if ($3 < z) z = $3 }
+         END { exit !(x < -1.69 && x > -1.75 && z < -6.4 && z > -6.5) }' "$tmp/out" ||
+        job_fails "a steep border is not reached"
+    run 0 "$loft" mill --tool ball:4 --step cusp:0.1 --floor -5 "$tmp/slope.loft"
+    awk '/^[-0-9]/ && $3 < -5 { exit 1 }' "$tmp/out" || job_fails "below --floor"
     run 0 "$loft" mill --tool ball:4 --pattern waterline --step 1 --tol 0.05 "$tmp/dome.loft"
-    says out '^# ball:4, 3 lines'; says out '^# beside the surface: at most 0.05'
+    # the last line is where the ball touches the lowest border, below all of the surface
+    says out '^# ball:4, 4 lines'; says out '^# beside the surface: at most 0.05'
     cp "$tmp/out" "$tmp/path.loft"; run 0 "$loft" plan "$tmp/path.loft"; says out '^in all'
     for entry in ramp:5 helix:0.5:10; do
         run 0 "$loft" mill --tool ball:4 --pattern waterline --step 1 --tol 0.05 --entry $entry \
@@ -1381,7 +1392,7 @@ case_mill() {
         says out "^# entries: .*[1-9] by a ${entry%%:*}"
     done
     one_line 64 'give straight, ramp:DEGREES' "$loft" mill --entry ramp:60 "$tmp/dome.loft"
-    run 0 "$loft" mill --tool ball:4 --pattern spiral --cusp 0.2 --tol 0.05 "$tmp/dome.loft"
+    run 0 "$loft" mill --tool ball:4 --pattern spiral --step cusp:0.2 --tol 0.05 "$tmp/dome.loft"
     says out '^# cusps: at most 0\.[01][0-9]*, asked 0.2$'
     one_line 64 'give raster, spiral, waterline or pencil' \
         "$loft" mill --pattern round "$tmp/dome.loft"
@@ -1442,10 +1453,30 @@ case_mill() {
     one_line 65 'its bends have no bounds' "$loft" mill "$tmp/mean.loft"
     printf 'sphere 9\n' >"$tmp/ball.loft"
     one_line 65 'sphere: cannot be milled' "$loft" mill "$tmp/ball.loft"
-    one_line 64 'is for a ball'           "$loft" mill --tool flat:4 --cusp 0.1 "$tmp/dome.loft"
+    one_line 64 'is for a ball'    "$loft" mill --tool flat:4 --step cusp:0.1 "$tmp/dome.loft"
     one_line 64 'give ball:DIAMETER'      "$loft" mill --tool ball "$tmp/dome.loft"
-    one_line 64 'give one of them'        "$loft" mill --cusp 1 --step 1 "$tmp/dome.loft"
+    one_line 64 'less than a quarter'     "$loft" mill --step cusp:2 "$tmp/dome.loft"
+    one_line 64 'give WIDTHxDEPTHxHEIGHT' "$loft" mill --stock 60x40 "$tmp/dome.loft"
+    one_line 64 'and --stock'    "$loft" mill --plan chip --stock 6x4x2 --dry-run "$tmp/dome.loft"
+    # a block: its place, ways above it, what leaves it, its picture from the place in the path
+    run 0 "$loft" mill --tool ball:4 --step 3 --tol 0.05 --safe 2 --stock 14x13.5x4 --one-way \
+        "$tmp/plane.loft"
+    says out '^# out of --stock 14x13.5x4@-2.5,-2.25,-3.6, in one pass through all of it$'
+    awk '/^[-0-9]/ { if (!n++ && $3 != 2.4) exit 1; low += $3 < 0.46; high += $3 == 2.4 }
+         END { exit !(low >= 10 && high >= 10) }' "$tmp/out" || job_fails "not above the block"
+    run 0 "$loft" mill --tool flat:4 --record "$tmp/pulses.csv" -o "$tmp/left.png" \
+        --stock 14x13.5x4@-2.5,-2.25,-3.6 "$tmp/plane.loft"
+    says out 'left.png: 529 places of the tool, 0.0000 mm left at worst, 0.0000 mm cut'
+    one_line 65 ':1: tensor: reaches to x .*, 0.500 mm beyond the block: give a larger' \
+        "$loft" mill --stock 8x9x4 "$tmp/plane.loft"
+    one_line 65 'the lines reach to x 10.400, 0.900 mm beyond the block: .* a smaller --area' \
+        "$loft" mill --tool ball:4 --step 3 --stock 10x40x4 "$tmp/plane.loft"
+    one_line 65 'mm below the block: give a thicker' \
+        "$loft" mill --tool ball:4 --step 3 --floor -5 --area -3,-3,12,12 \
+        --stock 20x20x4 "$tmp/plane.loft"
     one_line 64 'give x, y, u or v'       "$loft" mill --along z "$tmp/dome.loft"
+    one_line 64 'the picture of --record' "$loft" mill -o "$tmp/path.loft" "$tmp/dome.loft"
+    one_line 64 'leave out --trim'   "$loft" mill --record "$tmp/a" --trim "$tmp/b" "$tmp/dome.loft"
     one_line 64 'two corners apart'       "$loft" mill --area 1,1,1,5 "$tmp/dome.loft"
     one_line 65 'no surface in it'        "$loft" mill "$tmp/small.csv"
 }
@@ -1521,6 +1552,12 @@ case_decide() {
         [ "$(tr '\n' ';' <"$tmp/out")" = \
             "positive no;nonnegative yes;roots 1;minimum 0;elevations more than 60;" ] ||
             job_fails "positive $num: $(cat "$tmp/out")"
+        # (t (1 - t))^31 (1 - 2 t)^2, and a little less in the middle
+        local ends; ends=$(printf '0,%.0s' {1..31})
+        run 0 "$loft" decide positive --num $num --of="${ends}1.03125,-2,1.03125,${ends%,}"
+        says out '^nonnegative yes$'; says out '^roots 3$'
+        run 0 "$loft" decide positive --num $num --of="${ends}1.03125,-2.0001,1.03125,${ends%,}"
+        says out '^nonnegative no$'; says out '^roots 4$'
         run 0 "$loft" decide copositive --num $num --of=1,-1,1,1,-1,1,-1,1,1,1,-1,1,1,-1,1
         says out 'copositive yes'                               # Horn's matrix
         printf '0 0\n2 4\n4 0\n\n0 2\n4 2\n' >"$tmp/touch.txt"
@@ -1574,11 +1611,13 @@ case_decide() {
         [ "$(cat "$tmp/out")" = "0 t 2.5 u 0.5 v 0.25 edge" ] ||
             job_fails "ray of two spans $num: $(cat "$tmp/out")"
         run 0 "$loft" decide area --num $num "$tmp/two.loft"; says out '^0 area 8$'
+        run 0 "$loft" measure --num $num "$tmp/two.loft"; says out '^0 area 8$'
         for face in '0 0 0 0 6 0 6 0 0' '0 0 0 6 0 0 0 0 6' '6 0 0 0 6 0 0 0 6' \
                     '0 6 0 0 0 0 0 0 6'; do
             printf 'triangle 1\n%d %d %d\n%d %d %d\n%d %d %d\n' $face
         done >"$tmp/tetra.loft"
         run 0 "$loft" decide volume --num $num "$tmp/tetra.loft"; says out '^volume 36$'
+        says out '^centroid 1.5 1.5 1.5$'
     done
     printf 'sphere 10\n' >"$tmp/ball.loft"
     for num in q16 f32 f64; do          # an octant of that ball, the ball
@@ -1586,12 +1625,20 @@ case_decide() {
         awk '{ exit !(($3 - 628.3185)^2 < 0.003) }' "$tmp/out" ||
             job_fails "area $num: $(cat "$tmp/out")"
         run 0 "$loft" decide volume --num $num --of 0.05 "$tmp/ball.loft"
-        awk '{ exit !(($2 - 4188.79)^2 < 0.2) }' "$tmp/out" || job_fails "$num: $(cat "$tmp/out")"
+        awk '/^volume/ { exit !(($2 - 4188.79)^2 < 0.2) }' "$tmp/out" ||
+            job_fails "$num: $(cat "$tmp/out")"
+        awk '/^centroid/ { n++; d = $2 ^ 2 + $3 ^ 2 + $4 ^ 2 } END { exit n != 1 || d > 1e-6 }' \
+            "$tmp/out" || job_fails "$num: $(cat "$tmp/out")"
     done
     one_line 65 'not a tolerance' "$loft" decide area --of=-1 "$tmp/octant.loft"
     printf 'ring 3 2\n0 0\n5 0\n9 0\n5 5\n0 9\n0 5\n3 3 1\n' >"$tmp/sided.loft"
     one_line 65 'a ring is no quotient of polynomials' "$loft" decide area "$tmp/sided.loft"
+    one_line 65 'a ring is no quotient of polynomials' "$loft" measure "$tmp/sided.loft"
+    one_line 64 'holds surfaces: .loft make meet' "$loft" measure --intersect "$tmp/sided.loft"
+    one_line 64 'nearest: give x,y,z' "$loft" measure --nearest 1,2 "$tmp/sided.loft"
     one_line 64 'not known to decide'  "$loft" decide nothing
+    one_line 65 'degree 129: give 1 to 129 coefficients, to degree 128' \
+        "$loft" decide convex --of "$(printf '0,%.0s' {1..129})1"
     one_line 64 'positive: --of has 0 numbers: give Bernstein'   "$loft" decide positive
     one_line 64 'bend: --of has 0 numbers: give parameters'      "$loft" decide bend -
     one_line 64 'ray: --of has 3 numbers: give a point and'      "$loft" decide ray --of=1,2,3 -
@@ -1671,7 +1718,7 @@ case_solids() {
         done
         paste -d' ' "$tmp/bent.at" "$tmp/high.at" |
             awk '{ for (i = 1; i <= NF / 2; i++) { d = $i - $(i + NF / 2)
-                       if (d > 0.02 || d < -0.02) bad = 1 } } END { exit bad || NR != 3 }' ||
+                       if (d > 0.02 || d < -0.02) bad = 1 } } END { exit bad || NR != 4 }' ||
             job_fails "raised $num: $(cat "$tmp/bent.at" "$tmp/high.at")"
         for axis in 1 2 3; do
             "$loft" decide solid --num $num \
@@ -1685,9 +1732,13 @@ case_solids() {
     done
     run 0 "$loft" surface --num f64 --tol 0.005 -o "$tmp/bent.stl" "$tmp/bent.loft"
     says out 'Euler number 2, closed$'
-    awk -v v="$(tail -1 "$tmp/bent.at" | cut -d' ' -f2)" \
+    awk -v v="$(sed -n 's/^volume //p' "$tmp/bent.at")" \
         '/^volume/ { exit !(($2 + 0 - v)^2 < 0.1 && v > 50) }' "$tmp/out" ||
         job_fails "volume: $(cat "$tmp/out" "$tmp/bent.at")"
+    grep -h '^centroid' "$tmp/out" "$tmp/bent.at" |
+        awk 'NR == 1 { for (i = 2; i < 5; i++) c[i] = $i; next }
+             { for (i = 2; i < 5; i++) if (($i - c[i]) ^ 2 > 1e-5) exit 1 } END { exit NR != 2 }' ||
+        job_fails "centroid: $(cat "$tmp/out" "$tmp/bent.at")"
     run 0 "$loft" plot --control -o "$tmp/bent.png" "$tmp/bent.loft"; says out ': 4 surfaces$'
     one_line 64 'numbers: give triples' "$loft" eval --uvw 0,1 "$tmp/bent.loft"
     one_line 64 'together at most 1'    "$loft" eval --uvw 1,1,0 "$tmp/bent.loft"
@@ -1909,6 +1960,39 @@ case_meet() {
     one_line 64 'give a file of curves, then one of surfaces' \
         "$loft" decide pierce --of 0.01 "$tmp/line.loft"
 }
+# toric patches and those with base points as tensor products: the place that is printed is that of
+# `loft eval`, and the plane x = 7 cuts in it
+case_quarters() {
+    printf 'toric\ndomain 0 0  1 0  2 1  2 2  1 2  0 1\n0 0 0\n9 0 4 : 2\n' >"$tmp/six.loft"
+    printf '0 9 1\n9 9 8 : 1 3\n18 9 2\n9 18 3\n18 18 -1 : 3\n' >>"$tmp/six.loft"
+    printf 'basepoint 3 1 1 1\n6 0 1\n3 0 2\n6 3 3 : 2\n3 3 9\n0 3 2\n3 6 1\n0 6 -1\n' \
+        >"$tmp/base.loft"
+    for file in six.loft base.loft; do
+        run 0 "$loft" decide nearest --num f64 --of 4,3,30 "$tmp/$file"
+        place=$(awk '{ print $3 "," $5 }' "$tmp/out"); sed 's/.* at //' "$tmp/out" >"$tmp/near.txt"
+        run 0 "$loft" eval --num f64 --uv "$place" "$tmp/$file"
+        paste -d ' ' "$tmp/near.txt" "$tmp/out" |
+            awk '{ for (i = 1; i < 4; i++) if (($i - $(i + 3)) ^ 2 > 1e-12) exit 1 }' ||
+            job_fails "$file: the place of the nearest point: $(cat "$tmp/near.txt" "$tmp/out")"
+    done
+    { cat "$tmp/six.loft"; printf 'tensor 1 1\n7 -30 -9\n7 -30 30\n7 30 -9\n7 30 30\n'; } \
+        >"$tmp/wall.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" make meet --num $num --of 0.01 "$tmp/wall.loft"
+        awk '/^line/ { n++; next } { if (($1 - 7) * ($1 - 7) > 1e-6) bad = 1 }
+             END { exit bad || n != 1 || NR < 10 }' "$tmp/out" ||
+            job_fails "six, $num: $(cat "$tmp/out")"
+    done
+    run 0 "$loft" make patches --num f64 "$tmp/six.loft"
+    [ "$(grep -c 'tensor 2 2' "$tmp/out")" = 6 ] || job_fails "quarters: $(cat "$tmp/out")"
+    { printf 'toric\ndomain 0 0  10 0  0 1\n'; seq 12; } | sed 's/^[0-9]*$/& 0 0/' \
+        >"$tmp/wide.loft"
+    one_line 65 'higher than 9 over a side' "$loft" decide area "$tmp/wide.loft"
+    printf 'toric\ndomain 0 0  1 0  0 1\n0 0 0 : 1 0.01\n9 0 3 : 256 30000\n0 9 4 : 256 30000\n' \
+        >"$tmp/steep.loft"
+    cat "$tmp/steep.loft" "$tmp/six.loft" >"$tmp/both.loft"
+    one_line 65 'differ by over 2.15' "$loft" make meet --of 0.01 "$tmp/both.loft"
+}
 # z = (x^2 + y^2) / 8 over -8..8: the plane x + y = 4 cuts it within that plane; the silhouette from
 # (1, 1, 0) is the line x + y = 0; the normal has 60 degrees to z on the circle of radius 4 sqrt 3
 case_sections_and_silhouettes() {
@@ -2093,6 +2177,16 @@ case_make() {
     printf 'rational 2\n1 0\n1 1 : 0.7\n0 1\n' >"$tmp/weighted.loft"
     one_line 65 'with weights, goes to degree 18' "$loft" make raise --of 17 "$tmp/weighted.loft"
     one_line 64 'raise: --of has 2 numbers' "$loft" make raise --of 1,2 "$tmp/curve.loft"
+    printf 'triangle 2\n0 0 9\n10 0 2\n0 10 5\n20 0 4\n10 10 8\n0 20 3\n' >"$tmp/tri.loft"
+    printf 'tensor 1 2\n0 0 0\n0 9 4 : 2\n0 20 0\n20 0 3\n20 9 9\n20 20 0\n' >"$tmp/ten.loft"
+    one_line 65 'surface 0, of degree 2, goes to degree 32: give --of 1 to 30' \
+        "$loft" make raise --of 31 "$tmp/tri.loft"
+    one_line 65 'with weights, goes to degree 18' "$loft" make raise --of 17 "$tmp/ten.loft"
+    "$loft" make raise --of 30 "$tmp/tri.loft" >"$tmp/high.loft"
+    "$loft" make raise --of 16 "$tmp/ten.loft" >>"$tmp/high.loft"
+    [ "$(grep -c . "$tmp/high.loft")" = $((1 + 561 + 1 + 18 * 19)) ] || job_fails 'raised nets'
+    run 0 "$loft" plot --control --curvature mean -o "$tmp/high.png" "$tmp/high.loft"
+    one_line 65 'only `loft plot` takes up to 32' "$loft" eval --uv 0.5,0.5 "$tmp/high.loft"
 }
 case_make_surfaces_of_curves() {
     for num in q16 f32 f64; do
@@ -2504,7 +2598,7 @@ case_bad_surfaces() {
     bad_surface 'tensor 0 1\n0 0 0\n1 0 0 : 300\n' \
         '3: not a point: `x y z` or `x y z : weight`, a weight of 1/256 to 256'
     bad_surface '# c\ntriangle\n0 0 0\n1 0 0\n' \
-        '2: triangle with 2 points: give 1, 3, 6, 10'
+        '2: triangle with 2 points: give 1 or 3'
     bad_surface 'coons bent 3 3\n'                      '1: not a kind of Coons patch'
     bad_surface 'coons 1 1\n0 0\n1 0\n0 1\n1 1\n0 0\n0 1\n2 0\n1 1\n' '1: coons: '
     bad_surface 'pn\n0 0 0\n'                          '2: not a point: `x y z : nx ny nz`'

@@ -32,7 +32,7 @@ BOARDS = [
     ("riscv-virt", "rv32imac", "q16", "virt", "rv32-q16", "riscv-virt",
      RISCV_CORE, (0x80000000, 120 * M), (0x80000000, 120 * M), 6),
     ("nrf51", "M0", "q16", "microbit", "v6m-q16", "nrf51",
-     M0, (0, 256 * K), (0x20000000, 16 * K), 51),
+     M0, (0, 256 * K), (0x20000000, 16 * K), 52),
     ("stm32f405", "M4F", "q16", "netduinoplus2", "v7m-q16", "stm32f405",
      M3, (0x08000000, M), (0x20000000, 128 * K), 22),
     ("stm32f405", "M4F", "f32", "netduinoplus2", "v7em-f32", "stm32f405-f32",

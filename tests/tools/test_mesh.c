@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
+#include <stdlib.h>
 
 #include "tools/drawn.h"          /* CHECK, tool_error */
 #include "engine/engine.h"
@@ -318,6 +319,128 @@ static void tetrahedra_become_their_faces(arb *a)
     surfaces_free(&all);
 }
 
+/* Add a share of a point to the net, with its weight. */
+static void add_share(surface_point *to, const surface_point *from, double share)
+{
+    const double w = share * from->w;
+
+    for (int i = 0; i < 3; i++)
+        to->p[i] += w * from->p[i];
+    to->w += w;
+}
+
+/* The surface with all its degrees higher by one, by the definition. */
+static void raise_once(surface *s)
+{
+    const bool triangle = s->kind == SURFACE_TRIANGLE;
+    const unsigned m = s->m + 1, n = s->n + 1,
+                   count = triangle ? (m + 1) * (m + 2) / 2 : (m + 1) * (n + 1);
+    surface high = { .kind = s->kind, .m = m, .n = n, .rational = s->rational };
+
+    for (unsigned k = 0; k < count; k++)
+        surface_add_point(&high, &(surface_point){ .w = 0 });
+    if (triangle)
+        for (unsigned r = 0, p = 0; r <= s->m; r++)
+            for (unsigned k = 0; k <= r; k++, p++) {
+                add_share(&high.point[p], &s->point[p], (double)(m - r) / m);
+                add_share(&high.point[p + r + 1], &s->point[p], (double)(r - k + 1) / m);
+                add_share(&high.point[p + r + 2], &s->point[p], (double)(k + 1) / m);
+            }
+    else
+        for (unsigned i = 0; i <= s->m; i++)
+            for (unsigned j = 0; j <= s->n; j++)
+                for (unsigned k = 0; k < 4; k++) {
+                    const unsigned down = k / 2, right = k % 2;
+                    add_share(&high.point[(i + down) * (n + 1) + j + right], &s->point[i * n + j],
+                              (double)(down ? i + 1 : m - i) / m * (double)(right ? j + 1 : n - j) /
+                                  n);
+                }
+    for (unsigned k = 0; k < count; k++)
+        for (int i = 0; i < 3; i++)
+            high.point[k].p[i] /= high.point[k].w;
+    free(s->point);
+    *s = high;
+}
+
+/* To any degree from 10 to 32: points, normals and curvatures are those of the library. */
+static void a_raised_net_looks_the_same(arb *a)
+{
+    surface s = { .kind = arb_below(a, 2) ? SURFACE_TRIANGLE : SURFACE_TENSOR,
+                  .m = 2 + arb_below(a, 7),
+                  .n = 2 + arb_below(a, 7),
+                  .rational = arb_below(a, 2) };
+    const unsigned rows = s.m, columns = s.n, to = 10 + arb_below(a, 23);
+    surfaces all = { .surface = &s, .count = 1 };
+    mesh was = { 0 }, m = { 0 };
+
+    for (unsigned i = 0; i <= rows; i++)
+        for (unsigned j = 0; j <= (s.kind == SURFACE_TRIANGLE ? i : columns); j++)
+            surface_add_point(&s, &(surface_point){ .p = { i * 10 + arb_below(a, 300) / 100.0,
+                                                           j * 10 + arb_below(a, 300) / 100.0,
+                                                           arb_below(a, 2000) / 100.0 },
+                                                    .w = s.rational ? 1 + arb_below(a, 8) : 1 });
+    CHECK(mesh_make(&was, &all, "test", &engine_f64, N, 4) == 0);
+    while (s.m < to && (s.n < to || s.kind == SURFACE_TRIANGLE))
+        raise_once(&s);
+    CHECK(surface_is_high(&s) && mesh_make(&m, &all, "test", &engine_f64, N, 4) == 0);
+    CHECK(m.vertices == was.vertices && m.cells == was.cells);
+    for (size_t i = 0; i < m.vertices; i++) {
+        for (int k = 0; k < 3; k++)
+            CHECK_NEAR(m.vertex[i].p[k], was.vertex[i].p[k], 1e-10);
+        check_vertex(&m.vertex[i], was.vertex[i].normal, was.vertex[i].gauss, was.vertex[i].mean,
+                     1e-8);
+    }
+    mesh_free(&was);
+    mesh_free(&m);
+    free(s.point);
+}
+
+/* An edge in one point: the normal is that of a place nearby. */
+static void a_raised_cone_has_a_normal_at_its_tip(arb *a)
+{
+    surface s = { .kind = SURFACE_TENSOR, .m = 1, .n = 2 };
+    static const double net[6][3] = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 },
+                                      { 10, 0, 0 }, { 10, 10, 0 }, { 0, 10, 0 } };
+    surfaces all = { .surface = &s, .count = 1 };
+    mesh m = { 0 };
+
+    (void)a;
+    for (int k = 0; k < 6; k++)
+        surface_add_point(&s, &(surface_point){ .p = { net[k][0], net[k][1], net[k][2] }, .w = 1 });
+    while (s.m < 20)
+        raise_once(&s);
+    CHECK(mesh_make(&m, &all, "test", &engine_f64, N, 4) == 0);
+    for (size_t i = 0; i < m.vertices; i++)
+        check_vertex(&m.vertex[i], (const double[3]){ 0, 0, 1 }, 0, 0, 1e-9);
+    mesh_free(&m);
+    free(s.point);
+}
+
+/* Only where a picture is wanted; there to 32. */
+static void degrees_above_nine_are_read_for_pictures(arb *a)
+{
+    char text[16384];
+    size_t used = (size_t)snprintf(text, sizeof text, "triangle\n");
+    surfaces all = { 0 }, drawn = { .drawn = true };
+
+    (void)a;
+    for (unsigned k = 0; k < 561; k++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "%u %u 0\n", k % 33, k / 33);
+    CHECK(surfaces_read_text(&drawn, "test", text) == 0 && drawn.surface[0].m == 32);
+    CHECK(surface_is_high(&drawn.surface[0]));
+    CHECK(surfaces_read_text(&all, "test", text) != 0);
+    surfaces_free(&all);
+    surfaces_free(&drawn);
+    CHECK(surfaces_read_text(&all, "test", "tensor 10 1\n") != 0);
+    surfaces_free(&all);
+    drawn.drawn = true;
+    CHECK(surfaces_read_text(&drawn, "test", "tensor 33 1\n") != 0);
+    surfaces_free(&drawn);
+    drawn.drawn = true;
+    CHECK(surfaces_read_text(&drawn, "test", "coons 10 1\n") != 0);
+    surfaces_free(&drawn);
+}
+
 int main(void)
 {
     PROPERTY(spheres_are_round, 1);
@@ -326,5 +449,8 @@ int main(void)
     PROPERTY(normals_are_those_of_the_surface, 1);
     PROPERTY(cells_face_their_normals, 1);
     PROPERTY(tetrahedra_become_their_faces, 20);
+    PROPERTY(a_raised_net_looks_the_same, 40);
+    PROPERTY(a_raised_cone_has_a_normal_at_its_tip, 1);
+    PROPERTY(degrees_above_nine_are_read_for_pictures, 1);
     return check_failures();
 }

@@ -7,204 +7,27 @@
 
 #include "engine/mill.h"
 #include "engine/surface.h"
+#include "tools/chords.h"           /* over_path */
 #include "tools/drawn.h"            /* CHECK, tool_error */
 
-#define FREE 1e9
+#define CUSP_ERRS 1.05          /* what is left against the cusp that was asked */
 
 static size_t points = 20000;
 
-/* Squares of x and y, each with the chords of a path that may be the lowest over some point of it.
- * A square with many is divided when a point comes to lie in it. */
-typedef struct squares {
-    struct squares *quarter[4];
-    double middle[2], half;
-    size_t *chord, count;
-} squares;
-
-typedef struct {
-    const mill_cut *path;
-    const mill_order *o;
-    squares all;
-} chords;
-
-/* How high the underside of a cutter, grown sideways, is over a point at `t` of a chord. */
-static double over_point(const mill_order *o, double grown, const double *a, const double *b,
-                         double t, const double p[3])
-{
-    const double x = a[0] + t * (b[0] - a[0]) - p[0], y = a[1] + t * (b[1] - a[1]) - p[1],
-                 corner = o->corner, beyond = sqrt(x * x + y * y) - (o->radius + grown - corner);
-
-    return a[2] + t * (b[2] - a[2]) - p[2] +
-           (beyond <= 0 ? 0 : corner - sqrt(fmax(0, corner * corner - beyond * beyond)));
-}
-
-/* Where a ball is the lowest over a point beside a chord, the slope of its underside is that of the
- * chord. */
-static double lowest_of_ball(double length2, double rise, double to, double off2, double r2)
-{
-    const double across2 = fmax(0, off2 - to * to / length2);
-
-    return to / length2 - rise * sqrt(fmax(0, r2 - across2) / (length2 + rise * rise) / length2);
-}
-
-/* The least of it where the cutter is over the point; it is convex there. */
-static double over_chord(const mill_order *o, double grown, const double *a, const double *b,
-                         const double p[3])
-{
-    const double x = b[0] - a[0], y = b[1] - a[1], length2 = x * x + y * y,
-                 to = (p[0] - a[0]) * x + (p[1] - a[1]) * y,
-                 off2 = (p[0] - a[0]) * (p[0] - a[0]) + (p[1] - a[1]) * (p[1] - a[1]),
-                 r = o->radius + grown, r2 = r * r;
-    double low = 0, high = 1;
-
-    if (length2 > 0) {
-        const double half2 = to * to - length2 * (off2 - r2);
-        if (half2 < 0)
-            return FREE;
-        low  = fmax(0, (to - sqrt(half2)) / length2);
-        high = fmin(1, (to + sqrt(half2)) / length2);
-    }
-    if (r <= 0 || low > high || (length2 <= 0 && off2 > r2))
-        return FREE;
-    if (length2 <= 0)
-        low = b[2] < a[2] ? 1 : 0;
-    else if (o->corner == r)
-        low = fmax(low, fmin(high, lowest_of_ball(length2, b[2] - a[2], to, off2, r2)));
-    for (int k = 0; k < 40 && length2 > 0 && o->corner != r; k++) {
-        const double t = low + (high - low) * 0.4, u = low + (high - low) * 0.6;
-        if (over_point(o, grown, a, b, t, p) < over_point(o, grown, a, b, u, p))
-            high = u;
-        else
-            low = t;
-    }
-    return over_point(o, grown, a, b, low, p);
-}
-
-/* No place of the chord is lower over the point. */
-static double least_over(const mill_order *o, const double *a, const double *b, const double p[3])
-{
-    const double x = b[0] - a[0], y = b[1] - a[1], length2 = x * x + y * y,
-                 to = (p[0] - a[0]) * x + (p[1] - a[1]) * y,
-                 t = length2 > 0 ? fmax(0, fmin(1, to / length2)) : 0, dx = a[0] + t * x - p[0],
-                 dy = a[1] + t * y - p[1], d = sqrt(dx * dx + dy * dy), corner = o->corner,
-                 beyond = d - (o->radius - corner);
-
-    if (d > o->radius)
-        return FREE;
-    return fmin(a[2], b[2]) - p[2] +
-           (beyond <= 0 ? 0 : corner - sqrt(fmax(0, corner * corner - beyond * beyond)));
-}
-
-/* Take from a list the chords that may be the lowest somewhere in the square. With its half
- * diagonal e, over every point the cutter is at least as low as one narrower by e is over the
- * middle, and no lower than one wider by e. */
-static void sift_chords(const chords *c, squares *s, const size_t *chord, size_t count)
-{
-    const double e = s->half * sqrt(2), middle[3] = { s->middle[0], s->middle[1], 0 };
-    double most = FREE, *const least = malloc((count + 1) * sizeof *least);
-
-    s->chord = malloc((count + 1) * sizeof *s->chord);
-    CHECK(least != NULL && s->chord != NULL);
-    for (size_t i = 0; i < count; i++) {
-        const double *const a = c->path->point[chord[i]], *const b = a + ENGINE_AXES;
-        least[i] = over_chord(c->o, e, a, b, middle);
-        most     = fmin(most, over_chord(c->o, -e, a, b, middle));
-    }
-    for (size_t i = 0; i < count; i++)
-        if (least[i] < FREE && least[i] <= most + 1e-6)
-            s->chord[s->count++] = chord[i];
-    free(least);
-}
-
-static void index_chords(chords *c, const mill_cut *path, const mill_order *o)
-{
-    size_t *const every = malloc(path->count * sizeof *every);
-
-    CHECK(every != NULL);
-    *c = (chords){ .path = path, .o = o };
-    for (int k = 0; k < 2; k++) {
-        c->all.middle[k] = (o->area[0][k] + o->area[1][k]) / 2;
-        c->all.half      = fmax(c->all.half, (o->area[1][k] - o->area[0][k]) / 2 + o->radius);
-    }
-    for (size_t k = 0; k + 1 < path->count; k++)
-        every[k] = k;
-    sift_chords(c, &c->all, every, path->count - 1);
-    free(every);
-}
-
-static void free_squares(squares *s)
-{
-    for (int k = 0; k < 4; k++)
-        if (s->quarter[k]) {
-            free_squares(s->quarter[k]);
-            free(s->quarter[k]);
-        }
-    free(s->chord);
-}
-
-static squares *quarter_at(const chords *c, squares *s, const double p[3])
-{
-    const int right = p[0] > s->middle[0], up = p[1] > s->middle[1];
-    squares **const q = &s->quarter[2 * up + right];
-
-    if (*q == NULL) {
-        *q = calloc(1, sizeof **q);
-        CHECK(*q != NULL);
-        (*q)->half = s->half / 2;
-        (*q)->middle[0] = s->middle[0] + (right ? s->half : -s->half) / 2;
-        (*q)->middle[1] = s->middle[1] + (up ? s->half : -s->half) / 2;
-        sift_chords(c, *q, s->chord, s->count);
-    }
-    return *q;
-}
-
-/* How far a point is beside a ball on its way. */
-static double beside_chord(const mill_order *o, const double *a, const double *b, const double p[3])
-{
-    double way[3], off[3], length2 = 0, to = 0, rest2 = 0;
-
-    for (int k = 0; k < 3; k++) {
-        way[k] = b[k] - a[k];
-        off[k] = p[k] - a[k] - (k == 2 ? o->radius : 0);
-        length2 += way[k] * way[k];
-        to += way[k] * off[k];
-    }
-    const double t = length2 > 0 ? fmax(0, fmin(1, to / length2)) : 0;
-    for (int k = 0; k < 3; k++)
-        rest2 += (off[k] - t * way[k]) * (off[k] - t * way[k]);
-    return sqrt(rest2) - o->radius;
-}
-
-/* The height of the underside over a point; what is left there, at most, over its surface. */
-static double over_path(chords *c, const double p[3], double *left)
-{
-    squares *s = &c->all;
-    double least = FREE;
-
-    if (fmax(fabs(p[0] - s->middle[0]), fabs(p[1] - s->middle[1])) > s->half)
-        return FREE;
-    while (s->count > 3 && s->half > c->o->radius / 64)
-        s = quarter_at(c, s, p);
-    for (size_t i = 0; i < s->count; i++) {
-        const double *const a = c->path->point[s->chord[i]], *const b = a + ENGINE_AXES;
-        if (least_over(c->o, a, b, p) < least)
-            least = fmin(least, over_chord(c->o, 0, a, b, p));
-        *left = fmin(*left, beside_chord(c->o, a, b, p));
-    }
-    return least;
-}
-
 static double random_unit(arb *a) { return (double)(arb_next(a) >> 11) / 9007199254740992.0; }
 
-/* The least height of the underside over random points of all surfaces, and over how many of them
- * more is left than a cusp and the tolerance. */
+/* The least height of the underside over random points of all surfaces; over how many of them more
+ * is left than a cusp and the tolerance, and the most that is left. What is found to be no more
+ * than that, and than what is proved, may be less. */
 static double sweep(arb *a, const surfaces *all, const mill_order *o, const mill_cut *path,
-                    size_t *more)
+                    double proved, size_t *more, double *most)
 {
+    const double limit = o->cusp + o->tol;
     double least = FREE;
     chords c;
 
     *more = 0;
+    *most = 0;
     index_chords(&c, path, o);
     for (size_t i = 0; i < all->count; i++) {
         engine_surface *s;
@@ -216,7 +39,10 @@ static double sweep(arb *a, const surfaces *all, const mill_order *o, const mill
                 CHECK(engine_surfaces_f64.kite(s, kite, 1 - u, 1 - v, p) == 0);
             double left = FREE;
             least = fmin(least, over_path(&c, p, &left));
-            *more += left > o->cusp + o->tol;
+            if (o->cusp > 0 && left > fmin(limit, proved))
+                left = left_by_all(&c, p);
+            *more += left > limit;
+            *most = fmax(*most, left);
         }
         engine_surfaces_f64.close(s);
     }
@@ -293,16 +119,119 @@ static void no_way_into_the_material_cuts(arb *a)
     surfaces all = { 0 };
     mill_cuts path = { 0 };
     mill_report r;
+    double most;
     size_t more;
 
     arb_surfaces(a, turn++ % 4, &all);
     CHECK(engine_mill_f64(&all, &o, &path, &r) == 0);
     CHECK(path.count == 1 && path.cut[0].count > 10);
-    CHECK(sweep(a, &all, &o, &path.cut[0], &more) > -1e-9);
+    CHECK(sweep(a, &all, &o, &path.cut[0], r.left, &more, &most) > -1e-9);
     CHECK(r.entries[MILL_HELIX] + r.entries[MILL_RAMP] > 0);
     const double *const from = path.cut[0].point[0], *const to =
                                                          path.cut[0].point[path.cut[0].count - 1];
     CHECK(from[2] >= r.top + 3 - 1e-9 && to[2] >= r.top + 3 - 1e-9);
+    mill_cuts_free(&path);
+    surfaces_free(&all);
+}
+
+/* An octant, whose border is an upright wall, or a plane with slopes up to 3 along x and y, from
+ * corner to corner: of both a raster or a spiral leaves no more than cusps.
+ * Without lines that low and that far outside, up to 1 mm is left. */
+static void steep_borders_are_reached(arb *a)
+{
+    static unsigned turn;
+    const double x = fresh(a, 30), y = fresh(a, 30);
+    mill_order o = { .radius = 2,
+                     .corner = 2,
+                     .cusp   = 0.2,
+                     .tol    = 0.02,
+                     .axis   = arb_below(a, 2),
+                     .safe   = 1,
+                     .tell   = tell };
+    o.pattern = arb_below(a, 2) ? MILL_SPIRAL : MILL_RASTER;
+    char text[128] = "octant 7\n";
+    surfaces all = { 0 };
+    mill_cuts path = { 0 };
+    mill_report r;
+    double most;
+    size_t more;
+
+    if (turn++ % 4 != 0)
+        snprintf(text, sizeof text, "tensor 1 1\n0 0 0\n0 10 %.3f\n10 0 %.3f\n10 10 %.3f\n", y, x,
+                 x + y);
+    CHECK(surfaces_read_text(&all, "-", text) == 0);
+    CHECK(engine_mill_f64(&all, &o, &path, &r) == 0);
+    CHECK(sweep(a, &all, &o, &path.cut[0], r.left, &more, &most) > -1e-9);
+    CHECK(most <= CUSP_ERRS * o.cusp + o.tol);
+    CHECK(most <= r.left && r.left <= most + 2 * o.tol);
+    CHECK(r.hollow <= r.reached);
+    mill_cuts_free(&path);
+    surfaces_free(&all);
+}
+
+/* A valley of two planes with a slope of 1/2 to 1, which a ball of radius 2 touches in two places:
+ * its bottom is sqrt(1 + slope^2) radii from the centre. The tool may be higher by the tolerance,
+ * and bounds come that near; what the path leaves is bounded too. */
+static void hollows_are_told(arb *a)
+{
+    const double slope = 0.5 + fresh(a, 0.5), exact = 2 * (sqrt(1 + slope * slope) - 1);
+    mill_order o = { .radius = 2,
+                     .corner = 2,
+                     .cusp   = 0.1,
+                     .tol    = 0.02,
+                     .axis   = arb_below(a, 2),
+                     .safe   = 1,
+                     .tell   = tell };
+    char text[256];
+    surfaces all = { 0 };
+    mill_cuts path = { 0 };
+    mill_report r;
+    double most;
+    size_t more;
+
+    snprintf(text, sizeof text,
+             "tensor 1 1\n0 0 %.6f\n0 4 %.6f\n6 0 0\n6 4 0\n\n"
+             "tensor 1 1\n6 0 0\n6 4 0\n12 0 %.6f\n12 4 %.6f\n",
+             6 * slope, 6 * slope, 6 * slope, 6 * slope);
+    CHECK(surfaces_read_text(&all, "-", text) == 0);
+    CHECK(engine_mill_f64(&all, &o, &path, &r) == 0);
+    CHECK(r.hollow > r.reached && r.hollow >= exact - 1e-5);
+    CHECK(r.hollow <= exact + 3 * o.tol && r.hollow <= r.left);
+    CHECK(sweep(a, &all, &o, &path.cut[0], r.left, &more, &most) > -1e-9);
+    CHECK(most <= r.left && r.left <= most + 2 * o.tol);
+    mill_cuts_free(&path);
+    surfaces_free(&all);
+}
+
+/* The border of an octant is upright: waterlines go down to where the ball touches it. Over the
+ * lower third their cusps are left, (step / sine of the slope)^2 / 8 radius. */
+static void waterlines_reach_below_borders(arb *a)
+{
+    const double step = 0.5 + fresh(a, 0.5), cusp = step * step / 0.75 / 16;
+    mill_order o = { .pattern = MILL_WATERLINE,
+                     .radius  = 2,
+                     .corner  = 2,
+                     .step    = step,
+                     .tol     = 0.02,
+                     .safe    = 1,
+                     .tell    = tell };
+    surfaces all = { 0 };
+    mill_cuts path = { 0 };
+    engine_surface *s;
+    mill_report r;
+
+    CHECK(surfaces_read_text(&all, "-", "octant 7\n") == 0);
+    CHECK(engine_mill_f64(&all, &o, &path, &r) == 0);
+    CHECK(o.lowest < -2 + 2.0 / 16 && o.lowest >= -2 - 1e-6);
+    const chords c = { .path = &path.cut[0], .o = &o };
+    CHECK(engine_surfaces_f64.open(&all.surface[0], &s) == 0);
+    for (int n = 0; n < 1000; n++) {
+        double p[3], u = random_unit(a), v = random_unit(a);
+        if (engine_surfaces_f64.kite(s, 0, u, v, p) != 0)
+            CHECK(engine_surfaces_f64.kite(s, 0, 1 - u, 1 - v, p) == 0);
+        CHECK(p[2] > 3.5 || left_by_all(&c, p) <= CUSP_ERRS * cusp + o.tol);
+    }
+    engine_surfaces_f64.close(s);
     mill_cuts_free(&path);
     surfaces_free(&all);
 }
@@ -373,17 +302,21 @@ static void sweep_shape(const char *name)
     surfaces all = { 0 };
     mill_cuts path = { 0 };
     mill_report r;
+    double most;
     size_t more;
 
     const size_t used = read_shape(name, &all), read = all.count;
     all.count = used;
     CHECK(used > 0 && engine_mill_f64(&all, &o, &path, &r) == 0);
-    const double least = sweep(&a, &all, &o, &path.cut[0], &more);
+    const double least = sweep(&a, &all, &o, &path.cut[0], r.left, &more, &most);
     printf("%-8s %4zu surfaces, %6zu chords, cusp asked %g, at most %.5f; %zu points, the nearest "
-           "%.2e mm below the tool, %.3f %% with more left than cusp and tolerance\n",
-           name, all.count, path.cut[0].count - 1, o.cusp, r.cusp, points, least,
-           100.0 * (double)more / (double)points);
+           "%.2e mm below the tool, %.4f mm left at most, %.4f %% with more left than cusp and "
+           "tolerance; proved: at most %.4f, in hollows %.4f\n",
+           name, all.count, path.cut[0].count - 1, o.cusp, r.cusp, points, least, most,
+           100.0 * (double)more / (double)points, r.left, r.hollow);
     CHECK(least > -1e-9 && r.cusp <= o.cusp && r.cusp >= 0.95 * o.cusp);
+    CHECK(most <= r.left);
+    CHECK(most <= CUSP_ERRS * o.cusp + o.tol);
     all.count = read;
     mill_cuts_free(&path);
     surfaces_free(&all);
@@ -397,6 +330,9 @@ int main(int argc, char **argv)
         return check_failures();
     }
     PROPERTY(no_way_into_the_material_cuts, 4);
+    PROPERTY(steep_borders_are_reached, 8);
+    PROPERTY(hollows_are_told, 4);
+    PROPERTY(waterlines_reach_below_borders, 2);
     PROPERTY(hills_are_cut_downward, 10);
     return check_failures();
 }

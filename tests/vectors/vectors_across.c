@@ -9,10 +9,13 @@
 #include "vectors/vectors_lines.h"          /* expect_lines */
 #include "vectors/vectors_points.h"         /* as_given; row, answer, law */
 #include "surface/area.h"
+#include "support/exact_sci.h"           /* exact_sci */
 #include "support/meetings.h"            /* distance_from_meetings */
 #include "surface/tensor/surface_fit.h"
+#include "surface/triangle/triangle_pieces.h"
 
 #define MOST   (LOFT_DEGREE_MAX + 1)
+#define HIGH   (LOFT_BEZIER_ELEVATE_MAX + 1)
 #define ROOM   4096
 #define POINTS 100
 #define DATA   400
@@ -266,7 +269,7 @@ static void surface_fit(row *r)
                        .roundings = BY_NUM(0, 0x1p28L, 64) * (1 + gain) * (1 + gain) * 16 });
 }
 
-static loft_sci area_memory[LOFT_NET_AREA_MEMORY(LOFT_DEGREE_MAX, LOFT_DEGREE_MAX)];
+static loft_sci area_memory[LOFT_NET_MOMENT_MEMORY(LOFT_DEGREE_MAX, LOFT_DEGREE_MAX)];
 
 /* The integral in a column, which is asked for within 2^-7. */
 static void expect_integral(row *r, const char *column, enum loft_status status, loft_acc got)
@@ -300,6 +303,7 @@ static void net_cone(row *r)
     static sheet_of_row a;
     const loft_real tol = LOFT_REAL(0.0078125);
     loft_acc area = 0, volume = 0;
+    loft_sci moment[3];
     loft_vec apex;
 
     read_sheet(r, 'A', &a);
@@ -310,6 +314,36 @@ static void net_cone(row *r)
     expect_integral(r, "area", status, area);
     status = loft_net_cone_volume(a.net, apex, tol, area_memory, &volume);
     expect_integral(r, "volume", status, volume);
+    if (loft_net_cone_moment(a.net, apex, tol, area_memory, moment) != LOFT_OK)
+        row_complain(r, "its moment was refused");
+    const char *text = row_text(r, "moment");
+    for (int axis = 0; axis < 3 && !r->complaint[0]; axis++)
+        row_within(r, "moment", fabsl(exact_sci(moment[axis]) - row_next(&text)) * 65536,
+                   (0x1p-7L + 1e-8L) * 65536);
+}
+
+static void net_high(row *r)
+{
+    static sheet_of_row a;
+    static loft_vec high[HIGH * HIGH];
+    const unsigned times = row_count(r, "times", LOFT_BEZIER_ELEVATE_MAX);
+    const bool along_v = row_is(r, "along", "v");
+    unsigned points = 0;
+    enum loft_status status = LOFT_ERR_ARG;
+
+    read_sheet(r, 'A', &a);
+    if (!as_given(r) || r->complaint[0])
+        return;
+    if (a.net.triangle) {
+        points = LOFT_TRIANGLE_POINTS(a.net.m + times);
+        status = loft_triangle_elevate(&a.triangle, times, high);
+    } else {
+        points = (a.net.m + 1u + (along_v ? 0 : times)) * (a.net.n + 1u + (along_v ? times : 0));
+        status = along_v ? loft_tensor_elevate_v(&a.tensor, times, high)
+                         : loft_tensor_elevate_u(&a.tensor, times, high);
+    }
+    expect_vecs(r, "Q", status, high, points, 3,
+                (law){ .lsb = 0.5L + 15 / 131072.0L, .roundings = 64 });
 }
 
 #define SHEET(x) "kind" x ",m" x ",n" x ",net" x "_q16,w" x "_q16"
@@ -326,7 +360,8 @@ const vector_system vectors_across[] = {
       "count exact, uv 2 LSB over the slope + 2^-23" },
     { "surface_fit", "p,q,m,n,U_q16,V_q16,r,c,u_q16,v_q16,P_q16,gain,Q", surface_fit,
       "q16: 0.501 LSB (1 + gain)" },
-    { "net_cone", SHEET("A") ",apex_q16,area,volume", net_cone, "2^-7, as asked" },
+    { "net_cone", SHEET("A") ",apex_q16,area,volume,moment", net_cone, "2^-7, as asked" },
     { "net_area", "m,n,net_q16,area", net_area, "2^-7, as asked" },
+    { "net_high", SHEET("A") ",along,times,Q", net_high, "1/2 LSB + 15 * 2^-17 LSB" },
     { 0 }
 };

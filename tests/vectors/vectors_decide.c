@@ -102,15 +102,19 @@ static void copositive56(row *r)
         row_expect_flag(r, "copositive", flag);
 }
 
+#define HIGH LOFT_POSITIVITY_DEGREE
+
+static uint32_t work[LOFT_POSITIVITY_WORK(HIGH)];
+
 static void positivity_n(row *r)
 {
-    loft_real b[MOST];
-    const unsigned n = row_count(r, "n", LOFT_DEGREE_MAX) + 1;
+    loft_real b[HIGH + 1];
+    const unsigned n = row_count(r, "n", HIGH) + 1;
     loft_positivity p = { false, false, 0 };
     char roots[12];
 
     row_reals(r, "b_q16", n, b);
-    if (loft_bernstein_positivity(b, n - 1, &p) != LOFT_OK)
+    if (loft_bernstein_positivity_in(b, n - 1, work, &p) != LOFT_OK)
         row_complain(r, "the polynomial was refused");
     if (!as_given(r))
         return;
@@ -118,6 +122,20 @@ static void positivity_n(row *r)
     row_expect_flag(r, "nonneg", p.nonnegative);
     row_expect_flag(r, "positive", p.positive);
     row_expect_word(r, "roots", roots);
+}
+
+static void positivity_high(row *r)
+{
+    loft_real b[HIGH + 1];
+    const unsigned n = row_count(r, "n", HIGH) + 1;
+    bool net, polynomial = false;
+
+    positivity_n(r);
+    row_reals(r, "b_q16", n, b);
+    if (loft_bernstein_convex_in(b, n - 1, work, &net, &polynomial) != LOFT_OK)
+        row_complain(r, "the polynomial was refused");
+    if (as_given(r))
+        row_expect_flag(r, "convex", polynomial);
 }
 
 static void row_weights(row *r, unsigned count, unsigned d, loft_weighted out[])
@@ -504,6 +522,7 @@ const vector_system vectors_decide[] = {
     { "elevate32", "n,d,P_q16,Q", elevate32, "1/2 LSB + 15 * 2^-17 LSB" },
     { "copositive56", "n,M_q16,copositive", copositive56, "exact" },
     { "positivity_n", "n,b_q16,nonneg,positive,roots", positivity_n, "exact" },
+    { "positivity_high", "n,b_q16,nonneg,positive,roots,convex", positivity_high, "exact" },
     { "conic_kind", "P_q16,w_q16,kind,finite,circle", conic_kind, "exact" },
     { "conic_axes", "P_q16,w_q16,kind,centre,axes", conic_axes,
       "kind exact, centre, axes 1/2 LSB + their error, at most 4" },

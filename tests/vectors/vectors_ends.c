@@ -33,21 +33,58 @@ static enum loft_spacing spacing_of(row *r, spline *x)
     return x->chord ? LOFT_CHORD : LOFT_UNIFORM;
 }
 
-/* In floats a slope errs by parts of the largest coordinate with uniform knots, and of the slope
- * with chord length knots, which is small. In q16 lsb[k] bounds the k-th derivative; `hard` is Q of
- * curve/spline.h. */
+static long double step_between(const loft_vec *p, const loft_vec *q, unsigned d)
+{
+    long double sum = 0;
+    for (unsigned i = 0; i < d; i++)
+        sum += powl(exact_of(q->axis[i]) - exact_of(p->axis[i]), 2);
+    return sqrtl(sum);
+}
+
+/* S of curve/spline.h: of the slopes, and of chords over their steps, which are 1 if steps are the
+ * chords. */
+static long double steepest(const spline *x)
+{
+    const unsigned n = (unsigned)x->s.count;
+    long double most = x->chord ? 1 : 0;
+
+    for (unsigned i = 0; i < n; i++) {
+        if (!x->chord)
+            most = fmaxl(most, step_between(&x->s.p[i], &x->s.p[(i + 1) % n], x->d));
+        for (int axis = 0; axis < LOFT_AXES; axis++) {
+            loft_acc slope = 0;
+            if (loft_sci_to_acc(x->s.knot[i].slope[axis], &slope))
+                most = fmaxl(most, fabsl(exact_acc(slope)));
+        }
+    }
+    return most;
+}
+
+/* h of curve/spline.h */
+static long double step_of(const spline *x)
+{
+    const unsigned n = (unsigned)x->s.count;
+    return x->chord ? step_between(&x->s.p[x->i % n], &x->s.p[(x->i + 1) % n], x->d) : 1;
+}
+
+/* In q16 lsb[k] bounds the k-th derivative. In floats it is what curve/spline.h says, and, where
+ * f32 could not hold the points, what reading rounded, times the largest weights of a point. `hard`
+ * is Q there. */
 static void expect_spline(row *r, const spline *x, const long double lsb[3], long double hard)
 {
-    static const long double room[3] = { 64, 512, 2048 };
     loft_vec v[3] = { { { 0 } } };
     enum loft_status status[3];
+    const long double h = step_of(x), steep = steepest(x) * hard * 0x1p-46L,
+                      ulp_of = ulp_double(r->largest),
+                      room[3] = { 16 * ulp_of + steep * h / 4, steep, steep / h };
 
     status[0] = loft_spline_eval(&x->s, x->i, x->t, &v[0]);
     status[1] = loft_spline_deriv(&x->s, x->i, 1, x->t, &v[1]);
     status[2] = loft_spline_deriv(&x->s, x->i, 2, x->t, &v[2]);
     for (unsigned k = 0; k < 3; k++) {
         static const char *const column[3] = { "p", "dp", "ddp" };
-        const law l = { .lsb = lsb[k], .gain = k == 0 ? 3 : 60, .roundings = room[k] * hard };
+        const long double gain = k == 0 ? 3 : 60;
+        const law l = { .lsb = lsb[k], .gain = gain, .roundings = room[k] / (gain * ulp_of) };
         expect_vec(r, column[k], status[k], v[k], x->d, l);
     }
 }
@@ -88,36 +125,17 @@ static void spline_clamped(row *r)
         expect_spline(r, &x, rounded, 1);
 }
 
-static long double step_between(const loft_vec *p, unsigned d)
-{
-    long double sum = 0;
-    for (unsigned i = 0; i < d; i++)
-        sum += powl(exact_of(p[1].axis[i]) - exact_of(p[0].axis[i]), 2);
-    return sqrtl(sum);
-}
-
 /* Q of curve/spline.h */
 static long double hardness(const spline *x)
 {
     const unsigned n = x->count;
     if (!x->chord || n < 4)
         return 1;
-    return fmaxl(step_between(x->p, x->d) / step_between(x->p + 1, x->d), 1) *
-           fmaxl(step_between(x->p + n - 2, x->d) / step_between(x->p + n - 3, x->d), 1);
-}
-
-/* S of curve/spline.h, of the slopes; a chord over its step is at most 1. */
-static long double steepest(const spline *x)
-{
-    long double most = 1;
-
-    for (unsigned i = 0; i < x->count; i++)
-        for (int axis = 0; axis < LOFT_AXES; axis++) {
-            loft_acc slope = 0;
-            if (loft_sci_to_acc(x->memory[i].slope[axis], &slope))
-                most = fmaxl(most, fabsl(exact_acc(slope)));
-        }
-    return most;
+    const loft_vec *p = x->p;
+    return fmaxl(step_between(&p[0], &p[1], x->d) / step_between(&p[1], &p[2], x->d), 1) *
+           fmaxl(step_between(&p[n - 2], &p[n - 1], x->d) /
+                     step_between(&p[n - 3], &p[n - 2], x->d),
+                 1);
 }
 
 static void spline_notaknot(row *r)
@@ -130,7 +148,7 @@ static void spline_notaknot(row *r)
                  loft_spline_init(&x.s, x.p, x.count, LOFT_ENDS_NOT_A_KNOT, spacing_of(r, &x),
                                   x.memory)))
         return;
-    const long double h = x.chord ? step_between(x.p + x.i, x.d) : 1, hard = hardness(&x);
+    const long double h = step_of(&x), hard = hardness(&x);
     const long double by[3] = { h * 0x1p-3L, 1, 1 / h }, steep = steepest(&x);
     for (int k = 0; k < 3; k++)
         lsb[k] = fminl(rounded[k] + 0x1p-38L * steep * hard * by[k], 8 << k);

@@ -275,13 +275,22 @@ static void conic_foci(row *r)
         both[k] = (loft_weighted) { p[k], w[k] };
     if (!as_given(r))
         return;
-    if (loft_conic_init(&kind, both) != LOFT_OK ||
-        loft_conic_foci(both, focus, &count) != LOFT_OK) {
+    const char *text = row_text(r, "foci");
+    long double far = 0;
+    for (long double x; isfinite(x = row_next(&text)); )
+        far = fmaxl(far, fabsl(x));
+    const enum loft_status status = loft_conic_foci(both, focus, &count);
+    if (BY_NUM(far >= 32768, false, false)) {
+        if (status != LOFT_ERR_RANGE)
+            row_complain(r, "a focus does not fit, and the status is %d", status);
+        return;
+    }
+    if (loft_conic_init(&kind, both) != LOFT_OK || status != LOFT_OK) {
         row_complain(r, "the conic was refused");
         return;
     }
     row_expect_word(r, "kind", name[kind.kind]);
-    const char *text = row_text(r, "foci");
+    text = row_text(r, "foci");
     for (unsigned k = 0; k < count; k++)
         for (int axis = 0; axis < 2; axis++)
             want[k][axis] = row_next(&text);
@@ -297,7 +306,8 @@ static void conic_foci(row *r)
                                           powl(exact_of(w[1]), 2));
     const long double e = BY_NUM(0x1p-52L, 0x1p-44L, 0x1p-44L);
     row_within(r, "foci", fminl(off[0], off[1]) * 65536,
-               65536 * (BY_NUM(0.51L * LSB, ulp(r->largest), 0) + 4 * sqrtl(e) * s * r->largest));
+               65536 * (BY_NUM(0.51L * LSB, ulp(r->largest), ulp_double(fmaxl(r->largest, far))) +
+                        4 * sqrtl(e) * s * r->largest));
 }
 
 static void cubic_length(row *r)

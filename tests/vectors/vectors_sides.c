@@ -1,5 +1,5 @@
 /* tests/vectors/vectors_sides.c -- readers of what is asked of S-patches: normals and curvatures,
- * the light on them, triangles of them
+ * the light on them, triangles of them; of toric patches as tensor products
  * SPDX-License-Identifier: MIT
  *
  * own/sides.py makes the rows. Where f32 cannot hold a row's numbers, nothing is compared.
@@ -8,6 +8,7 @@
 #include "vectors/vectors_points.h"         /* as_given; row, answer, law */
 #include "polygon/disk.h"
 #include "polygon/spatch_triangle.h"
+#include "polygon/toric_tensor.h"
 #include "polygon/wachspress.h"
 
 #define POINTS 500
@@ -110,15 +111,15 @@ static void spatch_isophote(row *r)
 }
 
 /* The largest distance of two control points, or more. */
-static long double reach_of(const patch *x, unsigned count)
+static long double reach_of(const loft_vec p[], unsigned count)
 {
     long double sum = 0;
 
     for (int axis = 0; axis < 3; axis++) {
-        long double low = exact_of(x->p[0].axis[axis]), high = low;
+        long double low = exact_of(p[0].axis[axis]), high = low;
         for (unsigned k = 1; k < count; k++) {
-            low  = fminl(low, exact_of(x->p[k].axis[axis]));
-            high = fmaxl(high, exact_of(x->p[k].axis[axis]));
+            low  = fminl(low, exact_of(p[k].axis[axis]));
+            high = fmaxl(high, exact_of(p[k].axis[axis]));
         }
         sum += (high - low) * (high - low);
     }
@@ -146,7 +147,7 @@ static void spatch_triangle(row *r)
     }
     const loft_bary u = { loft_unit_from(share.axis[0]), loft_unit_from(share.axis[1]) };
     const loft_vec at = loft_triangle_rational_eval(&t, u);
-    const long double reach = reach_of(&x, loft_multiindex_count(x.s.sides, x.s.depth));
+    const long double reach = reach_of(x.p, loft_multiindex_count(x.s.sides, x.s.depth));
     long double least = 256;
     for (unsigned k = 0; k < LOFT_TRIANGLE_POINTS(degree); k++)
         least = fminl(least, exact_of(p[k].w));
@@ -159,6 +160,77 @@ static void spatch_triangle(row *r)
         row_within(r, "P", fabsl(exact_of(at.axis[axis]) - row_next(&text)) * 65536, error * 65536);
 }
 
+static bool read_toric(row *r, loft_lattice_polygon *l, loft_toric *t)
+{
+    static loft_vec p[POINTS];
+    static loft_real c[POINTS], w[POINTS];
+    const unsigned sides = row_count(r, "sides", LOFT_SIDES_MAX);
+    loft_vec v[LOFT_SIDES_MAX];
+    loft_whole at[LOFT_SIDES_MAX];
+
+    row_points(r, "v_q16", sides, 2, v);
+    for (unsigned k = 0; k < sides; k++)
+        for (int i = 0; i < 2; i++)
+            at[k].at[i] = (int8_t)exact_of(v[k].axis[i]);
+    if (loft_lattice_polygon_init(l, at, sides) != LOFT_OK) {
+        row_complain(r, "the polygon was refused");
+        return false;
+    }
+    const unsigned count = loft_lattice_polygon_count(l);
+    row_points(r, "net_q16", count, 3, p);
+    row_reals(r, "c_q16", count, c);
+    row_reals(r, "w_q16", count, w);
+    if (!r->complaint[0] && loft_toric_init(t, l, p, c, w) != LOFT_OK)
+        row_complain(r, "the patch was refused");
+    return !r->complaint[0];
+}
+
+/* u of s: the nearest parameter. */
+static loft_unit balanced(long double s, loft_sci balance)
+{
+    loft_acc wide = 0;
+
+    if (!loft_sci_to_acc(balance, &wide))
+        return 0;
+    const long double a = exact_acc(wide);
+    return LOFT_UNIT((double)(a * s / (1 - s + a * s)));
+}
+
+static void toric_tensor(row *r)
+{
+    static loft_weighted p[LOFT_TORIC_TENSOR_MAX];
+    loft_lattice_polygon l;
+    loft_tensor_rational s;
+    loft_toric t;
+
+    if (!read_toric(r, &l, &t) || !as_given(r))
+        return;
+    const unsigned vertex = row_count(r, "vertex", l.sides - 1u);
+    if (loft_toric_tensor(&t, vertex, p, &s) != LOFT_OK) {
+        row_complain(r, "the quarter was refused");
+        return;
+    }
+    const loft_unit u = balanced(number(r, "s"),
+                                 loft_toric_balance(&t, (vertex + l.sides - 1) % l.sides)),
+                    v = balanced(number(r, "t"), loft_toric_balance(&t, vertex));
+    const loft_vec at = loft_tensor_rational_eval(&s, u, v);
+    long double least = 256;
+    for (unsigned k = 0; k < (s.m + 1u) * (s.n + 1u); k++)
+        least = fminl(least, exact_of(p[k].w));
+    /* polygon/toric_tensor.h, surface/tensor/tensor_rational.h, and the rounding of u and v */
+    const unsigned count    = loft_lattice_polygon_count(&l);
+    const long double reach = reach_of(t.p, count), slope = number(r, "slope");
+    const long double error[3] = {
+        1.01L * LSB + reach * 0x1p-17L / least + slope * 0x1p-24L,
+        (r->largest + reach) * 0x1p-22L + slope * 0x1p-24L,
+        (count + 6u * (s.m + s.n) + 5) * r->largest * 0x1p-52L + (reach + slope) * 0x1p-50L,
+    };
+    const char *text = row_text(r, "P");
+    for (int axis = 0; axis < 3; axis++)
+        row_within(r, "P", fabsl(exact_of(at.axis[axis]) - row_next(&text)) * 65536,
+                   error[BY_NUM(0, 1, 2)] * 65536);
+}
+
 const vector_system vectors_sides[] = {
     { "spatch_curvature", "sides,depth,v_q16,net_q16,at_q16,N,gauss,mean,A,B,rise1,rise2",
       spatch_curvature, "that of the derivatives in polygon/spatch.h, twice" },
@@ -166,5 +238,7 @@ const vector_system vectors_sides[] = {
       spatch_isophote, "count exact, uv 2 LSB over the slope + 2^-23" },
     { "spatch_triangle", "sides,depth,v_q16,net_q16,edge,share_q16,P", spatch_triangle,
       "q16: 1.001 LSB + E 2^-17 / v" },
+    { "toric_tensor", "sides,v_q16,net_q16,c_q16,w_q16,vertex,s,t,P,slope", toric_tensor,
+      "q16: 1.01 LSB + E 2^-17 / v + slope 2^-24" },
     { 0 }
 };

@@ -3,6 +3,9 @@
 """usage: python3 tests/vectors/own/curves.py FOLDER    writes the CSV files, the same each time"""
 import random
 import sys
+from math import comb
+
+from sympy import Poly, Symbol
 
 from exact import (F, add, bernstein_of, casteljau, cross, deriv, digits, dot, grid, mul, numbers,
                    points, power_of, raw, root, roots, sub, trim, value, write)
@@ -385,6 +388,71 @@ def boxes():
     return rows
 
 
+# Signs
+
+def sign_of(b):
+    """Not below 0 on 0..1, above 0 there, the number of different roots (-1: 0 everywhere)."""
+    n, x = len(b) - 1, Symbol('x')
+    p = Poly([b[n - k] * comb(n, k) for k in range(n + 1)], x, domain='ZZ')  # x = t / (1 - t)
+    if p.is_zero:
+        return 1, 0, -1
+    low = min(k for (k,) in p.monoms())
+    ends = int(low > 0) + int(p.degree() < n)
+    p = Poly(p.all_coeffs()[:p.degree() - low + 1], x, domain='ZZ')     # its ends are not 0
+    inside = [(len(f.intervals(inf=0)), k) for f, k in p.sqf_list()[1]]
+    changes = any(count > 0 and k % 2 for count, k in inside)
+    found = sum(count for count, _ in inside) + ends
+    nonnegative = not changes and int(p.LC()) > 0
+    return int(nonnegative), int(nonnegative and not found), found
+
+
+def touching(n, i, p, q):
+    """t^i (1 - t)^(n - 2 - i) (p t - q (1 - t))^2, whole coefficients."""
+    b = [0] * (n + 1)
+    b[i] = q * q * (n - i) * (n - i - 1)
+    b[i + 1] = -2 * p * q * (i + 1) * (n - i - 1)
+    b[i + 2] = p * p * (i + 1) * (i + 2)
+    return b
+
+
+def squared(r):
+    """n (n - 1) (2 t - 1)^2 times the polynomial of degree n - 2, whole coefficients."""
+    n, r = len(r) + 1, [0, 0] + r + [0, 0]
+    return [(n - k) * (n - k - 1) * r[k + 2] - 2 * k * (n - k) * r[k + 1] + k * (k - 1) * r[k]
+            for k in range(n + 1)]
+
+
+def high_signs():
+    nets, own = [], random.Random(1973)
+    for n in (10, 11, 14, 17, 20, 25, 32):
+        i = own.randint(0, n - 2)
+        once = touching(n, i, own.randint(1, 90), own.randint(1, 90))
+        for off in (-1, 0, 1):
+            nets.append([x + (off if k == i + 1 else 0) for k, x in enumerate(once)])
+        nets.append([own.randint(-40000, 40000) for _ in range(n + 1)])
+        nets.append([own.randint(-1, 9) * 65536 for _ in range(n + 1)])
+    for n, p, q in ((10, 9, 14), (12, 22, 21), (16, 117, 55), (20, 286, 323), (32, 17595, 17081)):
+        for off in (-1, 0, 1):
+            nets.append([q * q + off] + [0] * (n // 2 - 1) + [-1] + [0] * (n // 2 - 1) + [p * p])
+    nets.append([0] * 33)
+    for n in (33, 48, 64):
+        nets.append([own.randint(-40000, 40000) for _ in range(n + 1)])
+        nets.append(squared([own.randint(-200, 900) for _ in range(n - 1)]))
+    for n in (64, 100, 128):
+        i = own.randint(0, n - 2)
+        for off in (-1, 0, 1):
+            once = touching(n, i, 3, 4)
+            nets.append([x + (off if k == i + 1 else 0) for k, x in enumerate(once)])
+    for last in (-1, 0, 1):
+        nets.append([65536] + [0] * 31 + [-1] + [0] * 31 + [last])
+    nets.append([0] * 129)
+    rows = []
+    for b in nets:
+        second = [x - 2 * y + z for x, y, z in zip(b, b[1:], b[2:])]
+        rows.append([len(b) - 1, numbers(b, str), *sign_of(b), sign_of(second)[0]])
+    return rows
+
+
 if __name__ == '__main__':
     to = sys.argv[1]
     write(to, 'bezier_flat', 'plane Bezier curve of degree n with weights w or - : all t in [0 1] '
@@ -412,3 +480,7 @@ if __name__ == '__main__':
           'p,n,U_q16,P_q16,w_q16,u_q16,status,kappa,tau,T,N,B', nurbs_frames())
     write(to, 'rational_loops', 'as curve_loops with weights', 'n,P_q16,w_q16,count,st',
           loops(True))
+    write(to, 'positivity_high', 'Bernstein coefficients b_0..b_n  degree 10..128: nonneg on '
+          '[0 1]  positive on [0 1]  roots = number of distinct roots in [0 1] (-1: identically '
+          'zero)  '
+          'convex on [0 1]; exact', 'n,b_q16,nonneg,positive,roots,convex', high_signs())

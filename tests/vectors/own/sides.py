@@ -1,5 +1,5 @@
 # tests/vectors/own/sides.py -- rows of patches with n sides: normals and curvatures, isophotes,
-# triangles of them
+# triangles of them; toric patches as tensor products
 # SPDX-License-Identifier: MIT
 """usage: python3 tests/vectors/own/sides.py FOLDER     writes the CSV files, the same each time"""
 import math
@@ -305,6 +305,86 @@ def triangles():
     return rows
 
 
+# Toric patches as tensor products
+
+LATTICES = [[(0, 0), (4, 0), (0, 4)], [(0, 0), (3, 0), (3, 2), (0, 2)],
+            [(0, 0), (2, 0), (2, 1), (1, 2), (0, 2)],
+            [(0, 0), (1, 0), (2, 1), (2, 2), (1, 2), (0, 1)],
+            [(0, 0), (2, 0), (3, 1), (3, 2), (2, 3), (0, 3)],
+            [(1, 0), (2, 0), (3, 1), (3, 2), (2, 3), (1, 3), (0, 2), (0, 1)]]
+
+
+def edges(v):
+    """The shortest whole normal of each edge, inward, and its height at 0."""
+    out = []
+    for (a, b), (c, d) in zip(v, v[1:] + v[:1]):
+        size = math.gcd(c - a, d - b)
+        x, y = (b - d) // size, (c - a) // size
+        out.append((x, y, -(x * a + y * b)))
+    return out
+
+
+def heights(e, p):
+    return [x * p[0] + y * p[1] + o for x, y, o in e]
+
+
+def toric_net(e, span):
+    """By the definition of the patch: whole points, factors, points."""
+    lattice = [(x, y) for y in span for x in span if min(heights(e, (x, y))) >= 0]
+    c = [rnd.randint(1, 6) for _ in lattice]
+    w = [F(rnd.randint(16384, 4 * 65536), 65536) for _ in lattice]
+    return lattice, c, w, [[x * 4 + arb(1), y * 4 + arb(1), arb(5)] for x, y in lattice]
+
+
+def in_quarter(e, p, k):
+    """s and t at vertex k, whose angle has the determinant 1."""
+    h, (a, b, _), (c, d, _) = heights(e, p), e[k - 1], e[k]
+    assert a * d - b * c == 1
+    s = t = F(1)
+    for j, (x, y, _) in enumerate(e):
+        s *= h[j] ** (x * d - y * c)
+        t *= h[j] ** (a * y - b * x)
+    return s, t
+
+
+def weighted_mean(weight, net):
+    return [sum(w * q[i] for w, q in zip(weight, net)) / sum(weight) for i in range(3)]
+
+
+def torics():
+    rows = []
+    for k in range(36):
+        v = LATTICES[k % 6]
+        e = edges(v)
+        lattice, c, w, net = toric_net(e, range(6))
+        share = [rnd.randint(1, 9) ** 2 for _ in v]
+        p = [F((sum(s * q[i] for s, q in zip(share, v)) * 65536 / F(sum(share))).__floor__(),
+               65536) for i in (0, 1)]
+        vertex, (s, t) = [(i, st) for i in range(len(v)) for st in [in_quarter(e, p, i)]
+                          if max(st) <= 1][0]
+        factor = [a * b for a, b in zip(c, w)]
+        local = [(heights(e, l)[vertex - 1], heights(e, l)[vertex]) for l in lattice]
+        weight = []
+        for f, l in zip(factor, lattice):
+            for h, power in zip(heights(e, p), heights(e, l)):
+                f *= h ** power
+            weight.append(f)
+        point = weighted_mean(weight, net)
+            steep = [0.0] * 3
+        for i, x in ((0, s), (1, t)):
+            degree = max(l[i] for l in local)
+            on = sum(f for f, l in zip(factor, local) if l[i] == 0)
+            a = float(sum(factor) / on) ** (1 / degree)
+            u = a * float(x) / (1 - float(x) + a * float(x))
+            for axis in range(3):
+                by = sum(f * l[i] * (q[axis] - point[axis]) for f, l, q in zip(weight, local, net))
+                steep[axis] += abs(float(by / x / sum(weight))) * a / (u + a * (1 - u)) ** 2
+        rows.append([len(v), points([[F(x) for x in q] for q in v], raw), points(net, raw),
+                     numbers([F(x) for x in c], raw), numbers(w, raw), vertex, digits(s), digits(t),
+                     numbers(point, digits), digits(F(max(steep)))])
+    return rows
+
+
 if __name__ == '__main__':
     to = sys.argv[1]
     write(to, 'spatch_curvature', 'S-patch over the polygon v with Wachspress coordinates: unit '
@@ -319,3 +399,8 @@ if __name__ == '__main__':
     write(to, 'spatch_triangle', 'S-patch over the polygon v with Wachspress coordinates: its '
           'point at these shares of the vertices edge and edge + 1  the rest is of the mean of all',
           'sides,depth,v_q16,net_q16,edge,share_q16,P', triangles())
+    write(to, 'toric_tensor', 'toric patch over the lattice polygon v with coefficients c and '
+          'weights w: its point at a point of the polygon  by the definition; s t = that point in '
+          'the quarter of this vertex: prod h_j^normal_j = s^normal_(vertex - 1) t^normal_vertex; '
+          'slope = the largest |dP/du| + |dP/dv| of its tensor product there',
+          'sides,v_q16,net_q16,c_q16,w_q16,vertex,s,t,P,slope', torics())

@@ -3,6 +3,7 @@
 """usage: python3 tests/vectors/own/surfaces.py FOLDER  writes the CSV files, the same each time"""
 import random
 import sys
+from math import comb, prod
 
 import mpmath
 
@@ -262,70 +263,72 @@ def fits():
 
 # Areas
 
+def real(x):
+    return mpmath.mpf(x.numerator) / x.denominator
+
+
+def area_and_cone(s, apex, nodes):
+    """Area, volume of the cone from a point, and its moments about it, of a net with weights or
+    without."""
+    h = Sheet(s.kind, s.m, s.n, s.net, s.w)
+    slopes = [] if s.kind == 'triangle' else [h.slope(0), h.slope(1)]
+    for part in [h] + slopes:
+        part.high = [[real(F(x)) for x in p] for p in part.high]
+    area = volume = mpmath.mpf(0)
+    moment = [area] * 3
+    for x, wx in nodes:
+        for y, wy in nodes:
+            u, v, part = real(x), real(y), wx * wy
+            if s.kind == 'triangle':
+                v, part = v * (1 - u), part * (1 - u)
+                here, rest = (1 - u - v, u, v), s.m - 1
+                p, a, b = [h.blossom(z) for z in ([here] * s.m, [(-1, 1, 0)] + [here] * rest,
+                                                  [(-1, 0, 1)] + [here] * rest)]
+                a, b = [[s.m * z for z in q] for q in (a, b)]
+            else:
+                p, a, b = [halve(z.controls(0, u), v) for z in [h] + slopes]
+            at = [z / p[3] for z in p[:3]]
+            a, b = [[(z - q[3] * w) / p[3] for z, w in zip(q, at)] for q in (a, b)]
+            normal = cross(a, b)
+            area += part * mpmath.sqrt(sum(z * z for z in normal))
+            away = [z - real(w) for z, w in zip(at, apex)]
+            det = part * sum(z * q for z, q in zip(away, normal))
+            volume += det / 3
+            moment = [sum_ + det * z / 4 for sum_, z in zip(moment, away)]
+    return area, volume, moment
+
+
 def areas():
     mpmath.mp.dps = 30
     rows = []
-    nodes = [(x, w) for x, w in gauss(40)]
+    nodes = list(gauss(40))
 
-    def area(s):
-        net = [s.slope(0), s.slope(1)]
-        sum_ = mpmath.mpf(0)
-        for x, wx in nodes:
-            lines = [[[mpmath.mpf(c.numerator) / c.denominator for c in p]
-                      for p in part.line(0, x)[:3]] for part in net]
-            for y, wy in nodes:
-                t = mpmath.mpf(y.numerator) / y.denominator
-                a, b = [[mpmath.polyval(p[::-1], t) if p else mpmath.mpf(0) for p in line]
-                        for line in lines]
-                sum_ += wx * wy * mpmath.sqrt(sum(z * z for z in cross(a, b)))
-        return sum_
+    def take(s):
+        area = area_and_cone(s, [F(0)] * 3, nodes)[0]
+        rows.append([s.m, s.n, points(s.net, raw), mpmath.nstr(area, 14)])
 
     for m, n in ((1, 1), (2, 1), (2, 2), (3, 3)):
         for k in range(2):
-            s = arb_sheet(m, n) if k == 0 else arb_graph(m, n, 1)
-            rows.append([m, n, points(s.net, raw), mpmath.nstr(area(s), 14)])
-    flat = Sheet('tensor', 2, 2, [[F(4 * i * (1 + j)), F(3 * j), F(2 * j)] for i in range(3)
-                                  for j in range(3)])
-    rows.append([2, 2, points(flat.net, raw), mpmath.nstr(area(flat), 14)])
+            take(arb_sheet(m, n) if k == 0 else arb_graph(m, n, 1))
+    take(Sheet('tensor', 2, 2, [[F(4 * i * (1 + j)), F(3 * j), F(2 * j)] for i in range(3)
+                                for j in range(3)]))
     return rows
 
 
 def cones():
-    """Area and cone volume of nets with weights or without, by two Gauss rules that agree."""
+    """By two Gauss rules that agree."""
     rows = []
     fine, coarse = list(gauss(44)), list(gauss(36))
-    real = lambda x: mpmath.mpf(x.numerator) / x.denominator
-
-    def both(s, apex, nodes):
-        h = Sheet(s.kind, s.m, s.n, s.net, s.w)
-        slopes = [] if s.kind == 'triangle' else [h.slope(0), h.slope(1)]
-        for part in [h] + slopes:
-            part.high = [[real(F(x)) for x in p] for p in part.high]
-        area = volume = mpmath.mpf(0)
-        for x, wx in nodes:
-            for y, wy in nodes:
-                u, v, part = real(x), real(y), wx * wy
-                if s.kind == 'triangle':
-                    v, part = v * (1 - u), part * (1 - u)
-                    here, rest = (1 - u - v, u, v), s.m - 1
-                    p, a, b = [h.blossom(z) for z in ([here] * s.m, [(-1, 1, 0)] + [here] * rest,
-                                                      [(-1, 0, 1)] + [here] * rest)]
-                    a, b = [[s.m * z for z in q] for q in (a, b)]
-                else:
-                    p, a, b = [halve(z.controls(0, u), v) for z in [h] + slopes]
-                at = [z / p[3] for z in p[:3]]
-                a, b = [[(z - q[3] * w) / p[3] for z, w in zip(q, at)] for q in (a, b)]
-                normal = cross(a, b)
-                area += part * mpmath.sqrt(sum(z * z for z in normal))
-                volume += part * sum((z - real(w)) * q for z, w, q in zip(at, apex, normal)) / 3
-        return area, volume
 
     def take(s):
         apex = [arb() for _ in range(3)]
-        (a, v), (b, w) = both(s, apex, fine), both(s, apex, coarse)
+        a, v, p = area_and_cone(s, apex, fine)
+        b, w, q = area_and_cone(s, apex, coarse)
         assert abs(a - b) < 1e-9 and abs(v - w) < 1e-9
+        assert all(abs(x - y) < 1e-8 for x, y in zip(p, q))
         rows.append(sheet_columns(s) + [points([apex], raw), mpmath.nstr(a, 14),
-                                        mpmath.nstr(v, 14)])
+                                        mpmath.nstr(v, 14),
+                                        numbers(p, lambda x: mpmath.nstr(x, 14))])
 
     for s in (sphere(F(5), F(1)), cylinder(F(3), F(-2), F(4), F(1)), torus(F(6), F(2), F(1))):
         take(s)
@@ -351,6 +354,40 @@ def gauss(n):
         yield F(int(mpmath.floor((x + 1) / 2 * 2 ** 120)), 1 << 120), 1 / ((1 - x * x) * slope ** 2)
 
 
+# Higher degrees
+
+def raises():
+    """Nets of degrees from 19 to 32, by sums of products of binomials."""
+    rows = []
+
+    def one_way(line, to):
+        n = len(line) - 1
+        share = lambda i, k: F(comb(n, i) * comb(to - n, k - i), comb(to, k))
+        return [[sum(share(i, k) * line[i][a] for i in range(max(0, k - to + n), min(n, k) + 1))
+                 for a in range(3)] for k in range(to + 1)]
+
+    def triangle(net, n, to):
+        order = lambda d: [(d - r, r - k, k) for r in range(d + 1) for k in range(r + 1)]
+        share = lambda at, b: F(prod(comb(x, y) for x, y in zip(at, b)), comb(to, n))
+        return [[sum(share(at, b) * p[a] for b, p in zip(order(n), net)) for a in range(3)]
+                for at in order(to)]
+
+    for n, to in ((1, 19), (2, 24), (3, 32), (5, 20), (7, 25), (9, 19), (9, 28)):
+        s = arb_triangle(n)
+        rows.append(sheet_columns(s) + ['-', to - n, points(triangle(s.net, n, to), digits)])
+    for k, (m, n, to) in enumerate(((1, 2, 32), (3, 3, 19), (4, 2, 30), (6, 1, 26), (9, 3, 32),
+                                    (2, 9, 24))):
+        s = arb_sheet(m, n)
+        lines = [s.net[i * (n + 1):(i + 1) * (n + 1)] for i in range(m + 1)]
+        if k % 2 == 0:
+            high = list(zip(*[one_way(line, to) for line in zip(*lines)]))
+        else:
+            high = [one_way(line, to) for line in lines]
+        rows.append(sheet_columns(s) + ['uv'[k % 2], to - (n if k % 2 else m),
+                                        points([p for line in high for p in line], digits)])
+    return rows
+
+
 if __name__ == '__main__':
     to = sys.argv[1]
     sheet = lambda a: f'kind{a},m{a},n{a},net{a}_q16,w{a}_q16'
@@ -373,5 +410,7 @@ if __name__ == '__main__':
           'inverse of both ways', 'p,q,m,n,U_q16,V_q16,r,c,u_q16,v_q16,P_q16,gain,Q', fits())
     write(to, 'net_area', 'area of a tensor patch  14 digits', 'm,n,net_q16,area', areas())
     write(to, 'net_cone', 'area of a surface  and the volume of the cone over it from a point '
-          '(positive where Pu x Pv points away)  14 digits', sheet('A') + ',apex_q16,area,volume',
-          cones())
+          '(positive where Pu x Pv points away)  and the first moments of the cone about that '
+          'point  14 digits', sheet('A') + ',apex_q16,area,volume,moment', cones())
+    write(to, 'net_high', 'surface without weights: its net with the degree along u or v  or that '
+          'of a triangle  higher by times: 19 to 32', sheet('A') + ',along,times,Q', raises())
