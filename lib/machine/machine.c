@@ -185,32 +185,30 @@ static void note_end(loft_machine *m, uint16_t why)
 }
 
 /* A guard that came true was noted before the drive could stop. */
-static loft_snapshot snapshot_of(loft_machine *m)
+static void take_snapshot(loft_machine *m, loft_snapshot *now)
 {
     const loft_drive_report r = loft_drive_poll(&m->drive);
-    loft_snapshot now;
 
     if (m->told) {
         m->told = 0;
         note_end(m, m->guarded);
     }
-    now.executed = r.executed;
-    now.ticks = r.ticks;
-    now.elapsed = r.elapsed;
-    now.slowed = r.slowed;
+    now->executed = r.executed;
+    now->ticks = r.ticks;
+    now->elapsed = r.elapsed;
+    now->slowed = r.slowed;
     for (int i = 0; i < LOFT_AXES; i++)
-        now.position[i] = r.position[i];
-    now.room = r.room;
-    now.state = r.state;
-    now.override = m->drive.percent;
-    now.starved = r.starved;
-    now.lost = m->lost != 0;
-    now.closed = m->closed;
-    now.ended_by = m->ended_by;
-    now.latched = loft_latch_place(&m->latch);
+        now->position[i] = r.position[i];
+    now->room = r.room;
+    now->state = r.state;
+    now->override = m->drive.percent;
+    now->starved = r.starved;
+    now->lost = m->lost != 0;
+    now->closed = m->closed;
+    now->ended_by = m->ended_by;
+    now->latched = loft_latch_place(&m->latch);
     if (job_has_curves(m))
-        count_curves(m, &now);
-    return now;
+        count_curves(m, now);
 }
 
 /* The closed inputs that end a job which moves away from the inputs `away`, with this guard. */
@@ -432,10 +430,11 @@ static void act_on_event(loft_machine *m, enum loft_event event, const loft_even
  * short span on 8 bits. */
 static APART void act_on_frame(loft_machine *m)
 {
-    const loft_snapshot now = snapshot_of(m);
+    loft_snapshot now;
     loft_event_data what;
     enum loft_event event;
 
+    take_snapshot(m, &now);
     do {
         loft_drive_prepare(&m->drive);
         event = loft_receiver_next(&m->receiver, &now, &what);
@@ -458,6 +457,8 @@ size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX])
     loft_drive_prepare(&m->drive);
     if (m->set.session)
         return answer_set(m, wire);
-    const loft_snapshot now = snapshot_of(m);
+
+    loft_snapshot now;
+    take_snapshot(m, &now);
     return loft_receiver_poll(&m->receiver, &now, wire);
 }
