@@ -9,10 +9,9 @@
  *
  * q16: a secant errs by 2^-33, a mean by as much again. On the circle m becomes 3 D m / l, l the
  * length of (m, n) with 59 bits: D adds 3 * 2^-33, the quotient 2^-33, the length, below 2^23,
- * 2^-36. A slope that is drawn back
- * twice has erred by less than 2^-30. The arm of the cubic is a third of the slope times h, so it
- * errs by h 2^-30 / 3 + 2^-33, and two of them with weights of at most 3/4 in all make less than
- * h 2^-31, which is h 2^-15 LSB.
+ * 2^-36. A slope that is drawn back twice has erred by less than 2^-30. The arm of the cubic is
+ * a third of the slope times h, so it errs by h 2^-30 / 3 + 2^-33, and two of them with weights
+ * of at most 3/4 in all make less than h 2^-31, which is h 2^-15 LSB.
  */
 #include "curve/monotone.h"
 #include "num/muldiv.h"         /* loft_acc_muldiv, loft_acc_length */

@@ -106,9 +106,8 @@ static loft_real tip_of_cusp(const loft_real left[2])
         loft_acc_ratio(loft_to_acc(left[0]) + loft_to_acc(left[1]) + root + root, 4));
 }
 
-/* The cusp about the point that the ball touches between the lines. Less than
- * half of `most` may be told as up to that.
- * *more: the line beside which it may be higher, or -1. */
+/* The cusp about the point that the ball touches between the lines. Less than half of `most` may be
+ * told as up to that. *more: the line beside which it may be higher, or -1. */
 static loft_real cusp_between(section *s, int quarter, loft_real most, int *more)
 {
     loft_real left[2];

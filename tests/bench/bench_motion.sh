@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: MIT
 # usage: tests/bench/bench_motion.sh BUILD [CASES]
 # BUILD/<what>-<q16|f64> and BUILD/moves are built; CASES of the property run in each type (100000).
-# ROWS in the environment: some of the groups of rows alone, see `all` below.
+# ROWS in the environment: some of the groups of rows, of `all` below or time, jerk, same: these
+# compare plans for machines with random limits, and plans of q16 with those of f64.
 set -u
 build=$1 cases=${2:-100000}
 chains=400 cubics=2000 smooth=40
@@ -165,7 +166,7 @@ property_rows() {
 }
 
 printf '%-66s %10s %12s  %-6s %s\n' what "at most" measured "" "where"
-all="A B C D lines ahead icons stops chip limits deviation time jerk same outline cortex property"
+all="A B C D lines ahead icons stops chip limits deviation outline cortex property"
 for rows in ${ROWS:-$all}; do
     case $rows in limits|time|same|outline) lists ;; esac
     ${rows}_rows

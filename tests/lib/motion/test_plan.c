@@ -79,51 +79,43 @@ static void long_ramps_are_as_steep_as_short_ones(arb *a)
 
 #define LINES 20
 
-/* Ramps of 5 to 100 periods, and lines that are known as a whole or not: within 15 % and a period
- * of the exact S-curve, and within 3 % as a rule. */
+/* A line of `length`: its time less a period, over that of the exact S-curve. */
+static double over_s_curve(double length, double feed, double accel, double jerk, uint16_t ahead)
+{
+    const arrival how = { CURVES, ahead, NULL };
+    const double least = scurve_time(length, feed, accel, floor(jerk));
+    loft_period p;
+
+    even_limits(feed, accel, jerk);
+    loft_period_init(&p, &limits);
+    add_line(length, feed);
+    CHECK(plan_chain(&how) == PLANNED);
+    CHECK(spans_connect());
+    CHECK(seconds() >= least * 0.99);
+    return (seconds() - (double)p.ticks / p.tick_hz) / least;
+}
+
+/* Ramps of 5 to 100 periods, and lines that are known as a whole or not: within 15 %, and within
+ * 3 % as a rule. */
 static void lines_with_any_ramps_take_little_more(arb *a)
 {
     static double sum;
-    const arrival how = { CURVES, 176, NULL };
-    double accel = 0, length = 0, jerk = 0;
-    loft_period p;
+    const double accel = arb_decades(a, 100, 3000), length = arb_between(a, 50, 600),
+                 over = over_s_curve(length, 100, accel, accel * arb_between(a, 40, 50), 176);
 
-    *a = arb_start(1);                              /* seed k is the k-th line that it draws */
-    for (uint64_t k = 0; k < check_seed; k++) {
-        accel  = arb_decades(a, 100, 3000);
-        length = arb_between(a, 50, 600);
-        jerk   = accel * arb_between(a, 40, 50);
-    }
-    even_limits(100, accel, jerk);
-    loft_period_init(&p, &limits);
-    add_line(length, 100);
-    CHECK(plan_chain(&how) == PLANNED);
-    CHECK(spans_connect());
-    const double least = scurve_time(length, 100, accel, floor(jerk)),
-                 most = seconds() - (double)p.ticks / p.tick_hz;
-    CHECK(seconds() >= least * 0.99 && most <= 1.15 * least);
-    sum += most / least;
+    CHECK(over <= 1.15);
+    sum += over;
     if (!check_sampled() && check_seed == LINES)
         CHECK(sum <= LINES * 1.03);
 }
 
 /* Lines that end before the feed is reached, or soon after, with ramps of up to hundreds of
- * periods: within a fifth and a period of the exact S-curve. */
+ * periods: within a fifth. */
 static void lines_shorter_than_their_ramps_take_little_more(arb *a)
 {
-    const arrival how = { CURVES, 400, NULL };
-    const double accel = arb_decades(a, 50, 500), length = arb_between(a, 30, 150),
-                 jerk = accel * arb_between(a, 8, 80);
-    loft_period p;
+    const double accel = arb_decades(a, 50, 500), length = arb_between(a, 30, 150);
 
-    even_limits(200, accel, jerk);
-    loft_period_init(&p, &limits);
-    add_line(length, 200);
-    CHECK(plan_chain(&how) == PLANNED);
-    CHECK(spans_connect());
-    const double least = scurve_time(length, 200, accel, floor(jerk)),
-                 most = seconds() - (double)p.ticks / p.tick_hz;
-    CHECK(seconds() >= least * 0.99 && most <= 1.2 * least);
+    CHECK(over_s_curve(length, 200, accel, accel * arb_between(a, 8, 80), 400) <= 1.2);
 }
 
 static void outline(double feed)
