@@ -8,9 +8,11 @@
  *
  *     max over the corners of the distance from the tool + sqrt(3) gap
  *
- * is never less than what it leaves anywhere on the piece, and any place may be taken. Pieces are
- * divided until the bound is near to what is known to be left: by the tolerance, and for the path
- * by a SHARE of it.
+ * is never less than what it leaves anywhere on the piece, and any place may be taken. The piece
+ * with the largest bound is divided until that is near to what is known to be left. How near it
+ * comes decides the cost: a flat tool touches in a point, and its bounds shrink no faster than the
+ * pieces. Where a step was asked and no cusp, it comes as near as is worth while beside what is
+ * left.
  *
  * For the path the places are the nearest ones of its chords. For the hollows they are anywhere:
  * beside the piece along its normal, and from there downhill. How low the tool may be there the
@@ -24,15 +26,16 @@
 #include "engine/engine_left.h"
 
 #define SHARE   4               /* of the tolerance: how near bounds of the path come */
-#define DEEP    32              /* of what is left in hollows: bounds of these come so near */
+#define PLAIN   64              /* of what the path leaves, where a step was asked */
+#define DEEP    128             /* of what is left in hollows: bounds of these come so near */
 #define FINE    256             /* of a radius: steps of a search downhill end there */
-#define NEAR    32              /* and begin there, of a point */
-#define COARSE  4               /* or there, of a piece of that size */
+#define COARSE  4               /* and begin there */
 #define SMALL   8               /* of a radius: larger pieces are divided without a search */
 #define ROUNDS  24              /* of a search along a chord, where the tool is no ball */
 #define NARROW  0.7             /* of what is left, by a round */
 
 typedef struct {
+    const loft_sheet *sheet;
     double corner[4][3], middle[3];
     unsigned corners, level, i, j;
     bool upper;
@@ -45,15 +48,35 @@ typedef struct {
     double tip[3], left;
 } stand;
 
+/* Of the chords of the path those that may be the nearest to some point of a piece. */
 typedef struct {
-    const loft_drop *d;
+    size_t count, chord[];
+} shortlist;
+
+/* A piece that may be divided, and what is known of it. */
+typedef struct {
+    piece p;
+    shortlist *near;
+    bool is_there;              /* its first corner */
+    bool asked;                 /* for `best`, which is of the whole before */
+    double by_path;             /* the bound of what the path leaves */
+    stand best;                 /* where a tool leaves little, and the bound of it */
+} part;
+
+typedef struct {
+    loft_drop d;
     const mill_order *o;
     const mill_cut *path;
-    const loft_sheet *sheet;
+    double *half;               /* of the length of each chord */
+    loft_drop_spot spot;
     double reached;             /* no more counts as reached */
     double near[2];             /* bounds come so near: of the path, of any tool */
+    double share[2];            /* or so near, of what is left */
     double known[2];            /* what is left somewhere: by the path, by any tool */
-    double most[2];             /* the bounds, as they are until now */
+    double most[2];             /* the bounds of what is no longer looked at */
+    int by;                     /* what is looked for: 0, what the path leaves; 1, any tool */
+    part *heap;                 /* the largest bound is the first */
+    size_t count, room;
 } left;
 
 /* The distance of a point from the tool with a cylinder above it. */
@@ -112,38 +135,65 @@ static double bound_of(const left *l, const piece *p, const double tip[3])
 
 /* The path */
 
-/* Of these chords keep those that may be the nearest to some point of the piece. Returns the bound
- * of what they leave; *least: what they leave at its first corner. */
-static double bound_by_path(const left *l, const piece *p, const size_t *chord, size_t count,
-                            size_t *kept, size_t *keep, double *least)
+/* What the path leaves at a point, or some of it that is no more than enough. */
+static double left_at(const left *l, const shortlist *s, const double p[3], double enough)
 {
-    double *const at = tool_grow(NULL, (count + 1) * sizeof *at), nearest = INFINITY,
-                  bound = INFINITY;
+    double least = INFINITY;
 
-    for (size_t i = 0; i < count; i++) {
-        const double *const a = l->path->point[chord[i]];
-        const stand s = nearest_of(l, a, a + ENGINE_AXES, p->middle);
-        at[i]   = s.left;
-        nearest = fmin(nearest, s.left);
-        if (s.left < bound)
-            bound = fmin(bound, bound_of(l, p, s.tip));
+    for (size_t i = 0; i < s->count && least > enough; i++) {
+        const double *const a = l->path->point[s->chord[i]];
+        least = fmin(least, nearest_of(l, a, a + ENGINE_AXES, p).left);
     }
-    *keep = 0;
-    *least = INFINITY;
-    for (size_t i = 0; i < count; i++)
-        if (at[i] <= nearest + 2 * (p->size + p->gap)) {
-            const double *const a = l->path->point[chord[i]];
-            kept[(*keep)++] = chord[i];
-            *least = fmin(*least, nearest_of(l, a, a + ENGINE_AXES, p->corner[0]).left);
+    return least;
+}
+
+/* The distance of a point from the tool in the middle of a chord: half of its length nearer it may
+ * be elsewhere. */
+static double beside_middle(const left *l, size_t chord, const double p[3])
+{
+    double tip[3];
+
+    go_along(l->path->point[chord], l->path->point[chord + 1], 0.5, tip);
+    return beside(l, tip, p);
+}
+
+/* Of these chords keep those that may be the nearest to some point of the piece, and bound what
+ * they leave. */
+static void bound_by_path(const left *l, part *q, const shortlist *from)
+{
+    double *const at = tool_grow(NULL, (from->count + 1) * sizeof *at), nearest = INFINITY;
+    const double apart = 2 * (q->p.size + q->p.gap);
+
+    q->near = tool_grow(NULL, sizeof *q->near + from->count * sizeof *q->near->chord);
+    q->near->count = 0;
+    q->by_path = INFINITY;
+    for (size_t i = 0; i < from->count; i++) {
+        at[i] = beside_middle(l, from->chord[i], q->p.middle);
+        nearest = fmin(nearest, at[i]);
+        at[i] -= l->half[from->chord[i]];
+    }
+    for (size_t i = 0; i < from->count; i++) {
+        const bool is_long = l->half[from->chord[i]] > q->p.size;
+        if (at[i] <= nearest + (is_long ? apart : 0)) {
+            const double *const a = l->path->point[from->chord[i]];
+            const stand s = nearest_of(l, a, a + ENGINE_AXES, q->p.middle);
+            at[i]   = s.left;
+            nearest = fmin(nearest, s.left);
+            if (s.left < q->by_path)
+                q->by_path = fmin(q->by_path, bound_of(l, &q->p, s.tip));
         }
+    }
+    for (size_t i = 0; i < from->count; i++)
+        if (at[i] <= nearest + apart)
+            q->near->chord[q->near->count++] = from->chord[i];
+    q->near = tool_grow(q->near, sizeof *q->near + q->near->count * sizeof *q->near->chord);
     free(at);
-    return bound;
 }
 
 
 /* The tool anywhere */
 
-static stand stand_at(const left *l, const piece *p, double x, double y)
+static stand stand_at(left *l, const piece *p, double x, double y)
 {
     stand s = { { x, y, 0 }, INFINITY };
     loft_real at[2];
@@ -152,13 +202,14 @@ static stand stand_at(const left *l, const piece *p, double x, double y)
         return s;
     s.tip[0] = double_of(at[0]);
     s.tip[1] = double_of(at[1]);
-    s.tip[2] = double_of(loft_drop_height(l->d, at[0], at[1], NULL));
+    s.tip[2] = double_of(loft_drop_height(&l->d, at[0], at[1], &l->spot));
     s.left = bound_of(l, p, s.tip);
     return s;
 }
 
-/* Where it would touch the middle of the piece if nothing else were in its way. */
-static stand stand_beside(const left *l, const piece *p)
+/* Where it would touch a point of the piece if nothing else were in its way, and what it leaves
+ * of another one. */
+static stand stand_beside(left *l, const piece *p, const double at[3], const piece *of)
 {
     const unsigned last = p->corners - 1;
     double n[3], d[2][3], length = 0;
@@ -177,11 +228,11 @@ static stand stand_beside(const left *l, const piece *p)
         n[k] = length != 0 ? n[k] / length : 0;
     const double s = hypot(n[0], n[1]), flat = l->o->radius - l->o->corner,
                  on = l->o->corner + (s > 1e-3 ? flat / s : 0);
-    return stand_at(l, p, p->middle[0] + on * n[0], p->middle[1] + on * n[1]);
+    return stand_at(l, of, at[0] + on * n[0], at[1] + on * n[1]);
 }
 
 /* From a place on downhill, until little enough is left. */
-static void go_downhill(const left *l, const piece *p, double enough, stand *best)
+static void go_downhill(left *l, const piece *p, double enough, stand *best)
 {
     static const int way[8][2] = { { 1, 0 },  { 0, 1 },  { -1, 0 }, { 0, -1 },
                                    { 1, 1 }, { -1, 1 }, { -1, -1 }, { 1, -1 } };
@@ -197,30 +248,46 @@ static void go_downhill(const left *l, const piece *p, double enough, stand *bes
     }
 }
 
-/* The better one of two places, or from there on. */
-static stand bound_by_any(const left *l, const piece *p, const stand *before, double enough)
+/* A bound that need not be nearer. */
+static double enough_of(const left *l, int by)
 {
-    stand best = stand_beside(l, p);
+    return (by == 0 ? l->known[0] : fmax(l->known[1], l->reached)) +
+           fmax(l->near[by], l->known[by] * l->share[by]);
+}
 
-    if (best.left > enough && before->left < INFINITY) {
-        const stand s = stand_at(l, p, before->tip[0], before->tip[1]);
+/* Try for a better place than the one of the whole. */
+static void bound_by_any(left *l, part *q)
+{
+    const double enough = enough_of(l, 1);
+    stand best = stand_beside(l, &q->p, q->p.middle, &q->p);
+
+    if (best.left > enough && q->best.left < INFINITY) {
+        const stand s = stand_at(l, &q->p, q->best.tip[0], q->best.tip[1]);
         best = s.left < best.left ? s : best;
     }
-    if (p->size < l->o->radius / SMALL && beside(l, best.tip, p->middle) > enough)
-        go_downhill(l, p, enough, &best);
-    return best;
+    if (q->p.size < l->o->radius / SMALL && beside(l, best.tip, q->p.middle) > enough)
+        go_downhill(l, &q->p, enough, &best);
+    q->best = best.left < q->best.left ? best : q->best;
 }
 
 /* What any tool leaves at the first corner, as far as it is more than is known. */
-static void learn_corner(left *l, const piece *p, const stand *from, double by_path)
+static void learn_corner(left *l, const part *q)
 {
     piece corner = { .corners = 1 };
+    const double enough = fmax(l->known[1], l->reached);
 
-    if (!(fmin(by_path, beside(l, from->tip, p->corner[0])) > l->known[1] + l->near[1]))
+    if (!(fmin(q->by_path, beside(l, q->best.tip, q->p.corner[0])) > enough + l->near[1]))
         return;
-    memcpy(corner.corner[0], p->corner[0], sizeof corner.corner[0]);
-    stand best = stand_at(l, &corner, from->tip[0], from->tip[1]);
-    go_downhill(l, &corner, l->known[1], &best);
+    const double by_path = left_at(l, q->near, q->p.corner[0], enough);
+    if (!(by_path > enough))
+        return;
+    memcpy(corner.corner[0], q->p.corner[0], sizeof corner.corner[0]);
+    stand best = stand_beside(l, &q->p, corner.corner[0], &corner);
+    if (best.left > enough) {
+        const stand s = stand_at(l, &corner, q->best.tip[0], q->best.tip[1]);
+        best = s.left < best.left ? s : best;
+    }
+    go_downhill(l, &corner, enough, &best);
     l->known[1] = fmax(l->known[1], fmin(best.left, by_path));
 }
 
@@ -228,9 +295,9 @@ static void learn_corner(left *l, const piece *p, const stand *from, double by_p
 /* Pieces */
 
 /* The corners of a piece at i, j; false if the surface has no point there. */
-static bool fill_piece(const left *l, piece *p)
+static bool fill_piece(piece *p)
 {
-    const loft_sheet *const s = l->sheet;
+    const loft_sheet *const s = p->sheet;
     const uint32_t far = p->upper ? 1 : 0, n = (uint32_t)1 << p->level;
 
     p->corners = s->surface.over == LOFT_SURFACE_TRIANGLE ? 3 : 4;
@@ -258,9 +325,9 @@ static bool fill_piece(const left *l, piece *p)
 }
 
 /* Is its first corner one of the sheet, which may be trimmed? */
-static bool has_corner(const left *l, const piece *p)
+static bool has_corner(const piece *p)
 {
-    const loft_sheet *const s = l->sheet;
+    const loft_sheet *const s = p->sheet;
     const uint32_t far = p->upper ? 1 : 0, n = (uint32_t)1 << p->level;
     loft_vec v;
 
@@ -274,9 +341,9 @@ static bool has_corner(const left *l, const piece *p)
 }
 
 /* Is nothing of it left by the loops to which the sheet is trimmed? */
-static bool is_outside(const left *l, const piece *p)
+static bool is_outside(const piece *p)
 {
-    loft_box box = l->sheet->box;
+    loft_box box = p->sheet->box;
 
     for (int axis = 0; axis < ENGINE_AXES; axis++) {
         double low = INFINITY, high = -INFINITY;
@@ -287,16 +354,16 @@ static bool is_outside(const left *l, const piece *p)
         (void)real_of(low - p->gap, &box.min.axis[axis]);
         (void)real_of(high + p->gap, &box.max.axis[axis]);
     }
-    return l->sheet->trim != NULL &&
-           loft_sheet_part_of(l->sheet, &box, p->level, p->i, p->j) == LOFT_REGION_OUT;
+    return p->sheet->trim != NULL &&
+           loft_sheet_part_of(p->sheet, &box, p->level, p->i, p->j) == LOFT_REGION_OUT;
 }
 
 /* Quarter k of 4. Of a triangle the last one is turned round. */
-static piece quarter_of(const left *l, const piece *p, unsigned k)
+static piece quarter_of(const piece *p, unsigned k)
 {
-    piece q = { .level = p->level + 1, .i = 2 * p->i, .j = 2 * p->j };
+    piece q = { .sheet = p->sheet, .level = p->level + 1, .i = 2 * p->i, .j = 2 * p->j };
 
-    if (l->sheet->surface.over != LOFT_SURFACE_TRIANGLE) {
+    if (p->sheet->surface.over != LOFT_SURFACE_TRIANGLE) {
         q.i += k % 2;
         q.j += k / 2;
         return q;
@@ -307,75 +374,154 @@ static piece quarter_of(const left *l, const piece *p, unsigned k)
     return q;
 }
 
-/* A bound that need not be nearer. */
-static double enough_of(const left *l, int by)
+/* Parts, the largest bound first */
+
+static double bound_by(const part *q, int by)
 {
-    if (by == 0)
-        return l->known[0] + l->near[0];
-    return fmax(l->known[1], l->reached) + fmax(l->near[1], l->known[1] / DEEP);
+    return by == 0 ? q->by_path : fmin(q->by_path, q->best.left);
 }
 
-static void close_piece(left *l, double by_path, double by_any)
+static bool is_before(const left *l, const part *a, const part *b)
 {
-    l->most[0] = fmax(l->most[0], by_path);
-    l->most[1] = fmax(l->most[1], by_any);
+    return bound_by(a, l->by) > bound_by(b, l->by);
 }
 
-/* `before`: where a tool leaves the least on the piece that this one is a part of, and how much. */
-static void look_at(left *l, piece *p, const size_t *chord, size_t count, const stand *before)
+/* Put a part into the heap at k, or below it. */
+static void sink(left *l, size_t k, part q)
 {
-    size_t keep;
-    double least;
+    for (size_t next = 2 * k + 1; next < l->count; next = 2 * k + 1) {
+        next += next + 1 < l->count && is_before(l, &l->heap[next + 1], &l->heap[next]);
+        if (!is_before(l, &l->heap[next], &q))
+            break;
+        l->heap[k] = l->heap[next];
+        k = next;
+    }
+    l->heap[k] = q;
+}
 
-    if (!fill_piece(l, p)) {
-        close_piece(l, INFINITY, INFINITY);
+static void add(left *l, const part *q)
+{
+    size_t k = l->count++;
+
+    if (l->count > l->room) {
+        l->room = 2 * l->count;
+        l->heap = tool_grow(l->heap, l->room * sizeof *l->heap);
+    }
+    for (; k > 0 && is_before(l, q, &l->heap[(k - 1) / 2]); k = (k - 1) / 2)
+        l->heap[k] = l->heap[(k - 1) / 2];
+    l->heap[k] = *q;
+}
+
+/* Add a piece, if it need be looked at: against these chords. */
+static void add_piece(left *l, const piece *p, const stand *best, const shortlist *from)
+{
+    part q = { .p = *p, .best = *best, .by_path = INFINITY };
+
+    if (!fill_piece(&q.p)) {            /* nothing is known of it */
+        q.p.level = LOFT_DROP_LEVELS;
+        q.best.left = INFINITY;
+        add(l, &q);
         return;
     }
-    if (is_outside(l, p))
+    if (is_outside(&q.p))
         return;
-    size_t *const kept = tool_grow(NULL, (count + 1) * sizeof *kept);
-    const bool is_there = has_corner(l, p);
-    const double by_path = bound_by_path(l, p, chord, count, kept, &keep, &least);
-    stand best = *before;
-    if (is_there)
-        l->known[0] = fmax(l->known[0], least);
-    if (best.left > enough_of(l, 1) && by_path > enough_of(l, 1)) {
-        best = bound_by_any(l, p, before, enough_of(l, 1));
-        if (is_there)
-            learn_corner(l, p, &best, least);
+    q.is_there = has_corner(&q.p);
+    bound_by_path(l, &q, from);
+    if (q.is_there && q.by_path > l->known[0])
+        l->known[0] = fmax(l->known[0], left_at(l, q.near, q.p.corner[0], l->known[0]));
+    if (bound_by(&q, 0) > enough_of(l, 0) || bound_by(&q, 1) > enough_of(l, 1)) {
+        add(l, &q);
+        return;
     }
-    const double by_any = fmin(best.left, by_path);
-    if (p->level >= LOFT_DROP_LEVELS || (by_path <= enough_of(l, 0) && by_any <= enough_of(l, 1)))
-        close_piece(l, by_path, by_any);
-    else
-        for (unsigned k = 0; k < 4; k++) {
-            piece q = quarter_of(l, p, k);
-            look_at(l, &q, kept, keep, &best);
+    for (int by = 0; by < 2; by++)
+        l->most[by] = fmax(l->most[by], bound_by(&q, by));
+    free(q.near);
+}
+
+/* Divide what has the largest bound, until that is near enough. Returns the bound of all. */
+static double search(left *l)
+{
+    while (l->count > 0) {
+        part q = l->heap[0];
+        const double bound = bound_by(&q, l->by);
+        if (q.p.level >= LOFT_DROP_LEVELS || bound <= enough_of(l, l->by))
+            return fmax(l->most[l->by], bound);
+        if (l->by == 1 && !q.asked) {
+            bound_by_any(l, &q);
+            q.asked = true;
+            if (q.is_there)
+                learn_corner(l, &q);
+            sink(l, 0, q);
+            continue;
         }
-    free(kept);
+        const part last = l->heap[--l->count];
+        if (l->count > 0)
+            sink(l, 0, last);
+        for (unsigned k = 0; k < 4; k++) {
+            const piece quarter = quarter_of(&q.p, k);
+            add_piece(l, &quarter, &q.best, q.near);
+        }
+        free(q.near);
+    }
+    return l->most[l->by];
+}
+
+static void begin_search(left *l)
+{
+    const stand nowhere = { { 0 }, INFINITY };
+    const mill_cut *const path = l->path;
+    shortlist *const every = tool_grow(NULL, sizeof *every + path->count * sizeof *every->chord);
+
+    l->half = tool_grow(NULL, path->count * sizeof *l->half);
+    every->count = path->count - 1;
+    for (size_t k = 0; k < every->count; k++) {
+        const double *const a = path->point[k], *const b = path->point[k + 1];
+        every->chord[k] = k;
+        l->half[k] = hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]) / 2;
+    }
+    for (uint32_t k = 0; k < l->d.count; k++) {
+        const loft_sheet *const s = &l->d.sheet[k];
+        const piece p = { .sheet = s, .level = s->level, .i = s->i, .j = s->j, .upper = s->upper };
+        add_piece(l, &p, &nowhere, every);
+    }
+    free(every);
+}
+
+/* Where much may be left, what is little beside it need not be told, nor the tool be so low. */
+static void look_coarsely(left *l)
+{
+    const double little = l->known[0] * l->share[0];
+    loft_real tol;
+
+    l->near[1] = fmax(l->near[1], little);
+    l->reached = fmax(l->reached, 4 * little);
+    if (real_of(little / 4, &tol) && tol > l->d.tol)
+        l->d.tol = tol;
 }
 
 void ENGINE_OF(engine_left)(const loft_drop *d, const mill_order *o, const mill_cut *path,
                             mill_report *out)
 {
-    const stand nowhere = { { 0 }, INFINITY };
-    loft_drop deep = *d;
-    left l = { .d = &deep, .o = o, .path = path, .near = { o->tol / SHARE, o->tol } };
-    size_t *const every = tool_grow(NULL, (path->count + 1) * sizeof *every);
+    const bool plain = !(o->cusp > 0);
+    left l = { .d       = *d,
+               .o       = o,
+               .path    = path,
+               .near    = { o->tol / SHARE, o->tol },
+               .share   = { plain ? 1.0 / PLAIN : 0, 1.0 / DEEP },
+               .reached = o->cusp + o->tol };
 
-    deep.floor -= 2 * d->cutter.radius;
-    l.reached = o->cusp + o->tol;
-    for (size_t k = 0; k + 1 < path->count; k++)
-        every[k] = k;
-    for (uint32_t k = 0; k < d->count; k++) {
-        l.sheet = &d->sheet[k];
-        piece p = {
-            .level = l.sheet->level, .i = l.sheet->i, .j = l.sheet->j, .upper = l.sheet->upper
-        };
-        look_at(&l, &p, every, path->count > 0 ? path->count - 1 : 0, &nowhere);
-    }
-    free(every);
-    out->left = l.most[0];
-    out->hollow = l.most[1];
+    l.d.floor -= 2 * d->cutter.radius;
+    begin_search(&l);
+    out->left = search(&l);
+    if (plain)
+        look_coarsely(&l);
+    l.by = 1;
+    for (size_t k = l.count / 2; k-- > 0;)
+        sink(&l, k, l.heap[k]);
+    out->hollow = search(&l);
     out->reached = l.reached + l.near[1];
+    while (l.count > 0)
+        free(l.heap[--l.count].near);
+    free(l.heap);
+    free(l.half);
 }

@@ -59,7 +59,8 @@ typedef struct {
     size_t entries[MILL_ENTRIES];
     double ways;                /* length of what is between lines */
     double cusp;                /* the largest one, 0 if only a step was asked */
-    double left;                /* of material on the surfaces by the path, at most */
+    double left;                /* of material on the surfaces by the path, at most: within tol / 4
+                                 * if a cusp was asked, otherwise within 1/64 of it */
     double hollow, reached;     /* by a tool that may be anywhere, at most; if that is no more than
                                  * `reached` it was not looked at more closely */
     double top;                 /* of the surfaces' control points */

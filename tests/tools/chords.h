@@ -193,13 +193,43 @@ static double over_path(chords *c, const double p[3], double *left)
     return least;
 }
 
+/* The same of any cutter with a cylinder above it, at `t` of the way. */
+static double beside_at(const mill_order *o, const double *a, const double *b, double t,
+                        const double p[3])
+{
+    const double x = a[0] + t * (b[0] - a[0]) - p[0], y = a[1] + t * (b[1] - a[1]) - p[1],
+                 above = a[2] + t * (b[2] - a[2]) + o->corner - p[2],
+                 beyond = sqrt(x * x + y * y) - (o->radius - o->corner);
+
+    return hypot(fmax(0, above), fmax(0, beyond)) - o->corner;
+}
+
+/* The least of it, which is convex along the way. */
+static double beside_way(const mill_order *o, const double *a, const double *b, const double p[3])
+{
+    double low = 0, high = 1;
+
+    for (int n = 0; n < 40; n++) {
+        const double third = (high - low) / 3;
+        if (beside_at(o, a, b, low + third, p) < beside_at(o, a, b, high - third, p))
+            high -= third;
+        else
+            low += third;
+    }
+    return beside_at(o, a, b, (low + high) / 2, p);
+}
+
 /* What is left at a point by all of the path: on a wall the nearest chord is not the lowest one. */
 static double left_by_all(const chords *c, const double p[3])
 {
     double left = FREE;
 
-    for (size_t i = 0; i + 1 < c->path->count; i++)
-        left = fmin(left, beside_chord(c->o, c->path->point[i], c->path->point[i + 1], p));
+    for (size_t i = 0; i + 1 < c->path->count; i++) {
+        const double *const a = c->path->point[i], *const b = a + ENGINE_AXES;
+        const double half = hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]) / 2;
+        if (beside_at(c->o, a, b, 0.5, p) - half < left)
+            left = fmin(left, beside_way(c->o, a, b, p));
+    }
     return left;
 }
 
