@@ -166,6 +166,12 @@ static void cross_products_of_doubles_of_any_digits_are_exact_in_sign(arb *a)
     CHECK_EXACT(exact_sci(loft_sci_cross(o, p, o, q)) / e, -1, 0x1p-47L);
     if (r[0] < q[0])
         CHECK(loft_sci_sign(loft_sci_cross(o, p, o, r)) == 0);
+
+    /* the same with an e of many digits, from the size of x down */
+    const double f = ldexp(1 + 0x1p-48, -(int)arb_below(a, 45));
+    const loft_real g[2] = { f, 0 };
+    CHECK(loft_sci_sign(loft_sci_cross(g, p, g, q)) == -1);
+    CHECK_EXACT(exact_sci(loft_sci_cross(g, p, g, q)) / f, -1, 0x1p-50L);
 #else
     (void)a;
     const loft_real o[2] = { 0, 0 };
