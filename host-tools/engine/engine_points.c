@@ -26,15 +26,17 @@ struct engine_points {
     remembering *surface;
 };
 
-/* Neighbours are at different places, and so are the same parameters of different surfaces. */
+/* Neighbours are at different places, and so are the same parameters of different surfaces. In
+ * floats only the upper bits of parameters differ, so the upper bits of products count. */
 static size_t place_of(const void *surface, loft_unit u, loft_unit v)
 {
     uint64_t a = 0, b = 0;
 
     memcpy(&a, &u, sizeof u);
     memcpy(&b, &v, sizeof v);
-    const uint64_t mixed = (a * 3 + b * 0x9E3779B97F4A7C15u + (uint64_t)(uintptr_t)surface) *
-                           0xD6E8FEB86659FD93u;
+    uint64_t mixed = (a ^ (uint64_t)(uintptr_t)surface) * 0x9E3779B97F4A7C15u;
+    mixed = ((mixed ^ mixed >> 32) + b) * 0xD6E8FEB86659FD93u;
+    mixed = (mixed ^ mixed >> 32) * 0x9E3779B97F4A7C15u;
     return (size_t)(mixed >> 32) & (PLACES - 1);
 }
 
