@@ -9,6 +9,15 @@
  * The weights of corners are those of gb_differential.c. Only alpha and beta have no bounded
  * derivatives, at vertices. They are shares: in the smallest parts, where points alone are bounded,
  * 1/2 plus or minus 1/2.
+ *
+ * Such a part is near a vertex, and relative to its point all but a few weights are small. With
+ * t = 1 - a, and R and both quotients of e as there, the three largest weights leave
+ *
+ *     1 - (1 - t)^d - d t (1 - t)^(d-1) + d a^(d-1) (R - beta e / (a + c) - alpha e / (a + b))
+ *
+ * to all others, the middle point included. The first terms are the chance of two or more in d
+ * tries: at most d (d - 1) / 2 t^2. So the middle has a weight of at most that, plus the sizes of
+ * the rest and of all other weights: of second order, like these.
  */
 #include "polygon/patch_ball.h"
 
@@ -34,6 +43,8 @@ typedef struct {
     const loft_jet_ball *phi;
     side_balls side[LOFT_SIDES_MAX];
     bool point;
+    unsigned vertex;            /* of points alone: the nearest one */
+    loft_sci rest;              /* the most that is left to the point in the middle */
 } gb_balls;
 
 /* a / b, a share; of points alone 1/2 plus or minus 1/2 where b may be 0. */
@@ -74,10 +85,24 @@ static bool find_sides(gb_balls *b, const loft_domain *d, const loft_jet_ball ar
     return true;
 }
 
-static void add_of(loft_jet_ball_sum *sum, const loft_gb *g, unsigned side, unsigned j, unsigned k,
+static loft_sci size_of(const loft_jet_ball *b) { return loft_jet_ball_most(b).f; }
+
+static void add_weight(loft_jet_ball_sum *sum, gb_balls *b, const loft_vec *p,
+                       const loft_jet_ball *weight)
+{
+    loft_jet_ball_sum_add(sum, p, weight);
+    b->rest = loft_sci_add(b->rest, size_of(weight));
+}
+
+static const loft_vec *point_of(const gb_balls *b, unsigned side, unsigned j, unsigned k)
+{
+    return &b->g->p[loft_gb_place(b->g->sides, b->g->degree, side, j, k)];
+}
+
+static void add_of(loft_jet_ball_sum *sum, gb_balls *b, unsigned side, unsigned j, unsigned k,
                    const loft_jet_ball *weight)
 {
-    loft_jet_ball_sum_add(sum, &g->p[loft_gb_place(g->sides, g->degree, side, j, k)], weight);
+    add_weight(sum, b, point_of(b, side, j, k), weight);
 }
 
 /* times (b + share e). */
@@ -97,9 +122,8 @@ static loft_jet_ball cross_of(const loft_jet_ball *x, const loft_jet_ball *s,
 }
 
 /* The points next to vertex i, from the second one on; `power` is a^(d-2). */
-static void add_inner(loft_jet_ball_sum *sum, const gb_balls *b, unsigned i,
-                      const loft_jet_ball *power, const loft_jet_ball *beta,
-                      const loft_jet_ball *e_c)
+static void add_inner(loft_jet_ball_sum *sum, gb_balls *b, unsigned i, const loft_jet_ball *power,
+                      const loft_jet_ball *beta, const loft_jet_ball *e_c)
 {
     const unsigned n = b->g->sides;
     const side_balls *here = &b->side[i], *last = &b->side[before(i, n)];
@@ -110,18 +134,31 @@ static void add_inner(loft_jet_ball_sum *sum, const gb_balls *b, unsigned i,
                         y = mul3(&full, &here->s, &here->h), both = loft_jet_ball_add(&x, &y),
                         weight = loft_jet_ball_scale(&both, m2);
 
-    add_of(sum, b->g, i, 1, 1, &weight);
+    add_of(sum, b, i, 1, 1, &weight);
     if (!b->g->split)
         return;
     const loft_jet_ball turned = mul3(&full, beta, &last->before_s),
                         whole = loft_jet_ball_mul(&turned, &last->h),
                         share = loft_jet_ball_scale(&whole, m2),
                         less = loft_jet_ball_scale(&share, loft_sci_from_int(-1));
-    loft_jet_ball_sum_add(sum, &b->g->split[i], &share);
-    add_of(sum, b->g, i, 1, 1, &less);
+    add_weight(sum, b, &b->g->split[i], &share);
+    add_of(sum, b, i, 1, 1, &less);
 }
 
-static bool add_corner(loft_jet_ball_sum *sum, const gb_balls *b, unsigned i)
+/* What the three largest weights leave at most. */
+static loft_sci left_by_corner(const gb_balls *b, const loft_jet_ball *rest,
+                               const loft_jet_ball *e_c, const loft_jet_ball *e_b)
+{
+    const int32_t d = b->g->degree;
+    const loft_jet_ball all = sum_of_rest(b, b->vertex, 1);
+    const loft_sci t = size_of(&all),
+                   sizes = loft_sci_add(size_of(rest), loft_sci_add(size_of(e_c), size_of(e_b)));
+
+    return loft_sci_add(loft_sci_mul(loft_sci_from_int(d * (d - 1) / 2), loft_sci_mul(t, t)),
+                        loft_sci_mul(loft_sci_from_int(d), sizes));
+}
+
+static bool add_corner(loft_jet_ball_sum *sum, gb_balls *b, unsigned i)
 {
     const unsigned n = b->g->sides, d = b->g->degree;
     const side_balls *last = &b->side[before(i, n)], *here = &b->side[i];
@@ -136,14 +173,17 @@ static bool add_corner(loft_jet_ball_sum *sum, const gb_balls *b, unsigned i)
     if (!share_of(b, &last->h, &both, &alpha) || !share_of(b, &here->h, &both, &beta))
         return false;
     add_inner(sum, b, i, &power, &beta, &e_c);
+    const loft_sci others = b->rest;
     power = loft_jet_ball_mul(&power, a);
     weight = loft_jet_ball_mul(&power, a);
-    add_of(sum, b->g, i, 0, 0, &weight);
+    add_of(sum, b, i, 0, 0, &weight);
     power = loft_jet_ball_scale(&power, loft_sci_from_int((int32_t)d));
     weight = moved_by(&power, after, &beta, &e_c);
-    add_of(sum, b->g, i, 1, 0, &weight);
+    add_of(sum, b, i, 1, 0, &weight);
     weight = moved_by(&power, ahead, &alpha, &e_b);
-    add_of(sum, b->g, i, 0, 1, &weight);
+    add_of(sum, b, i, 0, 1, &weight);
+    if (i == b->vertex)
+        b->rest = loft_sci_add(others, left_by_corner(b, &rest, &e_c, &e_b));
     return true;
 }
 
@@ -165,7 +205,7 @@ static void find_bernstein(loft_jet_ball out[], unsigned degree, unsigned count,
 }
 
 /* All other points of ribbon i. */
-static void add_ribbon(loft_jet_ball_sum *sum, const gb_balls *b, unsigned i)
+static void add_ribbon(loft_jet_ball_sum *sum, gb_balls *b, unsigned i)
 {
     const unsigned d = b->g->degree, layers = (d + 1) / 2;
     const loft_sci half = loft_sci_from_real(LOFT_REAL(0.5));
@@ -179,25 +219,36 @@ static void add_ribbon(loft_jet_ball_sum *sum, const gb_balls *b, unsigned i)
             loft_jet_ball weight = loft_jet_ball_mul(&along[j], &across[k]);
             if (loft_gb_mu_of(d, j, k) == LOFT_GB_HALF)
                 weight = loft_jet_ball_scale(&weight, half);
-            add_of(sum, b->g, i, j, k, &weight);
+            add_of(sum, b, i, j, k, &weight);
         }
 }
 
 bool loft_gb_ball(const loft_gb *g, const loft_domain *d, const loft_jet_ball area[],
                   const loft_jet_ball phi[], bool point, loft_jet_ball_sum *out)
 {
+    const loft_vec *const middle = &g->p[loft_gb_count(g->sides, g->degree) - 1];
     gb_balls b;
 
     b.g = g;
     b.phi = phi;
     b.point = point;
+    b.vertex = 0;
+    b.rest = loft_sci_zero();
     if (!find_sides(&b, d, area))
         return false;
-    loft_jet_ball_sum_start(out, g->p[loft_gb_count(g->sides, g->degree) - 1]);
+    for (unsigned i = 1; i < g->sides; i++)
+        if (loft_sci_less(phi[b.vertex].mid.f, phi[i].mid.f))
+            b.vertex = i;
+    loft_jet_ball_sum_start(out, point ? *point_of(&b, b.vertex, 0, 0) : *middle);
     for (unsigned i = 0; i < g->sides; i++) {
         if (!add_corner(out, &b, i))
             return false;
         add_ribbon(out, &b, i);
+    }
+    if (point) {
+        loft_jet_ball weight = loft_jet_ball_of(loft_sci_zero());
+        weight.off.f = b.rest;
+        loft_jet_ball_sum_add(out, middle, &weight);
     }
     return true;
 }
