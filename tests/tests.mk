@@ -205,7 +205,7 @@ test-tools: $(patsubst %,build/test/tools/%,$(TOOL_TESTS)) $(CORPUS)
 	@{ for t in $(TOOL_TESTS); do echo "echo '-- $$t'; build/test/tools/$$t"; done; $(REPLAY); } | \
 	    bash tests/house/beside.sh
 
-## Paths of a mill against 10 million points of surfaces (minutes)
+## Paths of a mill against 10 million points of surfaces (4 minutes of processor time)
 .PHONY: sweep-mill
 sweep-mill: build/sweep/mill
 	@for s in gb bicubic octant pn; do echo "build/sweep/mill 10000000 $$s"; done | \

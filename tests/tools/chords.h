@@ -79,19 +79,37 @@ static double over_chord(const mill_order *o, double grown, const double *a, con
     return over_point(o, grown, a, b, low, p);
 }
 
-/* No place of the chord is lower over the point. */
-static double least_over(const mill_order *o, const double *a, const double *b, const double p[3])
+/* Where a chord is nearest to a point, seen from above. */
+static double nearest_place(const double *a, const double *b, const double p[3])
 {
     const double x = b[0] - a[0], y = b[1] - a[1], length2 = x * x + y * y,
-                 to = (p[0] - a[0]) * x + (p[1] - a[1]) * y,
-                 t = length2 > 0 ? fmax(0, fmin(1, to / length2)) : 0, dx = a[0] + t * x - p[0],
-                 dy = a[1] + t * y - p[1], d = sqrt(dx * dx + dy * dy), corner = o->corner,
-                 beyond = d - (o->radius - corner);
+                 to = (p[0] - a[0]) * x + (p[1] - a[1]) * y;
 
-    if (d > o->radius)
+    return length2 > 0 ? fmax(0, fmin(1, to / length2)) : 0;
+}
+
+/* No place of the chord is lower over the point. */
+static double least_over(const mill_order *o, double grown, const double *a, const double *b,
+                         const double p[3])
+{
+    const double t = nearest_place(a, b, p), dx = a[0] + t * (b[0] - a[0]) - p[0],
+                 dy = a[1] + t * (b[1] - a[1]) - p[1], d = sqrt(dx * dx + dy * dy),
+                 corner = o->corner, beyond = d - (o->radius + grown - corner);
+
+    if (d > o->radius + grown)
         return FREE;
     return fmin(a[2], b[2]) - p[2] +
            (beyond <= 0 ? 0 : corner - sqrt(fmax(0, corner * corner - beyond * beyond)));
+}
+
+/* One place of the chord is as low as this. */
+static double most_over(const mill_order *o, double grown, const double *a, const double *b,
+                        const double p[3])
+{
+    const double t = nearest_place(a, b, p), x = a[0] + t * (b[0] - a[0]) - p[0],
+                 y = a[1] + t * (b[1] - a[1]) - p[1], r = o->radius + grown;
+
+    return r > 0 && x * x + y * y <= r * r ? over_point(o, grown, a, b, t, p) : FREE;
 }
 
 /* Take from a list the chords that may be the lowest somewhere in the square. With its half
@@ -100,12 +118,19 @@ static double least_over(const mill_order *o, const double *a, const double *b, 
 static void sift_chords(const chords *c, squares *s, const size_t *chord, size_t count)
 {
     const double e = s->half * sqrt(2), middle[3] = { s->middle[0], s->middle[1], 0 };
-    double most = FREE, *const least = malloc((count + 1) * sizeof *least);
+    double rough = FREE, most = FREE, *const least = malloc((count + 1) * sizeof *least);
 
     s->chord = malloc((count + 1) * sizeof *s->chord);
     CHECK(least != NULL && s->chord != NULL);
     for (size_t i = 0; i < count; i++) {
+        const double *const a = c->path->point[chord[i]];
+        rough = fmin(rough, most_over(c->o, -e, a, a + ENGINE_AXES, middle));
+    }
+    for (size_t i = 0; i < count; i++) {        /* what is searched for takes long */
         const double *const a = c->path->point[chord[i]], *const b = a + ENGINE_AXES;
+        least[i] = FREE;
+        if (least_over(c->o, e, a, b, middle) > rough + 1e-6)
+            continue;
         least[i] = over_chord(c->o, e, a, b, middle);
         most     = fmin(most, over_chord(c->o, -e, a, b, middle));
     }
@@ -157,10 +182,24 @@ static squares *quarter_at(const chords *c, squares *s, const double p[3])
     return *q;
 }
 
-/* How far a point is beside a ball on its way. */
+/* How far a point is beside a ball, with the shaft above it, at a place of its way. */
+static double beside_place(const mill_order *o, const double *a, const double *b, double t,
+                           const double p[3])
+{
+    double off[3];
+
+    for (int k = 0; k < 3; k++)
+        off[k] = p[k] - a[k] - t * (b[k] - a[k]) - (k == 2 ? o->radius : 0);
+    const double across2 = off[0] * off[0] + off[1] * off[1];
+    return sqrt(across2 + (off[2] < 0 ? off[2] * off[2] : 0)) - o->radius;
+}
+
+/* The same of the whole way: of a convex tool it is convex. So it is the least at the foot of the
+ * point where that is below the ball's centre; at the nearest place seen from above where it is
+ * above that; otherwise between both, where the centre is as high as the point. */
 static double beside_chord(const mill_order *o, const double *a, const double *b, const double p[3])
 {
-    double way[3], off[3], length2 = 0, to = 0, rest2 = 0;
+    double way[3], off[3], length2 = 0, to = 0;
 
     for (int k = 0; k < 3; k++) {
         way[k] = b[k] - a[k];
@@ -168,10 +207,13 @@ static double beside_chord(const mill_order *o, const double *a, const double *b
         length2 += way[k] * way[k];
         to += way[k] * off[k];
     }
-    const double t = length2 > 0 ? fmax(0, fmin(1, to / length2)) : 0;
-    for (int k = 0; k < 3; k++)
-        rest2 += (off[k] - t * way[k]) * (off[k] - t * way[k]);
-    return sqrt(rest2) - o->radius;
+    double t = length2 > 0 ? fmax(0, fmin(1, to / length2)) : 0;
+    if (off[2] > t * way[2]) {
+        t = nearest_place(a, b, p);
+        if (off[2] < t * way[2])
+            t = off[2] / way[2];
+    }
+    return beside_place(o, a, b, t, p);
 }
 
 /* The height of the underside over a point; what is left there, at most, over its surface. */
@@ -186,7 +228,7 @@ static double over_path(chords *c, const double p[3], double *left)
         s = quarter_at(c, s, p);
     for (size_t i = 0; i < s->count; i++) {
         const double *const a = c->path->point[s->chord[i]], *const b = a + ENGINE_AXES;
-        if (least_over(c->o, a, b, p) < least)
+        if (least_over(c->o, 0, a, b, p) < least)
             least = fmin(least, over_chord(c->o, 0, a, b, p));
         *left = fmin(*left, beside_chord(c->o, a, b, p));
     }
