@@ -791,6 +791,7 @@
 #define loft_sheet_from_tensor_rational LOFT_NAME(loft_sheet_from_tensor_rational)
 #define loft_sheet_from_triangle   LOFT_NAME(loft_sheet_from_triangle)
 #define loft_sheet_from_triangle_rational LOFT_NAME(loft_sheet_from_triangle_rational)
+#define loft_sheet_measure         LOFT_NAME(loft_sheet_measure)
 #define loft_sheet_part_of         LOFT_NAME(loft_sheet_part_of)
 #define loft_sheet_trim            LOFT_NAME(loft_sheet_trim)
 #define loft_side_from_bezier      LOFT_NAME(loft_side_from_bezier)

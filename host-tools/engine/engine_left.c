@@ -319,8 +319,7 @@ static bool fill_piece(piece *p)
             d2 += pow(p->corner[k][axis] - p->middle[axis], 2);
         p->size = fmax(p->size, sqrt(d2));
     }
-    p->gap = sqrt(3) * (double_of_acc(s->fuzz) +
-                        ldexp(double_of_acc(s->bend), -2 * (int)(p->level - s->level)));
+    p->gap = sqrt(3) * double_of_acc(loft_sheet_gap(s, p->level));
     return true;
 }
 

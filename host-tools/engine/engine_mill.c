@@ -20,6 +20,7 @@
 #include "engine/mill.h"
 
 #define FEW     16      /* so many surfaces are cut into 64 sheets each */
+#define NEAR    16      /* of the tolerance: bounds of pieces come so near */
 #define BEYOND  0.7     /* radii: so much at least, to round the border */
 #define AROUND  1.25    /* radii: there is room to go around */
 
@@ -43,10 +44,13 @@ static void close_sheets(sheet_list *l)
     free(l->of.sheet);
 }
 
-static int open_sheets(sheet_list *l, const surfaces *all, size_t *failed)
+static int open_sheets(sheet_list *l, const surfaces *all, double tol, size_t *failed)
 {
     const unsigned level = all->count <= FEW ? 3 : 0;
+    loft_real near;
 
+    if (!tol_of(tol / NEAR, &near))
+        return LOFT_ERR_RANGE;
     l->held = tool_grow(NULL, all->count * sizeof *l->held);
     for (size_t i = 0; i < all->count; i++) {
         *failed = i;
@@ -60,6 +64,8 @@ static int open_sheets(sheet_list *l, const surfaces *all, size_t *failed)
     }
     *failed = all->count;
     l->points = ENGINE_OF(engine_points_of)(l->of.sheet, l->of.count);
+    for (size_t k = 0; k < l->of.count; k++)
+        loft_sheet_measure(&l->of.sheet[k], loft_to_acc(near));
     return LOFT_OK;
 }
 
@@ -234,7 +240,7 @@ int ENGINE_OF(engine_mill)(const surfaces *all, mill_order *o, mill_cuts *path, 
     loft_drop d;
 
     *out = (mill_report){ 0 };
-    int status = open_sheets(&l, all, &out->failed);
+    int status = open_sheets(&l, all, o->tol, &out->failed);
     if (status == LOFT_OK)
         status = trim_sheets(&l, &o->trim);
     if (status == LOFT_OK) {

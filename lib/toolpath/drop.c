@@ -147,13 +147,6 @@ static void slope_of_cutter(const way *w, const foot *at, loft_real g[2])
 
 /* Pieces of a sheet */
 
-/* From the surface to the hull of the corners. */
-static loft_acc gap_of(const loft_sheet *s, const piece *p)
-{
-    return loft_acc_ratio(s->bend, (int32_t)1 << 2 * (p->level - s->level)) +
-           loft_acc_ulp(s->bend) + s->fuzz;
-}
-
 /* Is all of it beside the way? */
 static bool lies_aside(const way *w, const loft_box *box, loft_acc off)
 {
@@ -320,7 +313,7 @@ static void grow_box(loft_box *box, loft_acc off)
 /* Is the piece of interest? Then p->bound is known. */
 static bool weigh_piece(way *w, uint32_t sheet, piece *p, bool learn)
 {
-    const loft_acc off = gap_of(&w->d->sheet[sheet], p);
+    const loft_acc off = loft_sheet_gap(&w->d->sheet[sheet], p->level);
     loft_box box = { p->corner[0], p->corner[0] };
     foot middle;
 

@@ -17,7 +17,7 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_DROP_LEVELS 14     /* halvings of a sheet's parameters */
+#define LOFT_DROP_LEVELS LOFT_SHEET_FINEST
 
 /* What is cut, and with what. Do not fill it yourself: call init. */
 typedef struct {

@@ -507,6 +507,7 @@ enum loft_status loft_sheet_from_sector(loft_sheet *s, const loft_sector *c, uns
         return status;
     made.surface = loft_surface_from_sector(c);
     made.level = (uint8_t)level;
+    made.measured = 0;
     made.i = (uint16_t)i;
     made.j = (uint16_t)j;
     made.upper = upper;

@@ -13,6 +13,14 @@
  * l_i f''(v_i - x, v_i - x), where the sums of l_i du_i^2, of l_i dv_i^2 and of l_i |du_i dv_i| are
  * at most h^2 / 4. The derivatives are bounded by the differences of the net.
  *
+ * Points say more. Let f_k be linear (bilinear) over each piece of level k, and equal to f at its
+ * corners. Over such a piece f_(k+1) - f_k is piecewise linear, and 0 at the corners: it is largest
+ * at a point between them. So with d_k the largest of these over all pieces of level k
+ *
+ *     |f - f_k| <= d_k + d_(k+1) + ... + d_(n-1) + |f - f_n|
+ *
+ * and the last term is at most bend / 4^n.
+ *
  * A rational surface P = N / W, measured from a point c within r of all control points, has
  *
  *     P_u  = (N_u - P W_u) / W                        |P| <= r
@@ -149,7 +157,8 @@ static enum loft_status make_sheet(loft_sheet *s, net_view *net, unsigned count,
                                    loft_surface surface)
 {
     loft_sheet made = {
-        surface, { *point_of(net, 0), *point_of(net, 0) }, 0, 0, 0, 0, 0, false, false, NULL
+        surface, { *point_of(net, 0), *point_of(net, 0) }, 0, 0, 0, 0, 0, 0, { 0 }, false, false,
+        NULL
     };
     loft_real most = 0;
     quotient q;
@@ -240,6 +249,171 @@ enum loft_status loft_sheet_from_triangle_rational(loft_sheet *s, const loft_tri
 
     return make_sheet(s, &net, (t->degree + 1u) * (t->degree + 2u) / 2,
                       loft_surface_from_triangle_rational(t));
+}
+
+
+/* Measured sheets */
+
+#define ROOM (3 * LOFT_SHEET_MEASURED + 1)
+
+/* A piece of a sheet, `below` levels finer than it, with its corners. */
+typedef struct {
+    loft_vec corner[4];
+    uint16_t i, j;
+    uint8_t below;
+    bool upper;
+} piece;
+
+typedef struct {
+    const loft_sheet *s;
+    loft_acc most[LOFT_SHEET_MEASURED];     /* d_k */
+    loft_box box;
+    unsigned levels;
+    bool failed;
+} measure;
+
+static bool is_triangle(const loft_sheet *s) { return s->surface.over == LOFT_SURFACE_TRIANGLE; }
+
+static loft_vec find_point(measure *m, unsigned level, uint32_t i, uint32_t j)
+{
+    const loft_surface *f = &m->s->surface;
+    const uint32_t n = (uint32_t)1 << level;
+    loft_vec p = { { 0 } };
+
+    if (f->eval(f->surface, loft_unit_of(i, n), loft_unit_of(j, n), &p) != LOFT_OK)
+        m->failed = true;
+    else
+        m->box = loft_box_join(m->box, p);
+    return p;
+}
+
+static loft_acc mean_of(const loft_vec *a, const loft_vec *b, int axis)
+{
+    return loft_acc_mean(loft_to_acc(loft_vec_axis(a, axis)), loft_to_acc(loft_vec_axis(b, axis)));
+}
+
+/* The point at i, j of the finer level. Between corners a and b of a piece, or in the middle of all
+ * four, it is so far from their mean. */
+static loft_vec find_between(measure *m, const piece *p, uint32_t i, uint32_t j, unsigned a,
+                             unsigned b)
+{
+    const loft_vec at = find_point(m, m->s->level + p->below + 1u, 2u * p->i + i, 2u * p->j + j);
+    const bool middle = a == b;
+    loft_acc *const most = &m->most[p->below];
+    loft_acc off[3];
+
+    for (int k = 0; k < 3; k++) {
+        const loft_acc mean = middle ? loft_acc_mean(mean_of(&p->corner[0], &p->corner[1], k),
+                                                     mean_of(&p->corner[2], &p->corner[3], k))
+                                     : mean_of(&p->corner[a], &p->corner[b], k);
+        off[k] = loft_to_acc(loft_vec_axis(&at, k)) - mean;
+    }
+    *most = loft_acc_max(*most, loft_acc_hypot(off, 3));
+    return at;
+}
+
+/* Measure a triangle, and divide it: loft_drop counts alike. The last one is turned round. */
+static void divide_triangle(measure *m, const piece *p, piece out[4])
+{
+    const uint16_t far = p->upper ? 1 : 0, near = 1 - far;
+    loft_vec between[3];        /* opposite to corner k */
+
+    between[0] = find_between(m, p, 1, 1, 1, 2);
+    between[1] = find_between(m, p, 2u * far, 1, 0, 2);
+    between[2] = find_between(m, p, 1, 2u * far, 0, 1);
+    for (unsigned k = 0; k < 4; k++) {
+        out[k].i = (uint16_t)(2 * p->i + (k == 1 ? near : far));
+        out[k].j = (uint16_t)(2 * p->j + (k == 2 ? near : far));
+        out[k].upper = (k == 3) != p->upper;
+        for (unsigned c = 0; c < 3; c++)
+            out[k].corner[c] = k == 3 ? between[c] : k == c ? p->corner[k] : between[3 - k - c];
+        out[k].corner[3] = out[k].corner[0];
+    }
+}
+
+static void divide_square(measure *m, const piece *p, piece out[4])
+{
+    loft_vec grid[9];
+
+    for (unsigned k = 0; k < 4; k++)
+        grid[k % 2 * 2 + k / 2 * 6] = p->corner[k];
+    grid[1] = find_between(m, p, 1, 0, 0, 1);
+    grid[3] = find_between(m, p, 0, 1, 0, 2);
+    grid[4] = find_between(m, p, 1, 1, 0, 0);
+    grid[5] = find_between(m, p, 2, 1, 1, 3);
+    grid[7] = find_between(m, p, 1, 2, 2, 3);
+    for (unsigned k = 0; k < 4; k++) {
+        out[k].i = (uint16_t)(2 * p->i + k % 2);
+        out[k].j = (uint16_t)(2 * p->j + k / 2);
+        out[k].upper = false;
+        for (unsigned n = 0; n < 4; n++)
+            out[k].corner[n] = grid[k % 2 + n % 2 + 3 * (k / 2 + n / 2)];
+    }
+}
+
+/* Visit all pieces. Of those of the last level that are turned round, others have all sides. */
+static void visit_pieces(measure *m)
+{
+    const loft_sheet *const s = m->s;
+    const uint16_t far = s->upper ? 1 : 0;
+    piece stack[ROOM] = { { .i = s->i, .j = s->j, .upper = s->upper } }, child[4];
+    unsigned count = 1;
+
+    for (unsigned k = 0; k < 4; k++)
+        if (k < 3 || !is_triangle(s)) {
+            stack[0].corner[k] = find_point(m, s->level, s->i + ((k & 1) ^ far),
+                                            s->j + ((k >> 1) ^ far));
+            if (k == 0)
+                m->box.min = m->box.max = stack[0].corner[0];
+        }
+    while (count > 0 && !m->failed) {
+        const piece p = stack[--count];
+        const bool last = p.below + 1u == m->levels;
+        if (last && p.upper != s->upper)
+            continue;
+        (is_triangle(s) ? divide_triangle : divide_square)(m, &p, child);
+        for (unsigned k = 0; k < 4 && !last; k++) {
+            child[k].below = (uint8_t)(p.below + 1);
+            stack[count++] = child[k];
+        }
+    }
+}
+
+static void shrink_box(loft_box *box, const loft_box *points, loft_acc by)
+{
+    const loft_real beyond = loft_acc_round(
+        by + 2 * loft_real_ulp(loft_to_acc(LOFT_REAL(LOFT_SHEET_REACH))));
+
+    for (int k = 0; k < LOFT_AXES; k++) {
+        const loft_real low = points->min.axis[k] - beyond, high = points->max.axis[k] + beyond;
+        if (low > box->min.axis[k])
+            box->min.axis[k] = low;
+        if (high < box->max.axis[k])
+            box->max.axis[k] = high;
+    }
+}
+
+void loft_sheet_measure(loft_sheet *s, loft_acc near)
+{
+    measure m = { .s = s };
+    unsigned n = 0;
+
+    while (n < LOFT_SHEET_MEASURED && s->level + n < LOFT_SHEET_FINEST &&
+           loft_sheet_gap(s, s->level + n) - s->fuzz > near)
+        n++;
+    m.levels = n;
+    if (n > 0)
+        visit_pieces(&m);
+    if (n == 0 || m.failed)
+        return;
+    loft_acc gap = loft_sheet_gap(s, s->level + n) - s->fuzz;
+    shrink_box(&s->box, &m.box, gap);
+    for (unsigned k = n; k-- > 0; ) {
+        const loft_acc rounded = 4 * loft_acc_ulp(loft_to_acc(LOFT_REAL(LOFT_SHEET_REACH)));
+        gap += m.most[k] + loft_acc_ratio(m.most[k], 1048576) + rounded;
+        s->gap[k] = loft_acc_min(gap, loft_sheet_gap(s, s->level + k) - s->fuzz);
+    }
+    s->measured = (uint8_t)n;
 }
 
 

@@ -3,7 +3,7 @@
  *
  * Over a square of parameters of side 2^-k the surface lies within bend / 4^k of the quadrilateral
  * of its corners; over a triangle, of the triangle. So a search can leave out whole pieces of a
- * surface, with certainty, by looking at their corners alone.
+ * surface, with certainty, by looking at their corners alone: loft_sheet_gap.
  *
  *     loft_sheet s;
  *     if (loft_sheet_from_tensor(&s, &patch) == LOFT_OK) ..
@@ -18,15 +18,19 @@ LOFT_BEGIN_C
 
 #define LOFT_SHEET_REACH    4096    /* the largest coordinate */
 #define LOFT_SHEET_LEVELS   4
+#define LOFT_SHEET_FINEST   14      /* halvings of the parameters of a surface */
+#define LOFT_SHEET_MEASURED 6       /* halvings of a sheet that may be measured */
 
 /* A sheet. It borrows the surface. Do not fill it yourself: call one of the functions below. */
 typedef struct {
     loft_surface surface;
-    loft_box box;               /* of the control points, which err by `fuzz` */
+    loft_box box;               /* around its points, which err by `fuzz` */
     loft_acc bend;              /* of the part */
     loft_acc fuzz;              /* the error of its points, and of those of a part's net */
     uint16_t i, j;              /* the part: squares of 2^-level from the start */
     uint8_t level;
+    uint8_t measured;           /* so many levels of pieces have a gap of their own */
+    loft_acc gap[LOFT_SHEET_MEASURED];      /* without `fuzz` */
     bool upper;                 /* of a triangle: the half that is farther from the start */
     bool plane;                 /* the region is one of x and y, otherwise of u and v */
     const loft_region *trim;    /* NULL: all of it */
@@ -58,6 +62,31 @@ enum loft_status loft_sheet_from_triangle_rational(loft_sheet *s,
  */
 enum loft_status loft_sheet_from_tensor_part(loft_sheet *s, const loft_tensor *t, unsigned level,
                                              unsigned i, unsigned j) LOFT_CHECKED;
+
+/* Measure by points how far pieces are from the hulls of their corners, for bends are bounds and
+ * may be many times as large. The box becomes nearer too. Pieces are divided until the bend says
+ * `near` or less; where it says so at once, or a point has no value, nothing is done.
+ *
+ *   range   near > 0
+ *   error   gaps: never too small; they approach 4/3 of what pieces need, and `near`
+ *   cost    2 * 4^k points of a triangle, 5/3 * 4^k of a square, k the number of levels, at most
+ *           LOFT_SHEET_MEASURED; 2 kB of stack
+ */
+void loft_sheet_measure(loft_sheet *s, loft_acc near);
+
+/* No piece of side 2^-level, level >= s->level, is farther from the hull of its corners.
+ *
+ *   error   none
+ *   cost    a quotient
+ */
+static inline loft_acc loft_sheet_gap(const loft_sheet *s, unsigned level)
+{
+    const unsigned k = level - s->level;
+
+    return s->fuzz + (k < s->measured
+                          ? s->gap[k]
+                          : loft_acc_ratio(s->bend, (int32_t)1 << 2 * k) + loft_acc_ulp(s->bend));
+}
 
 /* Trim a sheet to a region of x and y (`plane`), or of the parameters u and v of the surface. What
  * is outside is no longer there. Returns false if nothing is left of it: leave it out then.

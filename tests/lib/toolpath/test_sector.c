@@ -83,6 +83,67 @@ static void parts_are_as_flat_as_the_bend_says(arb *a)
     }
 }
 
+/* Quarter k of a piece; of a triangle the last one is turned round. */
+static piece quarter_of(const piece *p, unsigned k)
+{
+    const uint32_t far = p->upper;
+
+    if (!p->triangle)
+        return (piece){ 2 * p->i + (k & 1), 2 * p->j + (k >> 1), 2 * p->n, false, false };
+    return (piece){ 2 * p->i + (k == 1 ? 1 - far : far), 2 * p->j + (k == 2 ? 1 - far : far),
+                    2 * p->n, true, (k == 3) != p->upper };
+}
+
+static void pieces_of_parts_are_as_flat_as_measured(arb *a)
+{
+    const scene *x = arb_kind(a, bounded[arb_below(a, 5)], arb_below(a, 2) ? 4 : 0);
+    const loft_sector c = { &x->round, (uint8_t)arb_below(a, loft_sector_count(&x->round)) };
+    const unsigned level = arb_below(a, 7);
+    loft_sheet s;
+    piece p;
+
+    if (!arb_part(a, &c, level, &s, &p))
+        return;
+    const loft_acc bend = s.bend;
+    loft_sheet_measure(&s, loft_acc_ratio(bend, 1 << arb_below(a, 12)) + loft_acc_ulp(bend));
+    for (unsigned k = 0; k <= LOFT_SHEET_MEASURED + 1; k++) {
+        for (int n = 0; n < 10; n++) {
+            const uint32_t u = arb_below(a, 17), v = arb_below(a, p.triangle ? 17 - u : 17);
+            const loft_vec at = place_in(&s.surface, &p, u, v);
+            CHECK(off_of(&s.surface, &p, u, v) <= exact_acc(loft_sheet_gap(&s, level + k)));
+            for (int axis = 0; axis < 3; axis++) {
+                const long double y = exact_of(at.axis[axis]), fuzz = exact_acc(s.fuzz);
+                CHECK(y >= exact_of(s.box.min.axis[axis]) - fuzz);
+                CHECK(y <= exact_of(s.box.max.axis[axis]) + fuzz);
+            }
+        }
+        p = quarter_of(&p, arb_below(a, 4));
+    }
+}
+
+/* At a vertex of a gb patch the range of the finest part is about as large as it is. */
+static void ranges_at_vertices_are_near(arb *a)
+{
+    const scene *x = arb_kind(a, 2, 0);
+    const loft_sector c = { &x->round, (uint8_t)arb_below(a, x->round.sides) };
+    const uint32_t n = 1u << LOFT_DROP_LEVELS;
+    const piece p = { n - 1, 0, n, true, false };
+    loft_sheet s;
+
+    CHECK(loft_sheet_from_sector(&s, &c, LOFT_DROP_LEVELS, p.i, p.j, false) == LOFT_OK);
+    long double size = 0;
+    for (uint32_t k = 0; k <= 16; k++)
+        for (uint32_t l = 0; l <= 16 - k; l++) {
+            long double d = 0;
+            const loft_vec q = place_in(&s.surface, &p, k, l), o = place_in(&s.surface, &p, 16, 0);
+            CHECK(off_of(&s.surface, &p, k, l) <= exact_acc(s.bend) + exact_acc(s.fuzz));
+            for (int axis = 0; axis < 3; axis++)
+                d += powl(exact_of(q.axis[axis]) - exact_of(o.axis[axis]), 2);
+            size = fmaxl(size, sqrtl(d));
+        }
+    CHECK(exact_acc(s.bend) < 4 * size);
+}
+
 /* Third derivatives are all that is added to the second ones: fine parts have bends of the size
  * that they need. */
 static void bends_of_fine_parts_are_near(arb *a)
@@ -173,6 +234,8 @@ static void what_has_no_bounds_is_refused(arb *a)
 int main(void)
 {
     PROPERTY(parts_are_as_flat_as_the_bend_says, 150);
+    PROPERTY(pieces_of_parts_are_as_flat_as_measured, 50);
+    PROPERTY(ranges_at_vertices_are_near, 20);
     PROPERTY(bends_of_fine_parts_are_near, 20);
     PROPERTY_LONG(a_tip_cuts_no_point_of_a_patch, 5);
     PROPERTY(what_has_no_bounds_is_refused, 1);

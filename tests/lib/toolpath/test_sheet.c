@@ -1,6 +1,8 @@
 /* tests/lib/toolpath/test_sheet.c -- properties of lib/toolpath/sheet.h
  * SPDX-License-Identifier: MIT
  */
+#include <string.h>
+
 #include "support/sheets.h"
 
 /* The distance of a point of a piece from the blend of its corners. */
@@ -75,6 +77,65 @@ static void parts_of_a_patch_are_as_flat(arb *a)
           LOFT_ERR_ARG);
 }
 
+/* Of all pieces, down to the finest that are measured and below. */
+static void pieces_are_as_flat_as_measured(arb *a)
+{
+    static hills h;
+    const unsigned kind = arb_below(a, HILLS_KINDS);
+    const bool triangle = kind >= HILLS_TRIANGLE;
+    long double most = 0;
+
+    arb_hills(a, kind, 40, &h);
+    loft_sheet s = h.sheet;
+    const loft_acc near = loft_acc_ratio(s.bend, 1 << arb_below(a, 12)) + loft_acc_ulp(s.bend);
+    loft_sheet_measure(&s, near);
+    CHECK(s.measured <= LOFT_SHEET_MEASURED);
+    for (unsigned level = 0; level <= LOFT_SHEET_MEASURED + 1; level++) {
+        const uint32_t n = 1u << level, i = arb_below(a, n), j = arb_below(a, triangle ? n - i : n);
+        CHECK(loft_sheet_gap(&s, level) <= loft_sheet_gap(&h.sheet, level));
+        for (int k = 0; k < 20; k++) {
+            const uint32_t u = arb_below(a, 17), v = arb_below(a, triangle ? 17 - u : 17);
+            CHECK(off_of(&h, &s, i, j, n, u, v) <= exact_acc(loft_sheet_gap(&s, level)));
+        }
+    }
+    for (uint32_t u = 0; u <= 16; u++)
+        for (uint32_t v = 0; v <= (triangle ? 16 - u : 16); v++) {
+            const loft_vec p = hills_of(&h, u, v, 16);
+            most = fmaxl(most, off_of(&h, &s, 0, 0, 1, u, v));
+            for (int axis = 0; axis < 3; axis++) {
+                const long double x = exact_of(p.axis[axis]), fuzz = exact_acc(s.fuzz);
+                CHECK(x >= exact_of(s.box.min.axis[axis]) - fuzz);
+                CHECK(x <= exact_of(s.box.max.axis[axis]) + fuzz);
+            }
+        }
+    if (s.measured == LOFT_SHEET_MEASURED)
+        CHECK(exact_acc(loft_sheet_gap(&s, 0)) <=
+              2 * most + exact_acc(s.bend) / 4096 + 2 * exact_acc(s.fuzz));
+}
+
+/* A sheet that is flat enough stays as it is, and one without a point. */
+static enum loft_status no_point(const void *surface, loft_unit u, loft_unit v, loft_vec *out)
+{
+    (void)surface;
+    (void)v;
+    *out = (loft_vec){ { 0 } };
+    return u > LOFT_UNIT(0.5) ? LOFT_ERR_RANGE : LOFT_OK;
+}
+
+static void what_is_flat_or_has_no_points_is_not_measured(arb *a)
+{
+    static hills h;
+
+    arb_hills(a, HILLS_TENSOR, 40, &h);
+    loft_sheet s = h.sheet;
+    loft_sheet_measure(&s, s.bend + loft_acc_ulp(s.bend));
+    CHECK(s.measured == 0 && memcmp(&s.box, &h.sheet.box, sizeof s.box) == 0);
+    s.surface.eval = no_point;
+    s.bend = loft_to_acc(LOFT_REAL(1));
+    loft_sheet_measure(&s, loft_to_acc(LOFT_REAL(0.125)));
+    CHECK(s.measured == 0 && memcmp(&s.box, &h.sheet.box, sizeof s.box) == 0);
+}
+
 static void a_bend_of_one_direction_is_sharp(arb *a)
 {
     loft_vec p[3];
@@ -97,6 +158,8 @@ int main(void)
 {
     PROPERTY(pieces_are_as_flat_as_the_bend_says, 400);
     PROPERTY(parts_of_a_patch_are_as_flat, 100);
+    PROPERTY(pieces_are_as_flat_as_measured, 100);
+    PROPERTY(what_is_flat_or_has_no_points_is_not_measured, 5);
     PROPERTY(a_bend_of_one_direction_is_sharp, 1);
     return check_failures();
 }
