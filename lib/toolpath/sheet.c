@@ -297,7 +297,7 @@ static loft_acc mean_of(const loft_vec *a, const loft_vec *b, int axis)
 static loft_vec find_between(measure *m, const piece *p, uint32_t i, uint32_t j, unsigned a,
                              unsigned b)
 {
-    const loft_vec at = find_point(m, m->s->level + p->below + 1u, 2u * p->i + i, 2u * p->j + j);
+    const loft_vec at = find_point(m, m->s->level + 1u + p->below, 2u * p->i + i, 2u * p->j + j);
     const bool middle = a == b;
     loft_acc *const most = &m->most[p->below];
     loft_acc off[3];
