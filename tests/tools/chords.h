@@ -182,22 +182,22 @@ static squares *quarter_at(const chords *c, squares *s, const double p[3])
     return *q;
 }
 
-/* How far a point is beside a ball, with the shaft above it, at a place of its way. */
-static double beside_place(const mill_order *o, const double *a, const double *b, double t,
-                           const double p[3])
+/* How far a point is beside a cutter with a cylinder above it, at `t` of its way. */
+static double beside_at(const mill_order *o, const double *a, const double *b, double t,
+                        const double p[3])
 {
-    double off[3];
+    const double x = a[0] + t * (b[0] - a[0]) - p[0], y = a[1] + t * (b[1] - a[1]) - p[1],
+                 above = a[2] + t * (b[2] - a[2]) + o->corner - p[2],
+                 beyond = hypot(x, y) - (o->radius - o->corner);
 
-    for (int k = 0; k < 3; k++)
-        off[k] = p[k] - a[k] - t * (b[k] - a[k]) - (k == 2 ? o->radius : 0);
-    const double across2 = off[0] * off[0] + off[1] * off[1];
-    return sqrt(across2 + (off[2] < 0 ? off[2] * off[2] : 0)) - o->radius;
+    return hypot(fmax(0, above), fmax(0, beyond)) - o->corner;
 }
 
-/* The same of the whole way: of a convex tool it is convex. So it is the least at the foot of the
- * point where that is below the ball's centre; at the nearest place seen from above where it is
- * above that; otherwise between both, where the centre is as high as the point. */
-static double beside_chord(const mill_order *o, const double *a, const double *b, const double p[3])
+/* The place of a ball that is nearest to a point: the foot of the point on the way of the centre
+ * where that is above the point; the nearest place seen from above where it is below; otherwise
+ * between both, where the centre is as high as the point. */
+static double nearest_of_ball(const mill_order *o, const double *a, const double *b,
+                              const double p[3])
 {
     double way[3], off[3], length2 = 0, to = 0;
 
@@ -207,13 +207,26 @@ static double beside_chord(const mill_order *o, const double *a, const double *b
         length2 += way[k] * way[k];
         to += way[k] * off[k];
     }
-    double t = length2 > 0 ? fmax(0, fmin(1, to / length2)) : 0;
-    if (off[2] > t * way[2]) {
-        t = nearest_place(a, b, p);
-        if (off[2] < t * way[2])
-            t = off[2] / way[2];
+    const double foot = length2 > 0 ? fmax(0, fmin(1, to / length2)) : 0,
+                 seen = nearest_place(a, b, p);
+    return off[2] <= foot * way[2] ? foot : off[2] >= seen * way[2] ? seen : off[2] / way[2];
+}
+
+/* The least of it: it is convex along the way. */
+static double beside_chord(const mill_order *o, const double *a, const double *b, const double p[3])
+{
+    double low = 0, high = 1;
+
+    if (!(o->corner < o->radius))
+        return beside_at(o, a, b, nearest_of_ball(o, a, b, p), p);
+    for (int n = 0; n < 40; n++) {
+        const double third = (high - low) / 3;
+        if (beside_at(o, a, b, low + third, p) < beside_at(o, a, b, high - third, p))
+            high -= third;
+        else
+            low += third;
     }
-    return beside_place(o, a, b, t, p);
+    return beside_at(o, a, b, (low + high) / 2, p);
 }
 
 /* The height of the underside over a point; what is left there, at most, over its surface. */
@@ -235,32 +248,6 @@ static double over_path(chords *c, const double p[3], double *left)
     return least;
 }
 
-/* The same of any cutter with a cylinder above it, at `t` of the way. */
-static double beside_at(const mill_order *o, const double *a, const double *b, double t,
-                        const double p[3])
-{
-    const double x = a[0] + t * (b[0] - a[0]) - p[0], y = a[1] + t * (b[1] - a[1]) - p[1],
-                 above = a[2] + t * (b[2] - a[2]) + o->corner - p[2],
-                 beyond = sqrt(x * x + y * y) - (o->radius - o->corner);
-
-    return hypot(fmax(0, above), fmax(0, beyond)) - o->corner;
-}
-
-/* The least of it, which is convex along the way. */
-static double beside_way(const mill_order *o, const double *a, const double *b, const double p[3])
-{
-    double low = 0, high = 1;
-
-    for (int n = 0; n < 40; n++) {
-        const double third = (high - low) / 3;
-        if (beside_at(o, a, b, low + third, p) < beside_at(o, a, b, high - third, p))
-            high -= third;
-        else
-            low += third;
-    }
-    return beside_at(o, a, b, (low + high) / 2, p);
-}
-
 /* What is left at a point by all of the path: on a wall the nearest chord is not the lowest one. */
 static double left_by_all(const chords *c, const double p[3])
 {
@@ -270,7 +257,7 @@ static double left_by_all(const chords *c, const double p[3])
         const double *const a = c->path->point[i], *const b = a + ENGINE_AXES;
         const double half = hypot(hypot(b[0] - a[0], b[1] - a[1]), b[2] - a[2]) / 2;
         if (beside_at(c->o, a, b, 0.5, p) - half < left)
-            left = fmin(left, beside_way(c->o, a, b, p));
+            left = fmin(left, beside_chord(c->o, a, b, p));
     }
     return left;
 }
