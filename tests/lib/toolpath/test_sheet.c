@@ -5,6 +5,8 @@
 
 #include "support/sheets.h"
 
+static hills land;              /* 3 kB: a small chip has no room for more of them */
+
 /* The distance of a point of a piece from the blend of its corners. */
 static long double off_of(const hills *h, const loft_sheet *s, uint32_t i, uint32_t j, uint32_t n,
                           uint32_t k, uint32_t l)
@@ -32,76 +34,74 @@ static long double off_of(const hills *h, const loft_sheet *s, uint32_t i, uint3
 
 static void pieces_are_as_flat_as_the_bend_says(arb *a)
 {
-    static hills h;
     const unsigned kind = arb_below(a, HILLS_KINDS);
     long double most = 0;
 
-    arb_hills(a, kind, 40, &h);
+    arb_hills(a, kind, 40, &land);
     for (unsigned level = 0; level < 4; level++) {
         const uint32_t n = 1u << level, i = arb_below(a, n),
                        j = arb_below(a, kind >= HILLS_TRIANGLE ? n - i : n);
         for (int k = 0; k < 20; k++) {
             const uint32_t u = arb_below(a, 17),
                            v = arb_below(a, kind >= HILLS_TRIANGLE ? 17 - u : 17);
-            const long double off = off_of(&h, &h.sheet, i, j, n, u, v);
-            CHECK(off <= exact_acc(h.sheet.bend) / (long double)(n * n) + exact_acc(h.sheet.fuzz));
+            const long double off = off_of(&land, &land.sheet, i, j, n, u, v);
+            CHECK(off <=
+                  exact_acc(land.sheet.bend) / (long double)(n * n) + exact_acc(land.sheet.fuzz));
             most = fmaxl(most, off * (long double)(n * n));
         }
     }
-    if (kind == HILLS_TENSOR && h.as.tensor.m + h.as.tensor.n < 3)
-        CHECK(exact_acc(h.sheet.bend) < 0x1p-12L);
+    if (kind == HILLS_TENSOR && land.as.tensor.m + land.as.tensor.n < 3)
+        CHECK(exact_acc(land.sheet.bend) < 0x1p-12L);
     for (unsigned k = 0; k < 20; k++) {
-        const loft_vec p = hills_of(&h, arb_below(a, 17), arb_below(a, 17), 16);
+        const loft_vec p = hills_of(&land, arb_below(a, 17), arb_below(a, 17), 16);
         for (int axis = 0; axis < 3; axis++)
-            CHECK(p.axis[axis] >= h.sheet.box.min.axis[axis] - LOFT_REAL(0x1p-14) &&
-                  p.axis[axis] <= h.sheet.box.max.axis[axis] + LOFT_REAL(0x1p-14));
+            CHECK(p.axis[axis] >= land.sheet.box.min.axis[axis] - LOFT_REAL(0x1p-14) &&
+                  p.axis[axis] <= land.sheet.box.max.axis[axis] + LOFT_REAL(0x1p-14));
     }
 }
 
 static void parts_of_a_patch_are_as_flat(arb *a)
 {
-    static hills h;
     loft_sheet s;
 
-    arb_hills(a, HILLS_TENSOR, 40, &h);
+    arb_hills(a, HILLS_TENSOR, 40, &land);
     const unsigned level = 1 + arb_below(a, LOFT_SHEET_LEVELS), n = 1u << level,
                    i = arb_below(a, n), j = arb_below(a, n);
-    CHECK(loft_sheet_from_tensor_part(&s, &h.as.tensor, level, i, j) == LOFT_OK);
-    CHECK(exact_acc(s.bend) <= exact_acc(h.sheet.bend) / (n * n) + 0x1p-8L);
+    CHECK(loft_sheet_from_tensor_part(&s, &land.as.tensor, level, i, j) == LOFT_OK);
+    CHECK(exact_acc(s.bend) <= exact_acc(land.sheet.bend) / (n * n) + 0x1p-8L);
     for (int k = 0; k < 20; k++) {
         const uint32_t u = arb_below(a, 17), v = arb_below(a, 17);
-        CHECK(off_of(&h, &s, i, j, n, u, v) <= exact_acc(s.bend) + exact_acc(s.fuzz));
+        CHECK(off_of(&land, &s, i, j, n, u, v) <= exact_acc(s.bend) + exact_acc(s.fuzz));
     }
-    CHECK(loft_sheet_from_tensor_part(&s, &h.as.tensor, level, n, 0) == LOFT_ERR_ARG);
-    CHECK(loft_sheet_from_tensor_part(&s, &h.as.tensor, LOFT_SHEET_LEVELS + 1, 0, 0) ==
+    CHECK(loft_sheet_from_tensor_part(&s, &land.as.tensor, level, n, 0) == LOFT_ERR_ARG);
+    CHECK(loft_sheet_from_tensor_part(&s, &land.as.tensor, LOFT_SHEET_LEVELS + 1, 0, 0) ==
           LOFT_ERR_ARG);
 }
 
 /* Of all pieces, down to the finest that are measured and below. */
 static void pieces_are_as_flat_as_measured(arb *a)
 {
-    static hills h;
     const unsigned kind = arb_below(a, HILLS_KINDS);
     const bool triangle = kind >= HILLS_TRIANGLE;
     long double most = 0;
 
-    arb_hills(a, kind, 40, &h);
-    loft_sheet s = h.sheet;
+    arb_hills(a, kind, 40, &land);
+    loft_sheet s = land.sheet;
     const loft_acc near = loft_acc_ratio(s.bend, 1 << arb_below(a, 12)) + loft_acc_ulp(s.bend);
     loft_sheet_measure(&s, near);
     CHECK(s.measured <= LOFT_SHEET_MEASURED);
     for (unsigned level = 0; level <= LOFT_SHEET_MEASURED + 1; level++) {
         const uint32_t n = 1u << level, i = arb_below(a, n), j = arb_below(a, triangle ? n - i : n);
-        CHECK(loft_sheet_gap(&s, level) <= loft_sheet_gap(&h.sheet, level));
+        CHECK(loft_sheet_gap(&s, level) <= loft_sheet_gap(&land.sheet, level));
         for (int k = 0; k < 20; k++) {
             const uint32_t u = arb_below(a, 17), v = arb_below(a, triangle ? 17 - u : 17);
-            CHECK(off_of(&h, &s, i, j, n, u, v) <= exact_acc(loft_sheet_gap(&s, level)));
+            CHECK(off_of(&land, &s, i, j, n, u, v) <= exact_acc(loft_sheet_gap(&s, level)));
         }
     }
     for (uint32_t u = 0; u <= 16; u++)
         for (uint32_t v = 0; v <= (triangle ? 16 - u : 16); v++) {
-            const loft_vec p = hills_of(&h, u, v, 16);
-            most = fmaxl(most, off_of(&h, &s, 0, 0, 1, u, v));
+            const loft_vec p = hills_of(&land, u, v, 16);
+            most = fmaxl(most, off_of(&land, &s, 0, 0, 1, u, v));
             for (int axis = 0; axis < 3; axis++) {
                 const long double x = exact_of(p.axis[axis]), fuzz = exact_acc(s.fuzz);
                 CHECK(x >= exact_of(s.box.min.axis[axis]) - fuzz);
@@ -124,16 +124,15 @@ static enum loft_status no_point(const void *surface, loft_unit u, loft_unit v, 
 
 static void what_is_flat_or_has_no_points_is_not_measured(arb *a)
 {
-    static hills h;
 
-    arb_hills(a, HILLS_TENSOR, 40, &h);
-    loft_sheet s = h.sheet;
+    arb_hills(a, HILLS_TENSOR, 40, &land);
+    loft_sheet s = land.sheet;
     loft_sheet_measure(&s, s.bend + loft_acc_ulp(s.bend));
-    CHECK(s.measured == 0 && memcmp(&s.box, &h.sheet.box, sizeof s.box) == 0);
+    CHECK(s.measured == 0 && memcmp(&s.box, &land.sheet.box, sizeof s.box) == 0);
     s.surface.eval = no_point;
     s.bend = loft_to_acc(LOFT_REAL(1));
     loft_sheet_measure(&s, loft_to_acc(LOFT_REAL(0.125)));
-    CHECK(s.measured == 0 && memcmp(&s.box, &h.sheet.box, sizeof s.box) == 0);
+    CHECK(s.measured == 0 && memcmp(&s.box, &land.sheet.box, sizeof s.box) == 0);
 }
 
 static void a_bend_of_one_direction_is_sharp(arb *a)
