@@ -406,10 +406,10 @@ void loft_sheet_measure(loft_sheet *s, loft_acc near)
         visit_pieces(&m);
     if (n == 0 || m.failed)
         return;
+    const loft_acc rounded = 4 * loft_acc_ulp(loft_to_acc(LOFT_REAL(LOFT_SHEET_REACH)));
     loft_acc gap = loft_sheet_gap(s, s->level + n) - s->fuzz;
     shrink_box(&s->box, &m.box, gap);
-    for (unsigned k = n; k-- > 0; ) {
-        const loft_acc rounded = 4 * loft_acc_ulp(loft_to_acc(LOFT_REAL(LOFT_SHEET_REACH)));
+    for (unsigned k = n; k-- > 0;) {
         gap += m.most[k] + loft_acc_ratio(m.most[k], 1048576) + rounded;
         s->gap[k] = loft_acc_min(gap, loft_sheet_gap(s, s->level + k) - s->fuzz);
     }

@@ -135,6 +135,17 @@ static void no_way_into_the_material_cuts(arb *a)
     surfaces_free(&all);
 }
 
+static mill_order small_ball(arb *a, double cusp)
+{
+    return (mill_order){ .radius = 2,
+                         .corner = 2,
+                         .cusp   = cusp,
+                         .tol    = 0.02,
+                         .axis   = arb_below(a, 2),
+                         .safe   = 1,
+                         .tell   = tell };
+}
+
 /* An octant, whose border is an upright wall, or a plane with slopes up to 3 along x and y, from
  * corner to corner: of both a raster or a spiral leaves no more than cusps.
  * Without lines that low and that far outside, up to 1 mm is left. */
@@ -142,13 +153,7 @@ static void steep_borders_are_reached(arb *a)
 {
     static unsigned turn;
     const double x = fresh(a, 30), y = fresh(a, 30);
-    mill_order o = { .radius = 2,
-                     .corner = 2,
-                     .cusp   = 0.2,
-                     .tol    = 0.02,
-                     .axis   = arb_below(a, 2),
-                     .safe   = 1,
-                     .tell   = tell };
+    mill_order o = small_ball(a, 0.2);
     o.pattern = arb_below(a, 2) ? MILL_SPIRAL : MILL_RASTER;
     char text[128] = "octant 7\n";
     surfaces all = { 0 };
@@ -177,13 +182,7 @@ static void hollows_are_told(arb *a)
 {
     static unsigned turn;
     const double slope = 0.5 + fresh(a, 0.5), exact = 2 * (sqrt(1 + slope * slope) - 1);
-    mill_order o = { .radius = 2,
-                     .corner = 2,
-                     .cusp   = 0.1,
-                     .tol    = 0.02,
-                     .axis   = arb_below(a, 2),
-                     .safe   = 1,
-                     .tell   = tell };
+    mill_order o = small_ball(a, 0.1);
     char text[256];
     surfaces all = { 0 };
     mill_cuts path = { 0 };

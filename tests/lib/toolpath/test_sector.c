@@ -52,35 +52,46 @@ static long double off_of(const loft_surface *s, const piece *p, uint32_t k, uin
 }
 
 /* A part with a bound: at this level or below it. */
-static bool arb_part(arb *a, const loft_sector *c, unsigned level, loft_sheet *s, piece *p)
+/* A part of a sector of any kind, of any level. */
+static bool arb_part(arb *a, unsigned *level, loft_sheet *s, piece *p)
 {
-    p->n = 1u << level;
-    p->triangle = loft_surface_from_sector(c).over == LOFT_SURFACE_TRIANGLE;
+    const scene *x = arb_kind(a, bounded[arb_below(a, 5)], arb_below(a, 2) ? 4 : 0);
+    static loft_sector c;
+
+    c = (loft_sector){ &x->round, (uint8_t)arb_below(a, loft_sector_count(&x->round)) };
+    *level = arb_below(a, 7);
+    p->n = 1u << *level;
+    p->triangle = loft_surface_from_sector(&c).over == LOFT_SURFACE_TRIANGLE;
     p->i = arb_below(a, p->n);
     p->j = arb_below(a, p->triangle ? p->n - p->i : p->n);
     p->upper = p->triangle && p->i + p->j + 1 < p->n && arb_below(a, 2);
-    return loft_sheet_from_sector(s, c, level, p->i, p->j, p->upper) == LOFT_OK;
+    return loft_sheet_from_sector(s, &c, *level, p->i, p->j, p->upper) == LOFT_OK;
+}
+
+/* Any point of a piece is no farther from the blend of its corners than this, and in the box. */
+static void check_point(arb *a, const loft_sheet *s, const piece *p, long double most)
+{
+    const uint32_t u = arb_below(a, 17), v = arb_below(a, p->triangle ? 17 - u : 17);
+    const loft_vec at = place_in(&s->surface, p, u, v);
+
+    CHECK(off_of(&s->surface, p, u, v) <= most);
+    for (int axis = 0; axis < 3; axis++) {
+        const long double x = exact_of(at.axis[axis]), fuzz = exact_acc(s->fuzz);
+        CHECK(x >= exact_of(s->box.min.axis[axis]) - fuzz);
+        CHECK(x <= exact_of(s->box.max.axis[axis]) + fuzz);
+    }
 }
 
 static void parts_are_as_flat_as_the_bend_says(arb *a)
 {
-    const scene *x = arb_kind(a, bounded[arb_below(a, 5)], arb_below(a, 2) ? 4 : 0);
-    const loft_sector c = { &x->round, (uint8_t)arb_below(a, loft_sector_count(&x->round)) };
-    const unsigned level = arb_below(a, 7);
+    unsigned level;
     loft_sheet s;
     piece p;
 
-    if (!arb_part(a, &c, level, &s, &p))
+    if (!arb_part(a, &level, &s, &p))
         return;
-    for (int k = 0; k < 30; k++) {
-        const uint32_t u = arb_below(a, 17), v = arb_below(a, p.triangle ? 17 - u : 17);
-        const long double off = off_of(&s.surface, &p, u, v);
-        const loft_vec at = place_in(&s.surface, &p, u, v);
-        CHECK(off <= exact_acc(s.bend) + exact_acc(s.fuzz));
-        for (int axis = 0; axis < 3; axis++)
-            CHECK(exact_of(at.axis[axis]) >= exact_of(s.box.min.axis[axis]) - exact_acc(s.fuzz) &&
-                  exact_of(at.axis[axis]) <= exact_of(s.box.max.axis[axis]) + exact_acc(s.fuzz));
-    }
+    for (int k = 0; k < 30; k++)
+        check_point(a, &s, &p, exact_acc(s.bend) + exact_acc(s.fuzz));
 }
 
 /* Quarter k of a piece; of a triangle the last one is turned round. */
@@ -96,27 +107,17 @@ static piece quarter_of(const piece *p, unsigned k)
 
 static void pieces_of_parts_are_as_flat_as_measured(arb *a)
 {
-    const scene *x = arb_kind(a, bounded[arb_below(a, 5)], arb_below(a, 2) ? 4 : 0);
-    const loft_sector c = { &x->round, (uint8_t)arb_below(a, loft_sector_count(&x->round)) };
-    const unsigned level = arb_below(a, 7);
+    unsigned level;
     loft_sheet s;
     piece p;
 
-    if (!arb_part(a, &c, level, &s, &p))
+    if (!arb_part(a, &level, &s, &p))
         return;
     const loft_acc bend = s.bend;
     loft_sheet_measure(&s, loft_acc_ratio(bend, 1 << arb_below(a, 12)) + loft_acc_ulp(bend));
     for (unsigned k = 0; k <= LOFT_SHEET_MEASURED + 1; k++) {
-        for (int n = 0; n < 10; n++) {
-            const uint32_t u = arb_below(a, 17), v = arb_below(a, p.triangle ? 17 - u : 17);
-            const loft_vec at = place_in(&s.surface, &p, u, v);
-            CHECK(off_of(&s.surface, &p, u, v) <= exact_acc(loft_sheet_gap(&s, level + k)));
-            for (int axis = 0; axis < 3; axis++) {
-                const long double y = exact_of(at.axis[axis]), fuzz = exact_acc(s.fuzz);
-                CHECK(y >= exact_of(s.box.min.axis[axis]) - fuzz);
-                CHECK(y <= exact_of(s.box.max.axis[axis]) + fuzz);
-            }
-        }
+        for (int n = 0; n < 10; n++)
+            check_point(a, &s, &p, exact_acc(loft_sheet_gap(&s, level + k)));
         p = quarter_of(&p, arb_below(a, 4));
     }
 }
