@@ -414,13 +414,13 @@ static loft_coord scale_most(const loft_corners *c)
     return (c->chain->period->tol + c->chain->period->more) << (SCALES - 1);
 }
 
-/* Forget stretches that no joint to come looks back at. */
+/* Forget stretches that no joint to come looks back at, nor the tip of a bend: two are kept. */
 static void forget(loft_corners *c)
 {
-    unsigned n = c->looked > 0 ? c->looked - 1u : 0;
+    unsigned n = c->looked > 1 ? c->looked - 2u : 0;
     const loft_coord need = scale_most(c);
 
-    for (int64_t back = 0; n > 0 && back + c->stretch[n].length <= need; n--)
+    for (int64_t back = c->stretch[n + 1].length; n > 0 && back + c->stretch[n].length <= need; n--)
         back += c->stretch[n].length;
     if (n == 0 && c->stretches == LOFT_CORNERS_STRETCHES)
         n = c->looked > 1 ? (c->looked - 1u + 1) / 2 : 0;
