@@ -509,13 +509,13 @@ void loft_corners_drop(loft_corners *c, int64_t s, loft_coord cap)
     int64_t to = s + cap;
     const loft_corner *tightest = NULL;
 
-    for (unsigned i = 0; i < c->count && c->corner[i].s <= s; i++) {
+    for (unsigned i = 0; i < c->count && c->corner[i].s < s; i++) {
         const int64_t next = loft_corner_allows(&c->corner[i], s, ONE);
         tightest = next < to ? &c->corner[i] : tightest;
         to = next < to ? next : to;
     }
     for (unsigned i = 0; i < c->count; i++)
-        if (c->corner[i].s > s || &c->corner[i] == tightest) {
+        if (c->corner[i].s >= s || &c->corner[i] == tightest) {
             const loft_corner kept = c->corner[i];
             c->corner[n++] = kept;
         }
