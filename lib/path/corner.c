@@ -46,6 +46,7 @@
 #define SHARP       LOFT_CHAIN_SHARP
 #define SCALES      5
 #define CLOSE       4                               /* parts of a period */
+#define HALF        (LOFT_CORNERS_STRETCHES / 2)
 #define NEAR        31                              /* tolerances of a corner */
 
 
@@ -422,8 +423,8 @@ static void forget(loft_corners *c)
 
     for (int64_t back = c->stretch[n + 1].length; n > 0 && back + c->stretch[n].length <= need; n--)
         back += c->stretch[n].length;
-    if (n == 0 && c->stretches == LOFT_CORNERS_STRETCHES)
-        n = c->looked > 1 ? (c->looked - 1u + 1) / 2 : 0;
+    if (n == 0 && c->stretches == LOFT_CORNERS_STRETCHES && c->looked > HALF)
+        n = HALF / 4;
     for (unsigned k = n; k < c->stretches; k++)
         c->stretch[k - n] = c->stretch[k];
     c->stretches = (uint8_t)(c->stretches - n);
@@ -435,13 +436,15 @@ bool loft_corners_full(const loft_corners *c)
     return c->count + 2 >= LOFT_CORNERS_MOST || c->zones == LOFT_CORNERS_ZONES;
 }
 
-/* Look at joints behind which enough is known, or all that will be. */
+/* Look at joints behind which enough is known, or all that will be; where there is no room for
+ * more, half of it is behind a joint. */
 static void look(loft_corners *c, bool all)
 {
     const loft_coord need = scale_most(c);
+    const bool half = c->stretches == LOFT_CORNERS_STRETCHES;
 
     while (c->looked < c->stretches && !loft_corners_full(c) &&
-           (all || scanned(c) - known(c) > need)) {
+           (all || (half && c->looked <= HALF) || scanned(c) - known(c) > need)) {
         if (c->looked > 0) {
             look_at_tip(c);
             look_at_joint(c);
@@ -457,13 +460,12 @@ void loft_corners_scan(loft_corners *c, int64_t to)
     while (!loft_corners_full(c) && known(c) < to) {
         if (c->stretches == LOFT_CORNERS_STRETCHES)
             forget(c);
-        const bool more = c->stretches < LOFT_CORNERS_STRETCHES &&
-                          loft_chain_advance(chain, &c->walk);
+        const bool room = c->stretches < LOFT_CORNERS_STRETCHES,
+                   more = room && loft_chain_advance(chain, &c->walk);
         if (more)
             add_stretch(c);
         const unsigned before = c->looked;
-        look(c, !more && (chain->ended || chain->count == chain->room ||
-                          c->stretches == LOFT_CORNERS_STRETCHES));
+        look(c, room && !more && (chain->ended || chain->count == chain->room));
         if (!more && c->looked == before)
             break;
     }
