@@ -29,7 +29,9 @@
  *
  * Bends turn by too little at that scale. Where one of more than 16 tol is tightest, with the
  * curvature k, it is passed at sqrt(a / k): if that is less than half of the cap, it is a corner as
- * well. So places come to the tip of a bend at a distance that shrinks slowly.
+ * well. So places come to the tip of a bend at a distance that shrinks slowly. So they do where the
+ * cap of speed depends on the direction, or the feed changes: where the next arc has a cap that is
+ * larger or smaller by more than an eighth, the joint is passed at the smaller one.
  */
 #include "path/corner.h"
 
@@ -48,6 +50,7 @@
 #define CLOSE       4                               /* parts of a period */
 #define HALF        (LOFT_CORNERS_STRETCHES / 2)
 #define NEAR        31                              /* tolerances of a corner */
+#define EVEN        8                               /* of a cap: by a part it may change at once */
 
 
 // Launches
@@ -355,14 +358,16 @@ static void look_at_joint(loft_corners *c)
     const unsigned i = c->looked;
     const loft_corner_stretch *before = &c->stretch[i - 1], *after = &c->stretch[i];
     const bool corner = is_corner(c, i), sharp = is_sharp(before, after);
-    const loft_coord speed = joint_speed(c, i, corner),
-                     cap = sharp ? loft_coord_most(before->cap, after->cap)
-                                 : loft_coord_least(before->cap, after->cap);
+    const loft_coord slow = loft_coord_least(before->cap, after->cap),
+                     fast = loft_coord_most(before->cap, after->cap),
+                     speed = joint_speed(c, i, corner);
+    const bool turns = speed < (sharp ? fast : slow);
 
     if (corner)
         add_zone(c, s);
-    if (speed < cap)
-        add_corner(c, s, speed, cap, before->to, after->from, sharp && !is_close(c, s, speed));
+    if (turns || slow < fast - fast / EVEN)
+        add_corner(c, s, loft_coord_least(speed, slow), fast, before->to, after->from,
+                   turns && sharp && !is_close(c, s, speed));
 }
 
 /* How much the path turns in a stretch. */
