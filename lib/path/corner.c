@@ -112,13 +112,18 @@ loft_coord loft_corner_cap(const loft_period *p, const int16_t u[], loft_coord f
 // Stretches
 // ---------
 
-/* Is `after` so short that it may belong to the stretch before? At a cusp arcs become shorter and
- * shorter: too many of them would hide what is around a joint. */
+/* Is `after` so short, or so straight, that it may belong to the stretch before? At a tip arcs
+ * become shorter and shorter: too many of them would hide what is around a joint. What bends by
+ * less than a 32nd of the tolerance is one. */
 static bool is_scrap(const loft_corners *c, const loft_corner_stretch *before,
                      const loft_corner_stretch *after)
 {
-    return before->length + (int64_t)after->length <= c->chain->period->tol / 4 &&
-           loft_chain_turn(before->from, after->to) <= (int64_t)UNIT * UNIT &&
+    const loft_period *p = c->chain->period;
+    const int64_t length = before->length + (int64_t)after->length,
+                  turn = loft_chain_turn(before->from, after->to);
+
+    return length <= p->tol + p->more && turn <= (int64_t)UNIT * UNIT &&
+           length * loft_coord_sqrt((uint64_t)turn) <= p->tol / 4 * (int64_t)UNIT &&
            loft_chain_turn(before->to, after->from) <= (int64_t)SHARP * SHARP;
 }
 
