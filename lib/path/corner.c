@@ -28,7 +28,8 @@
  * are wholly within 31 times itself from them.
  *
  * Bends turn by too little at that scale. Where one of more than 16 tol is tightest, with the
- * curvature k, it is passed at sqrt(a / k): if that is less than half of the cap, it is a corner as
+ * curvature k, it is passed at sqrt(a / k): if that is less than half of the cap, or if the cubic
+ * through places at the cap would skip more than a quarter of the tolerance, it is a corner as
  * well. So places come to the tip of a bend at a distance that shrinks slowly. So they do where the
  * cap of speed depends on the direction, or the feed changes: where the next arc has a cap that is
  * larger or smaller by more than an eighth, the joint is passed at the smaller one.
@@ -405,6 +406,18 @@ static loft_coord bend_speed(const loft_period *p, const loft_corner_stretch *e)
     return (loft_coord)loft_coord_sqrt((uint64_t)most * UNIT);
 }
 
+/* The longest way in its bend, of radius r, of which the cubic through places skips no more than a
+ * quarter of the tolerance: 3 w^4 / (128 r^3) = tol / 4. */
+static loft_coord bend_way(const loft_period *p, const loft_corner_stretch *e)
+{
+    const int64_t r = (int64_t)e->length * UNIT / (turned(e) + 1);
+    if (r > INT32_MAX)
+        return CAP_MAX;
+    const uint32_t square = loft_coord_sqrt(((uint64_t)p->tol << 32) * 11 / (uint64_t)(r + 1));
+    const int64_t way = r * loft_coord_sqrt((uint64_t)square << 16) >> 16;
+    return way < CAP_MAX ? (loft_coord)way : CAP_MAX;
+}
+
 /* The tip of a bend, if that is the stretch before `looked`: smaller ones are corners. */
 static void look_at_tip(loft_corners *c)
 {
@@ -414,9 +427,10 @@ static void look_at_tip(loft_corners *c)
     if (c->looked < 2 || e->length <= (int64_t)p->tol << (SCALES - 1) || !bends_more(e, e - 1) ||
         bends_more(e + 1, e))
         return;
-    const loft_coord speed = bend_speed(p, e);
-    if (speed < e->cap / 2)
-        add_corner(c, known(c) - e->length / 2, speed, e->cap, e->from, e->to, false);
+    const loft_coord speed = bend_speed(p, e), way = bend_way(p, e);
+    if (speed < e->cap / 2 || way < e->cap)
+        add_corner(c, known(c) - e->length / 2, loft_coord_least(speed, way), e->cap, e->from,
+                   e->to, false);
 }
 
 /* The largest scale at which a joint is looked at. */
