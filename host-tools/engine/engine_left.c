@@ -37,8 +37,8 @@
 typedef struct {
     const loft_sheet *sheet;
     double corner[4][3], middle[3];
-    unsigned corners, level, i, j;
-    bool upper;
+    loft_sheet_piece at;
+    unsigned corners;
     double size;                /* from the middle to the farthest corner */
     double gap;                 /* from the hull of the corners to the surface */
 } piece;
@@ -298,15 +298,16 @@ static void learn_corner(left *l, const part *q)
 static bool fill_piece(piece *p)
 {
     const loft_sheet *const s = p->sheet;
-    const uint32_t far = p->upper ? 1 : 0, n = (uint32_t)1 << p->level;
+    const uint32_t n = (uint32_t)1 << p->at.level;
 
     p->corners = s->surface.over == LOFT_SURFACE_TRIANGLE ? 3 : 4;
     memset(p->middle, 0, sizeof p->middle);
     for (unsigned k = 0; k < p->corners; k++) {
-        const uint32_t i = p->i + ((k & 1) ^ far), j = p->j + ((k >> 1) ^ far);
+        uint32_t at[2];
         loft_vec v;
-        if (s->surface.eval(s->surface.surface, loft_unit_of(i, n), loft_unit_of(j, n), &v) !=
-            LOFT_OK)
+        loft_sheet_piece_corner(&p->at, k, at);
+        if (s->surface.eval(s->surface.surface, loft_unit_of(at[0], n), loft_unit_of(at[1], n),
+                            &v) != LOFT_OK)
             return false;
         point_of(v, p->corner[k]);
         for (int axis = 0; axis < 3; axis++)
@@ -319,7 +320,7 @@ static bool fill_piece(piece *p)
             d2 += pow(p->corner[k][axis] - p->middle[axis], 2);
         p->size = fmax(p->size, sqrt(d2));
     }
-    p->gap = sqrt(3) * double_of_acc(loft_sheet_gap(s, p->level));
+    p->gap = sqrt(3) * double_of_acc(loft_sheet_gap(s, p->at.level));
     return true;
 }
 
@@ -327,14 +328,16 @@ static bool fill_piece(piece *p)
 static bool has_corner(const piece *p)
 {
     const loft_sheet *const s = p->sheet;
-    const uint32_t far = p->upper ? 1 : 0, n = (uint32_t)1 << p->level;
+    const double n = ldexp(1, p->at.level);
+    uint32_t at[2];
     loft_vec v;
 
     if (s->trim == NULL)
         return true;
+    loft_sheet_piece_corner(&p->at, 0, at);
     if (!s->plane)
-        return loft_region_has(s->trim, loft_region_spot(LOFT_REAL((double)(p->i + far) / n),
-                                                         LOFT_REAL((double)(p->j + far) / n)));
+        return loft_region_has(s->trim,
+                               loft_region_spot(LOFT_REAL(at[0] / n), LOFT_REAL(at[1] / n)));
     return vec_of(p->corner[0], &v) &&
            loft_region_has(s->trim, loft_region_spot(v.axis[0], v.axis[1]));
 }
@@ -353,24 +356,13 @@ static bool is_outside(const piece *p)
         (void)real_of(low - p->gap, &box.min.axis[axis]);
         (void)real_of(high + p->gap, &box.max.axis[axis]);
     }
-    return p->sheet->trim != NULL &&
-           loft_sheet_part_of(p->sheet, &box, p->level, p->i, p->j) == LOFT_REGION_OUT;
+    return p->sheet->trim != NULL && loft_sheet_part_of(p->sheet, &box, &p->at) == LOFT_REGION_OUT;
 }
 
-/* Quarter k of 4. Of a triangle the last one is turned round. */
 static piece quarter_of(const piece *p, unsigned k)
 {
-    piece q = { .sheet = p->sheet, .level = p->level + 1, .i = 2 * p->i, .j = 2 * p->j };
-
-    if (p->sheet->surface.over != LOFT_SURFACE_TRIANGLE) {
-        q.i += k % 2;
-        q.j += k / 2;
-        return q;
-    }
-    q.upper = (k == 3) != p->upper;
-    q.i += p->upper ? k != 1 : k == 1;
-    q.j += p->upper ? k != 2 : k == 2;
-    return q;
+    const bool triangle = p->sheet->surface.over == LOFT_SURFACE_TRIANGLE;
+    return (piece){ .sheet = p->sheet, .at = loft_sheet_piece_quarter(&p->at, triangle, k) };
 }
 
 /* Parts, the largest bound first */
@@ -417,7 +409,7 @@ static void add_piece(left *l, const piece *p, const stand *best, const shortlis
     part q = { .p = *p, .best = *best, .by_path = INFINITY };
 
     if (!fill_piece(&q.p)) {            /* nothing is known of it */
-        q.p.level = LOFT_DROP_LEVELS;
+        q.p.at.level = LOFT_DROP_LEVELS;
         q.best.left = INFINITY;
         add(l, &q);
         return;
@@ -443,7 +435,7 @@ static double search(left *l)
     while (l->count > 0) {
         part q = l->heap[0];
         const double bound = bound_by(&q, l->by);
-        if (q.p.level >= LOFT_DROP_LEVELS || bound <= enough_of(l, l->by))
+        if (q.p.at.level >= LOFT_DROP_LEVELS || bound <= enough_of(l, l->by))
             return fmax(l->most[l->by], bound);
         if (l->by == 1 && !q.asked) {
             bound_by_any(l, &q);
@@ -480,7 +472,7 @@ static void begin_search(left *l)
     }
     for (uint32_t k = 0; k < l->d.count; k++) {
         const loft_sheet *const s = &l->d.sheet[k];
-        const piece p = { .sheet = s, .level = s->level, .i = s->i, .j = s->j, .upper = s->upper };
+        const piece p = { .sheet = s, .at = s->part };
         add_piece(l, &p, &nowhere, every);
     }
     free(every);

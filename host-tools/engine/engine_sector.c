@@ -5,11 +5,6 @@
 #include "base/tool.h"              /* tool_grow */
 #include "engine/engine_sheet.h"
 
-typedef struct {
-    unsigned i, j, level;
-    bool upper;
-} part;
-
 loft_sheet *ENGINE_OF(engine_sheet_add)(engine_sheet_list *l)
 {
     if (l->count == l->room) {
@@ -20,31 +15,24 @@ loft_sheet *ENGINE_OF(engine_sheet_add)(engine_sheet_list *l)
 }
 
 /* A part that has no bound is divided, and so is one that is too large. */
-static int add_part(const loft_sector *c, part whole, unsigned level, engine_sheet_list *out)
+static int add_part(const loft_sector *c, unsigned level, engine_sheet_list *out)
 {
     const bool triangle = loft_surface_from_sector(c).over == LOFT_SURFACE_TRIANGLE;
-    part stack[3 * LOFT_DROP_LEVELS + 1] = { whole };
+    loft_sheet_piece stack[3 * LOFT_DROP_LEVELS + 1] = { { 0, 0, 0, false } };
     unsigned count = 1;
 
     while (count > 0) {
-        const part p = stack[--count];
+        const loft_sheet_piece p = stack[--count];
         loft_sheet s;
         int status = LOFT_SINGULAR;
         if (p.level >= level)
-            status = loft_sheet_from_sector(&s, c, p.level, p.i, p.j, p.upper);
+            status = loft_sheet_from_sector(&s, c, p);
         if (status == LOFT_OK)
             *ENGINE_OF(engine_sheet_add)(out) = s;
         else if (status != LOFT_SINGULAR || p.level == LOFT_DROP_LEVELS)
             return status;
         for (unsigned k = 0; k < 4 && status != LOFT_OK; k++)
-            stack[count++] = (part){ 2 * p.i + (k & 1), 2 * p.j + (k >> 1), p.level + 1, false };
-        if (triangle && status != LOFT_OK) {        /* the middle one, and those around it */
-            const unsigned far = p.upper;
-            stack[count - 1] = (part){ 2 * p.i + far, 2 * p.j + far, p.level + 1, !p.upper };
-            stack[count - 2] = (part){ 2 * p.i + far, 2 * p.j + 1 - far, p.level + 1, p.upper };
-            stack[count - 3] = (part){ 2 * p.i + 1 - far, 2 * p.j + far, p.level + 1, p.upper };
-            stack[count - 4] = (part){ 2 * p.i + far, 2 * p.j + far, p.level + 1, p.upper };
-        }
+            stack[count++] = loft_sheet_piece_quarter(&p, triangle, k);
     }
     return LOFT_OK;
 }
@@ -57,7 +45,7 @@ int ENGINE_OF(engine_sectors)(const loft_disk *disk, loft_sector sector[], unsig
 
     for (unsigned k = 0; k < count && status == LOFT_OK; k++) {
         sector[k] = (loft_sector){ disk, (uint8_t)k };
-        status = add_part(&sector[k], (part){ 0, 0, 0, false }, level, out);
+        status = add_part(&sector[k], level, out);
     }
     return status;
 }

@@ -102,10 +102,10 @@ static void touch_triangle(touches *t, const double *const p[3])
 /* The point at a corner of a cell; false where the sheet has none. */
 static bool find_point(const touches *t, const loft_sheet *s, unsigned i, unsigned j, double out[3])
 {
-    const bool far  = s->upper;
-    const double by = ldexp(far ? -1 : 1, -s->level) / t->cells,
-                 u = ldexp(s->i + far, -s->level) + by * i,
-                 v = ldexp(s->j + far, -s->level) + by * j;
+    const loft_sheet_piece *part = &s->part;
+    const double by = ldexp(part->upper ? -1 : 1, -part->level) / t->cells,
+                 u = ldexp(part->i + part->upper, -part->level) + by * i,
+                 v = ldexp(part->j + part->upper, -part->level) + by * j;
     loft_vec p;
 
     if (s->surface.eval(s->surface.surface, LOFT_UNIT(u), LOFT_UNIT(v), &p) != LOFT_OK)

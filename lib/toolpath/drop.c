@@ -28,9 +28,8 @@
 typedef struct {
     loft_acc bound;
     loft_vec corner[4];
-    uint16_t i, j;
-    uint8_t level, corners;
-    bool upper;                 /* of a triangle: its right angle is at the far end */
+    loft_sheet_piece at;
+    uint8_t corners;
     bool inside;                /* of the region to which the sheet is trimmed */
 } piece;
 
@@ -257,14 +256,17 @@ static void learn_point(way *w, const loft_vec *p, uint32_t sheet, loft_unit u, 
     }
 }
 
-/* The point at i, j of 2^level steps. */
-static loft_vec get_point(way *w, uint32_t sheet, uint32_t i, uint32_t j, unsigned level,
-                          bool learn)
+/* Corner k of a piece. */
+static loft_vec get_corner(way *w, uint32_t sheet, const loft_sheet_piece *at, unsigned k,
+                           bool learn)
 {
     const loft_surface *s = &w->d->sheet[sheet].surface;
-    const loft_unit u = loft_unit_of(i, (uint32_t)1 << level),
-                    v = loft_unit_of(j, (uint32_t)1 << level);
+    const uint32_t n = (uint32_t)1 << at->level;
+    uint32_t step[2];
     loft_vec p = { { 0 } };
+
+    loft_sheet_piece_corner(at, k, step);
+    const loft_unit u = loft_unit_of(step[0], n), v = loft_unit_of(step[1], n);
 
     if (s->eval(s->surface, u, v, &p) == LOFT_OK && learn)      /* these have points everywhere */
         learn_point(w, &p, sheet, u, v);
@@ -313,7 +315,7 @@ static void grow_box(loft_box *box, loft_acc off)
 /* Is the piece of interest? Then p->bound is known. */
 static bool weigh_piece(way *w, uint32_t sheet, piece *p, bool learn)
 {
-    const loft_acc off = loft_sheet_gap(&w->d->sheet[sheet], p->level);
+    const loft_acc off = loft_sheet_gap(&w->d->sheet[sheet], p->at.level);
     loft_box box = { p->corner[0], p->corner[0] };
     foot middle;
 
@@ -327,71 +329,52 @@ static bool weigh_piece(way *w, uint32_t sheet, piece *p, bool learn)
         return false;
     if (!p->inside) {
         grow_box(&box, off);
-        const enum loft_region_part part = loft_sheet_part_of(&w->d->sheet[sheet], &box, p->level,
-                                                              p->i, p->j);
+        const enum loft_region_part part = loft_sheet_part_of(&w->d->sheet[sheet], &box, &p->at);
         if (part == LOFT_REGION_OUT)
             return false;
         p->inside = part == LOFT_REGION_IN;
     }
     p->bound = find_bound(w, p, off, &middle);
-    if (p->level < LOFT_DROP_LEVELS && p->bound > enough_for(w, learn))
+    if (p->at.level < LOFT_DROP_LEVELS && p->bound > enough_for(w, learn))
         return true;
     w->need = loft_acc_max(w->need, p->bound);
     return false;
 }
 
-/* The four quarters of a square: the points between its corners are shared. */
-static void quarter_square(way *w, uint32_t sheet, const piece *p, bool learn, piece out[4])
+/* The four quarters of a piece. They share the points between its corners. */
+static void quarter(way *w, uint32_t sheet, const piece *p, bool learn, piece out[4])
 {
     loft_vec grid[9];
+    unsigned known = 0;
 
-    for (unsigned k = 0; k < 9; k++)
-        grid[k] = k % 2 == 0 && k != 4 ? p->corner[k % 3 / 2 + k / 6 * 2]
-                                       : get_point(w, sheet, 2u * p->i + k % 3, 2u * p->j + k / 3,
-                                                   p->level + 1u, learn);
-    for (unsigned k = 0; k < 4; k++) {
-        out[k].i = (uint16_t)(2 * p->i + k % 2);
-        out[k].j = (uint16_t)(2 * p->j + k / 2);
-        out[k].upper = false;
-        for (unsigned m = 0; m < 4; m++)
-            out[k].corner[m] = grid[k % 2 + m % 2 + 3 * (k / 2 + m / 2)];
+    for (unsigned k = 0; k < p->corners; k++) {
+        const unsigned spot = loft_sheet_piece_own(&p->at, k);
+        grid[spot] = p->corner[k];
+        known |= 1u << spot;
     }
-}
-
-/* Three quarters at the corners of a triangle, and one in its middle that is turned round. Seen
- * from corner 0 the sides lead away, or back if it is the upper one. */
-static void quarter_triangle(way *w, uint32_t sheet, const piece *p, bool learn, piece out[4])
-{
-    const unsigned far = p->upper ? 1 : 0;
-    loft_vec between[3];        /* opposite to corner k */
-
-    for (unsigned k = 0; k < 3; k++)
-        between[k] = get_point(w, sheet, 2u * p->i + (k == 1 ? far * 2 : 1),
-                               2u * p->j + (k == 2 ? far * 2 : 1), p->level + 1u, learn);
     for (unsigned k = 0; k < 4; k++) {
-        out[k].i = (uint16_t)(2 * p->i + (k == 1 ? 1 - far : far));
-        out[k].j = (uint16_t)(2 * p->j + (k == 2 ? 1 - far : far));
-        out[k].upper = (k == 3) != p->upper;
-        for (unsigned m = 0; m < 3; m++)
-            out[k].corner[m] = k == 3 ? between[m] : k == m ? p->corner[k] : between[3 - k - m];
-        out[k].corner[3] = out[k].corner[0];
+        out[k].at = loft_sheet_piece_quarter(&p->at, p->corners == 3, k);
+        out[k].corners = p->corners;
+        out[k].inside = p->inside;
+        for (unsigned m = 0; m < p->corners; m++) {
+            const unsigned spot = loft_sheet_piece_spot(&p->at, &out[k].at, m);
+            if (!(known >> spot & 1))
+                grid[spot] = get_corner(w, sheet, &out[k].at, m, learn);
+            known |= 1u << spot;
+            out[k].corner[m] = grid[spot];
+        }
     }
 }
 
 static void whole_sheet(way *w, uint32_t sheet, bool learn, piece *p)
 {
     const loft_sheet *s = &w->d->sheet[sheet];
-    const uint32_t far = s->upper ? 1 : 0;
 
     p->corners = s->surface.over == LOFT_SURFACE_TRIANGLE ? 3 : 4;
-    p->i = s->i;
-    p->j = s->j;
-    p->level = s->level;
-    p->upper = s->upper;
+    p->at = s->part;
     p->inside = s->trim == NULL;
-    for (uint32_t k = 0; k < p->corners; k++)
-        p->corner[k] = get_point(w, sheet, p->i + ((k & 1) ^ far), p->j + ((k >> 1) ^ far),
-                                 p->level, learn);
+    for (unsigned k = 0; k < p->corners; k++)
+        p->corner[k] = get_corner(w, sheet, &p->at, k, learn);
 }
 
 /* Search one sheet. `learn`: find what it asks for; otherwise stop when some piece of the smallest
@@ -411,14 +394,8 @@ static bool search_sheet(way *w, uint32_t sheet, bool learn)
             w->need = loft_acc_max(w->need, p.bound);
             continue;
         }
-        if (p.corners == 3)
-            quarter_triangle(w, sheet, &p, learn, child);
-        else
-            quarter_square(w, sheet, &p, learn, child);
+        quarter(w, sheet, &p, learn, child);
         for (unsigned k = 0; k < 4; k++) {
-            child[k].level = (uint8_t)(p.level + 1);
-            child[k].corners = p.corners;
-            child[k].inside = p.inside;
             if (!weigh_piece(w, sheet, &child[k], learn))
                 continue;
             unsigned place = count++;       /* the highest one last: it is the next */

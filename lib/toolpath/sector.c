@@ -112,23 +112,13 @@ typedef struct {
     bool points;                /* the last level: derivatives do not count */
 } part;
 
-/* A square or a triangle of side 2^-level. */
-typedef struct {
-    unsigned i, j, level;
-    bool upper;
-} piece;
-
-static void make_part(const loft_sector *c, const piece *p, part *out)
+static void make_part(const loft_sector *c, const loft_sheet_piece *p, part *out)
 {
-    const unsigned far = p->upper ? 1 : 0;
-
     out->corners = is_triangular(c) ? 3 : 4;
     out->level = p->level;
     out->points = false;
-    for (unsigned k = 0; k < out->corners; k++) {
-        out->at[k][0] = p->i + ((k & 1) ^ far);
-        out->at[k][1] = p->j + ((k >> 1) ^ far);
-    }
+    for (unsigned k = 0; k < out->corners; k++)
+        loft_sheet_piece_corner(p, k, out->at[k]);
 }
 
 static loft_sci steps_of(const part *p, uint32_t n)
@@ -372,29 +362,18 @@ static bool take_bounds(const loft_jet_ball_sum *sum, const part *p, bool last, 
     return true;
 }
 
-/* Quarter k of a piece, as loft_drop divides them. */
-static piece quarter_of(const piece *p, bool triangle, unsigned k)
-{
-    const unsigned far = p->upper ? 1 : 0, middle = triangle && k == 3,
-                   x = triangle ? (k == 1 ? 1 - far : far) : k & 1,
-                   y = triangle ? (k == 2 ? 1 - far : far) : k >> 1;
-    const piece q = { 2 * p->i + x, 2 * p->j + y, p->level + 1, middle ? !p->upper : p->upper };
-
-    return q;
-}
-
 /* Bound a part, piece by piece. */
-static bool find_bounds(const loft_sector *c, const piece *whole, bounds *b)
+static bool find_bounds(const loft_sector *c, const loft_sheet_piece *whole, bounds *b)
 {
     const loft_sci none = loft_sci_zero();
-    piece stack[3 * FINER + 1];
+    loft_sheet_piece stack[3 * FINER + 1];
     unsigned count = 1;
     loft_jet_ball_sum sum;
 
     b->bend = b->turn = b->least = none;
     stack[0] = *whole;
     while (count > 0) {
-        const piece now = stack[--count];
+        const loft_sheet_piece now = stack[--count];
         const bool last = now.level >= whole->level + FINER;
         part p;
         make_part(c, &now, &p);
@@ -404,7 +383,7 @@ static bool find_bounds(const loft_sector *c, const piece *whole, bounds *b)
         if (last)
             return false;
         for (unsigned k = 0; k < 4; k++)
-            stack[count++] = quarter_of(&now, is_triangular(c), k);
+            stack[count++] = loft_sheet_piece_quarter(&now, is_triangular(c), k);
     }
     return true;
 }
@@ -458,8 +437,8 @@ static enum loft_status finish_sheet(loft_sheet *s, const loft_sector *c, loft_a
 }
 
 /* The bend of a part and how far its points move; at the last level the range of its points. */
-static enum loft_status find_bend(const loft_sector *c, const piece *whole, const part *p,
-                                  loft_acc *bend, loft_acc *moved)
+static enum loft_status find_bend(const loft_sector *c, const loft_sheet_piece *whole,
+                                  const part *p, loft_acc *bend, loft_acc *moved)
 {
     loft_jet size[3];
     loft_jet_ball_sum sum;
@@ -486,31 +465,28 @@ static enum loft_status find_bend(const loft_sector *c, const piece *whole, cons
     return LOFT_OK;
 }
 
-enum loft_status loft_sheet_from_sector(loft_sheet *s, const loft_sector *c, unsigned level,
-                                        unsigned i, unsigned j, bool upper)
+enum loft_status loft_sheet_from_sector(loft_sheet *s, const loft_sector *c, loft_sheet_piece whole)
 {
-    const uint32_t n = (uint32_t)1 << (level <= LOFT_DROP_LEVELS ? level : 0);
-    const piece whole = { i, j, level, upper };
+    const uint32_t n = (uint32_t)1 << (whole.level <= LOFT_DROP_LEVELS ? whole.level : 0),
+                   right = (uint32_t)whole.i + whole.j + (whole.upper ? 1 : 0);
     loft_acc moved;
     loft_sheet made;
     part p;
 
-    if (LOFT_AXES < 3 || level > LOFT_DROP_LEVELS || c->number >= loft_sector_count(c->disk) ||
-        i >= n || j >= n || (is_triangular(c) ? i + j + (upper ? 1 : 0) >= n : upper))
+    if (LOFT_AXES < 3 || whole.level > LOFT_DROP_LEVELS ||
+        c->number >= loft_sector_count(c->disk) || whole.i >= n || whole.j >= n ||
+        (is_triangular(c) ? right >= n : whole.upper))
         return LOFT_ERR_ARG;
     make_part(c, &whole, &p);
-    p.points = level == LOFT_DROP_LEVELS;
+    p.points = whole.level == LOFT_DROP_LEVELS;
     enum loft_status status = find_bend(c, &whole, &p, &made.bend, &moved);
     if (status == LOFT_OK)
         status = find_box(c, &p, &made.box);
     if (status != LOFT_OK)
         return status;
     made.surface = loft_surface_from_sector(c);
-    made.level = (uint8_t)level;
+    made.part = whole;
     made.measured = 0;
-    made.i = (uint16_t)i;
-    made.j = (uint16_t)j;
-    made.upper = upper;
     made.plane = false;
     made.trim = NULL;
     status = finish_sheet(&made, c, moved);

@@ -6,8 +6,8 @@
  * Where a part has no bound, its quarters are tried:
  *
  *     loft_sector c = { &disk, 0 };            // 0 .. loft_sector_count(&disk) - 1
- *     if (loft_sheet_from_sector(&s, &c, 3, i, j, false) == LOFT_SINGULAR)
- *         ..                                   // level 4, and so on
+ *     if (loft_sheet_from_sector(&s, &c, part) == LOFT_SINGULAR)
+ *         ..                                   // its quarters: loft_sheet_piece_quarter
  *
  *     patch                       sectors      parts
  *     spatch, gb, toric           sides        triangles: middle, vertex k, vertex k + 1
@@ -49,19 +49,18 @@ unsigned loft_sector_count(const loft_disk *d);
  */
 loft_surface loft_surface_from_sector(const loft_sector *c);
 
-/* Make a sheet of a part: a square or a triangle of side 2^-level at i, j. `upper`: of a triangle,
- * the half of the square that is farther from (0, 0).
+/* Make a sheet of a part: a square or a triangle.
  *
- *   range   level up to LOFT_DROP_LEVELS, i, j in it, three axes, a number below loft_sector_count,
- *           otherwise LOFT_ERR_ARG; LOFT_SINGULAR when no bound is found at this level;
- *           LOFT_ERR_RANGE as for loft_sheet_from_tensor; *s is then untouched
+ *   range   part.level up to LOFT_DROP_LEVELS, part.i, part.j in it, three axes, a number below
+ *           loft_sector_count, otherwise LOFT_ERR_ARG; LOFT_SINGULAR when no bound is found at this
+ *           level; LOFT_ERR_RANGE as for loft_sheet_from_tensor; *s is then untouched
  *   error   bend: never too small; nearer to that of the part the smaller it is. At vertices of a
  *           gb patch there is none: at the last level the range of the points themselves is taken
  *   cost    per control point 3 to 6 products of polygon/jet_ball.h; 8 kB of stack in q16
  *   see     Moore, Interval Analysis (1966)
  */
-enum loft_status loft_sheet_from_sector(loft_sheet *s, const loft_sector *c, unsigned level,
-                                        unsigned i, unsigned j, bool upper) LOFT_CHECKED;
+enum loft_status loft_sheet_from_sector(loft_sheet *s, const loft_sector *c,
+                                        loft_sheet_piece part) LOFT_CHECKED;
 
 LOFT_END_C
 

@@ -156,10 +156,7 @@ static void measure_quotient(const net_view *s, unsigned count, quotient *q)
 static enum loft_status make_sheet(loft_sheet *s, net_view *net, unsigned count,
                                    loft_surface surface)
 {
-    loft_sheet made = {
-        surface, { *point_of(net, 0), *point_of(net, 0) }, 0, 0, 0, 0, 0, 0, { 0 }, false, false,
-        NULL
-    };
+    loft_sheet made = { .surface = surface, .box = { *point_of(net, 0), *point_of(net, 0) } };
     loft_real most = 0;
     quotient q;
 
@@ -222,9 +219,7 @@ enum loft_status loft_sheet_from_tensor_part(loft_sheet *s, const loft_tensor *t
         return status;
     /* the net is rounded twice: 4 points of a difference, in three axes, both directions */
     s->bend += s->fuzz * (int32_t)(t->m * t->m + t->n * t->n);
-    s->level = (uint8_t)level;
-    s->i = (uint16_t)i;
-    s->j = (uint16_t)j;
+    s->part = (loft_sheet_piece){ (uint16_t)i, (uint16_t)j, (uint8_t)level, false };
     return LOFT_OK;
 }
 
@@ -256,12 +251,10 @@ enum loft_status loft_sheet_from_triangle_rational(loft_sheet *s, const loft_tri
 
 #define ROOM (3 * LOFT_SHEET_MEASURED + 1)
 
-/* A piece of a sheet, `below` levels finer than it, with its corners. */
+/* A piece of a sheet, with its corners. */
 typedef struct {
     loft_vec corner[4];
-    uint16_t i, j;
-    uint8_t below;
-    bool upper;
+    loft_sheet_piece at;
 } piece;
 
 typedef struct {
@@ -274,13 +267,17 @@ typedef struct {
 
 static bool is_triangle(const loft_sheet *s) { return s->surface.over == LOFT_SURFACE_TRIANGLE; }
 
-static loft_vec find_point(measure *m, unsigned level, uint32_t i, uint32_t j)
+static unsigned corners_of(const loft_sheet *s) { return is_triangle(s) ? 3 : 4; }
+
+static loft_vec find_corner(measure *m, const loft_sheet_piece *at, unsigned k)
 {
     const loft_surface *f = &m->s->surface;
-    const uint32_t n = (uint32_t)1 << level;
+    const uint32_t n = (uint32_t)1 << at->level;
+    uint32_t step[2];
     loft_vec p = { { 0 } };
 
-    if (f->eval(f->surface, loft_unit_of(i, n), loft_unit_of(j, n), &p) != LOFT_OK)
+    loft_sheet_piece_corner(at, k, step);
+    if (f->eval(f->surface, loft_unit_of(step[0], n), loft_unit_of(step[1], n), &p) != LOFT_OK)
         m->failed = true;
     else
         m->box = loft_box_join(m->box, p);
@@ -292,62 +289,54 @@ static loft_acc mean_of(const loft_vec *a, const loft_vec *b, int axis)
     return loft_acc_mean(loft_to_acc(loft_vec_axis(a, axis)), loft_to_acc(loft_vec_axis(b, axis)));
 }
 
-/* The point at i, j of the finer level. Between corners a and b of a piece, or in the middle of all
- * four, it is so far from their mean. */
-static loft_vec find_between(measure *m, const piece *p, uint32_t i, uint32_t j, unsigned a,
-                             unsigned b)
+/* The mean of what is around a point of the grid over a piece: of two corners, or of all four in
+ * the middle of a square. */
+static loft_acc mean_around(const loft_vec grid[9], unsigned spot, bool triangle, int axis)
 {
-    const loft_vec at = find_point(m, m->s->level + 1u + p->below, 2u * p->i + i, 2u * p->j + j);
-    const bool middle = a == b;
-    loft_acc *const most = &m->most[p->below];
+    const unsigned x = spot % 3, y = spot / 3;
+
+    if (x == 1 && y == 1)
+        return triangle ? mean_of(&grid[2], &grid[6], axis)
+                        : loft_acc_mean(mean_of(&grid[0], &grid[2], axis),
+                                        mean_of(&grid[6], &grid[8], axis));
+    return x == 1 ? mean_of(&grid[3 * y], &grid[3 * y + 2], axis)
+                  : mean_of(&grid[x], &grid[x + 6], axis);
+}
+
+/* A point of the grid is so far from that. */
+static void measure_spot(measure *m, const loft_vec grid[9], unsigned spot, unsigned below)
+{
     loft_acc off[3];
 
-    for (int k = 0; k < 3; k++) {
-        const loft_acc mean = middle ? loft_acc_mean(mean_of(&p->corner[0], &p->corner[1], k),
-                                                     mean_of(&p->corner[2], &p->corner[3], k))
-                                     : mean_of(&p->corner[a], &p->corner[b], k);
-        off[k] = loft_to_acc(loft_vec_axis(&at, k)) - mean;
-    }
-    *most = loft_acc_max(*most, loft_acc_hypot(off, 3));
-    return at;
+    for (int k = 0; k < 3; k++)
+        off[k] = loft_to_acc(loft_vec_axis(&grid[spot], k)) -
+                 mean_around(grid, spot, is_triangle(m->s), k);
+    m->most[below] = loft_acc_max(m->most[below], loft_acc_hypot(off, 3));
 }
 
-/* Measure a triangle, and divide it: loft_drop counts alike. The last one is turned round. */
-static void divide_triangle(measure *m, const piece *p, piece out[4])
+/* Measure a piece, and divide it. */
+static void divide(measure *m, const piece *p, piece out[4])
 {
-    const uint16_t far = p->upper ? 1 : 0, near = 1 - far;
-    loft_vec between[3];        /* opposite to corner k */
-
-    between[0] = find_between(m, p, 1, 1, 1, 2);
-    between[1] = find_between(m, p, 2u * far, 1, 0, 2);
-    between[2] = find_between(m, p, 1, 2u * far, 0, 1);
-    for (unsigned k = 0; k < 4; k++) {
-        out[k].i = (uint16_t)(2 * p->i + (k == 1 ? near : far));
-        out[k].j = (uint16_t)(2 * p->j + (k == 2 ? near : far));
-        out[k].upper = (k == 3) != p->upper;
-        for (unsigned c = 0; c < 3; c++)
-            out[k].corner[c] = k == 3 ? between[c] : k == c ? p->corner[k] : between[3 - k - c];
-        out[k].corner[3] = out[k].corner[0];
-    }
-}
-
-static void divide_square(measure *m, const piece *p, piece out[4])
-{
+    const unsigned corners = corners_of(m->s), below = (unsigned)(p->at.level - m->s->part.level);
     loft_vec grid[9];
+    unsigned known = 0;
 
-    for (unsigned k = 0; k < 4; k++)
-        grid[k % 2 * 2 + k / 2 * 6] = p->corner[k];
-    grid[1] = find_between(m, p, 1, 0, 0, 1);
-    grid[3] = find_between(m, p, 0, 1, 0, 2);
-    grid[4] = find_between(m, p, 1, 1, 0, 0);
-    grid[5] = find_between(m, p, 2, 1, 1, 3);
-    grid[7] = find_between(m, p, 1, 2, 2, 3);
+    for (unsigned k = 0; k < corners; k++) {
+        const unsigned spot = loft_sheet_piece_own(&p->at, k);
+        grid[spot] = p->corner[k];
+        known |= 1u << spot;
+    }
     for (unsigned k = 0; k < 4; k++) {
-        out[k].i = (uint16_t)(2 * p->i + k % 2);
-        out[k].j = (uint16_t)(2 * p->j + k / 2);
-        out[k].upper = false;
-        for (unsigned n = 0; n < 4; n++)
-            out[k].corner[n] = grid[k % 2 + n % 2 + 3 * (k / 2 + n / 2)];
+        out[k].at = loft_sheet_piece_quarter(&p->at, is_triangle(m->s), k);
+        for (unsigned n = 0; n < corners; n++) {
+            const unsigned spot = loft_sheet_piece_spot(&p->at, &out[k].at, n);
+            if (!(known >> spot & 1)) {
+                grid[spot] = find_corner(m, &out[k].at, n);
+                measure_spot(m, grid, spot, below);
+                known |= 1u << spot;
+            }
+            out[k].corner[n] = grid[spot];
+        }
     }
 }
 
@@ -355,27 +344,22 @@ static void divide_square(measure *m, const piece *p, piece out[4])
 static void visit_pieces(measure *m)
 {
     const loft_sheet *const s = m->s;
-    const uint16_t far = s->upper ? 1 : 0;
-    piece stack[ROOM] = { { .i = s->i, .j = s->j, .upper = s->upper } }, child[4];
+    piece stack[ROOM] = { { .at = s->part } }, child[4];
     unsigned count = 1;
 
-    for (unsigned k = 0; k < 4; k++)
-        if (k < 3 || !is_triangle(s)) {
-            stack[0].corner[k] = find_point(m, s->level, s->i + ((k & 1) ^ far),
-                                            s->j + ((k >> 1) ^ far));
-            if (k == 0)
-                m->box.min = m->box.max = stack[0].corner[0];
-        }
+    for (unsigned k = 0; k < corners_of(s); k++) {
+        stack[0].corner[k] = find_corner(m, &s->part, k);
+        if (k == 0)
+            m->box.min = m->box.max = stack[0].corner[0];
+    }
     while (count > 0 && !m->failed) {
         const piece p = stack[--count];
-        const bool last = p.below + 1u == m->levels;
-        if (last && p.upper != s->upper)
+        const bool last = p.at.level + 1u == s->part.level + m->levels;
+        if (last && p.at.upper != s->part.upper)
             continue;
-        (is_triangle(s) ? divide_triangle : divide_square)(m, &p, child);
-        for (unsigned k = 0; k < 4 && !last; k++) {
-            child[k].below = (uint8_t)(p.below + 1);
+        divide(m, &p, child);
+        for (unsigned k = 0; k < 4 && !last; k++)
             stack[count++] = child[k];
-        }
     }
 }
 
@@ -398,8 +382,8 @@ void loft_sheet_measure(loft_sheet *s, loft_acc near)
     measure m = { .s = s };
     unsigned n = 0;
 
-    while (n < LOFT_SHEET_MEASURED && s->level + n < LOFT_SHEET_FINEST &&
-           loft_sheet_gap(s, s->level + n) - s->fuzz > near)
+    while (n < LOFT_SHEET_MEASURED && s->part.level + n < LOFT_SHEET_FINEST &&
+           loft_sheet_gap(s, s->part.level + n) - s->fuzz > near)
         n++;
     m.levels = n;
     if (n > 0)
@@ -407,11 +391,11 @@ void loft_sheet_measure(loft_sheet *s, loft_acc near)
     if (n == 0 || m.failed)
         return;
     const loft_acc rounded = 4 * loft_acc_ulp(loft_to_acc(LOFT_REAL(LOFT_SHEET_REACH)));
-    loft_acc gap = loft_sheet_gap(s, s->level + n) - s->fuzz;
+    loft_acc gap = loft_sheet_gap(s, s->part.level + n) - s->fuzz;
     shrink_box(&s->box, &m.box, gap);
     for (unsigned k = n; k-- > 0;) {
         gap += m.most[k] + loft_acc_ratio(m.most[k], 1048576) + rounded;
-        s->gap[k] = loft_acc_min(gap, loft_sheet_gap(s, s->level + k) - s->fuzz);
+        s->gap[k] = loft_acc_min(gap, loft_sheet_gap(s, s->part.level + k) - s->fuzz);
     }
     s->measured = (uint8_t)n;
 }
@@ -426,8 +410,8 @@ static loft_real step_of(unsigned i, unsigned level)
         loft_acc_ratio(loft_to_acc(LOFT_REAL(1)) * (int32_t)i, (int32_t)1 << level));
 }
 
-enum loft_region_part loft_sheet_part_of(const loft_sheet *s, const loft_box *box, unsigned level,
-                                         unsigned i, unsigned j)
+enum loft_region_part loft_sheet_part_of(const loft_sheet *s, const loft_box *box,
+                                         const loft_sheet_piece *p)
 {
     if (!s->trim)
         return LOFT_REGION_IN;
@@ -435,13 +419,14 @@ enum loft_region_part loft_sheet_part_of(const loft_sheet *s, const loft_box *bo
         return loft_region_part_of(
             s->trim, loft_region_spot(loft_vec_axis(&box->min, 0), loft_vec_axis(&box->min, 1)),
             loft_region_spot(loft_vec_axis(&box->max, 0), loft_vec_axis(&box->max, 1)));
-    return loft_region_part_of(s->trim, loft_region_spot(step_of(i, level), step_of(j, level)),
-                               loft_region_spot(step_of(i + 1, level), step_of(j + 1, level)));
+    return loft_region_part_of(
+        s->trim, loft_region_spot(step_of(p->i, p->level), step_of(p->j, p->level)),
+        loft_region_spot(step_of(p->i + 1u, p->level), step_of(p->j + 1u, p->level)));
 }
 
 bool loft_sheet_trim(loft_sheet *s, const loft_region *r, bool plane)
 {
     s->trim = r;
     s->plane = plane;
-    return loft_sheet_part_of(s, &s->box, s->level, s->i, s->j) != LOFT_REGION_OUT;
+    return loft_sheet_part_of(s, &s->box, &s->part) != LOFT_REGION_OUT;
 }

@@ -21,17 +21,68 @@ LOFT_BEGIN_C
 #define LOFT_SHEET_FINEST   14      /* halvings of the parameters of a surface */
 #define LOFT_SHEET_MEASURED 6       /* halvings of a sheet that may be measured */
 
+/* A piece of a surface: a square of parameters of side 2^-level, so many sides from the start, or a
+ * triangle, which is half of one. */
+typedef struct {
+    uint16_t i, j;
+    uint8_t level;
+    bool upper;                 /* of a triangle: the half that is farther from the start */
+} loft_sheet_piece;
+
+/* Corner k of 4, or of the 3 of a triangle, of which the first one has the right angle: in sides
+ * from the start. */
+static inline void loft_sheet_piece_corner(const loft_sheet_piece *p, unsigned k, uint32_t at[2])
+{
+    const uint32_t far = p->upper ? 1 : 0;
+
+    at[0] = p->i + ((k & 1) ^ far);
+    at[1] = p->j + ((k >> 1) ^ far);
+}
+
+/* Quarter k of 4. Those of a triangle are at its corners, and one in its middle is turned round. */
+static inline loft_sheet_piece loft_sheet_piece_quarter(const loft_sheet_piece *p, bool triangle,
+                                                        unsigned k)
+{
+    const bool turned = triangle && k == 3;
+    loft_sheet_piece q = *p;
+    uint32_t at[2];
+
+    loft_sheet_piece_corner(p, turned ? 0 : k, at);
+    q.i = (uint16_t)(p->i + at[0]);
+    q.j = (uint16_t)(p->j + at[1]);
+    q.level = (uint8_t)(p->level + 1);
+    q.upper = p->upper != turned;
+    return q;
+}
+
+/* Over a piece, corners of its quarters are a grid of 3 x 3: where in it is corner k of quarter q?
+ * And corner k of the piece? */
+static inline unsigned loft_sheet_piece_spot(const loft_sheet_piece *p, const loft_sheet_piece *q,
+                                             unsigned k)
+{
+    uint32_t at[2];
+
+    loft_sheet_piece_corner(q, k, at);
+    return (unsigned)(at[0] - 2u * p->i + 3 * (at[1] - 2u * p->j));
+}
+
+static inline unsigned loft_sheet_piece_own(const loft_sheet_piece *p, unsigned k)
+{
+    uint32_t at[2];
+
+    loft_sheet_piece_corner(p, k, at);
+    return (unsigned)(2 * (at[0] - p->i) + 6 * (at[1] - p->j));
+}
+
 /* A sheet. It borrows the surface. Do not fill it yourself: call one of the functions below. */
 typedef struct {
     loft_surface surface;
     loft_box box;               /* around its points, which err by `fuzz` */
     loft_acc bend;              /* of the part */
     loft_acc fuzz;              /* the error of its points, and of those of a part's net */
-    uint16_t i, j;              /* the part: squares of 2^-level from the start */
-    uint8_t level;
+    loft_sheet_piece part;      /* of the surface */
     uint8_t measured;           /* so many levels of pieces have a gap of their own */
     loft_acc gap[LOFT_SHEET_MEASURED];      /* without `fuzz` */
-    bool upper;                 /* of a triangle: the half that is farther from the start */
     bool plane;                 /* the region is one of x and y, otherwise of u and v */
     const loft_region *trim;    /* NULL: all of it */
 } loft_sheet;
@@ -74,14 +125,14 @@ enum loft_status loft_sheet_from_tensor_part(loft_sheet *s, const loft_tensor *t
  */
 void loft_sheet_measure(loft_sheet *s, loft_acc near);
 
-/* No piece of side 2^-level, level >= s->level, is farther from the hull of its corners.
+/* No piece of side 2^-level, level >= s->part.level, is farther from the hull of its corners.
  *
  *   error   none
  *   cost    a quotient
  */
 static inline loft_acc loft_sheet_gap(const loft_sheet *s, unsigned level)
 {
-    const unsigned k = level - s->level;
+    const unsigned k = level - s->part.level;
 
     return s->fuzz + (k < s->measured
                           ? s->gap[k]
@@ -99,15 +150,14 @@ static inline loft_acc loft_sheet_gap(const loft_sheet *s, unsigned level)
  */
 bool loft_sheet_trim(loft_sheet *s, const loft_region *r, bool plane);
 
-/* Where a square of parameters lies, or a piece within a box of x and y, of a sheet that may be
+/* Where a piece of the parameters lies, or one within a box of x and y, of a sheet that may be
  * trimmed.
  *
- *   shape   the square of side 2^-level at i, j
  *   error   none
  *   cost    loft_region_part_of if it is trimmed
  */
-enum loft_region_part loft_sheet_part_of(const loft_sheet *s, const loft_box *box, unsigned level,
-                                         unsigned i, unsigned j);
+enum loft_region_part loft_sheet_part_of(const loft_sheet *s, const loft_box *box,
+                                         const loft_sheet_piece *piece);
 
 LOFT_END_C
 

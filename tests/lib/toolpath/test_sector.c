@@ -51,7 +51,11 @@ static long double off_of(const loft_surface *s, const piece *p, uint32_t k, uin
     return sqrtl(sum);
 }
 
-/* A part with a bound: at this level or below it. */
+static loft_sheet_piece part_of(unsigned level, uint32_t i, uint32_t j, bool upper)
+{
+    return (loft_sheet_piece){ (uint16_t)i, (uint16_t)j, (uint8_t)level, upper };
+}
+
 /* A part of a sector of any kind, of any level. */
 static bool arb_part(arb *a, unsigned *level, loft_sheet *s, piece *p)
 {
@@ -65,7 +69,7 @@ static bool arb_part(arb *a, unsigned *level, loft_sheet *s, piece *p)
     p->i = arb_below(a, p->n);
     p->j = arb_below(a, p->triangle ? p->n - p->i : p->n);
     p->upper = p->triangle && p->i + p->j + 1 < p->n && arb_below(a, 2);
-    return loft_sheet_from_sector(s, &c, *level, p->i, p->j, p->upper) == LOFT_OK;
+    return loft_sheet_from_sector(s, &c, part_of(*level, p->i, p->j, p->upper)) == LOFT_OK;
 }
 
 /* Any point of a piece is no farther from the blend of its corners than this, and in the box. */
@@ -131,7 +135,7 @@ static void ranges_at_vertices_are_near(arb *a)
     const piece p = { n - 1, 0, n, true, false };
     loft_sheet s;
 
-    CHECK(loft_sheet_from_sector(&s, &c, LOFT_DROP_LEVELS, p.i, p.j, false) == LOFT_OK);
+    CHECK(loft_sheet_from_sector(&s, &c, part_of(LOFT_DROP_LEVELS, p.i, p.j, false)) == LOFT_OK);
     long double size = 0;
     for (uint32_t k = 0; k <= 16; k++)
         for (uint32_t l = 0; l <= 16 - k; l++) {
@@ -156,7 +160,7 @@ static void bends_of_fine_parts_are_near(arb *a)
     long double most = 0;
     loft_sheet s;
 
-    CHECK(loft_sheet_from_sector(&s, &c, 5, p.i, p.j, false) == LOFT_OK);
+    CHECK(loft_sheet_from_sector(&s, &c, part_of(5, p.i, p.j, false)) == LOFT_OK);
     for (uint32_t k = 0; k <= 16; k++)
         for (uint32_t l = 0; l <= (p.triangle ? 16 - k : 16); l++)
             most = fmaxl(most, off_of(&s.surface, &p, k, l));
@@ -165,24 +169,19 @@ static void bends_of_fine_parts_are_near(arb *a)
 }
 
 /* All sheets of a patch: what has no bound is divided. */
-static uint32_t add_parts(const loft_sector *c, unsigned level, unsigned i, unsigned j, bool upper,
-                          loft_sheet out[], uint32_t count)
+static uint32_t add_parts(const loft_sector *c, loft_sheet_piece p, loft_sheet out[],
+                          uint32_t count)
 {
     const bool triangle = loft_surface_from_sector(c).over == LOFT_SURFACE_TRIANGLE;
-    const unsigned far = upper;
 
     CHECK(count < PARTS);
-    const enum loft_status status =
-        level < 2 ? LOFT_SINGULAR : loft_sheet_from_sector(&out[count], c, level, i, j, upper);
+    const enum loft_status status = p.level < 2 ? LOFT_SINGULAR
+                                                : loft_sheet_from_sector(&out[count], c, p);
     if (status == LOFT_OK)
         return count + 1;
-    CHECK(status == LOFT_SINGULAR && level < LOFT_DROP_LEVELS);
+    CHECK(status == LOFT_SINGULAR && p.level < LOFT_DROP_LEVELS);
     for (unsigned k = 0; k < 4; k++)
-        count = !triangle
-                    ? add_parts(c, level + 1, 2 * i + (k & 1), 2 * j + (k >> 1), false, out, count)
-                : k == 3 ? add_parts(c, level + 1, 2 * i + far, 2 * j + far, !upper, out, count)
-                         : add_parts(c, level + 1, 2 * i + (k == 1 ? 1 - far : far),
-                                     2 * j + (k == 2 ? 1 - far : far), upper, out, count);
+        count = add_parts(c, loft_sheet_piece_quarter(&p, triangle, k), out, count);
     return count;
 }
 
@@ -197,7 +196,7 @@ static void a_tip_cuts_no_point_of_a_patch(arb *a)
 
     for (unsigned k = 0; k < loft_sector_count(&x->round); k++) {
         sector[k] = (loft_sector){ &x->round, (uint8_t)k };
-        count = add_parts(&sector[k], 0, 0, 0, false, sheet, count);
+        count = add_parts(&sector[k], part_of(0, 0, 0, false), sheet, count);
     }
     CHECK(loft_drop_init(&d, sheet, count, &c, LOFT_REAL(0.02), -LOFT_REAL(60)) == LOFT_OK);
     for (int place = 0; place < 3; place++) {
@@ -226,9 +225,10 @@ static void what_has_no_bounds_is_refused(arb *a)
         const bool any = kind == 0 || kind == 2 || kind >= 4;
         CHECK((loft_sector_count(&x->round) > 0) == any);
         if (!any)
-            CHECK(loft_sheet_from_sector(&s, &c, 3, 0, 0, false) == LOFT_ERR_ARG);
-        CHECK(loft_sheet_from_sector(&s, &c, LOFT_DROP_LEVELS + 1, 0, 0, false) == LOFT_ERR_ARG);
-        CHECK(loft_sheet_from_sector(&s, &c, 3, 8, 0, false) == LOFT_ERR_ARG);
+            CHECK(loft_sheet_from_sector(&s, &c, part_of(3, 0, 0, false)) == LOFT_ERR_ARG);
+        CHECK(loft_sheet_from_sector(&s, &c, part_of(LOFT_DROP_LEVELS + 1, 0, 0, false)) ==
+              LOFT_ERR_ARG);
+        CHECK(loft_sheet_from_sector(&s, &c, part_of(3, 8, 0, false)) == LOFT_ERR_ARG);
     }
 }
 
