@@ -13,16 +13,14 @@
  * farther from a segment than the farther one of a and b. A part for which this bound is too much
  * is halved, down to parts that are shorter than `fine`.
  *
- * Where corners have a larger tolerance, chords of the drawing end where that begins and ends.
- * Distances from each chord, and of it, count by its `share`: the tolerance over that of the chord.
+ * Distances from a chord, and of it, count by its `share`: the tolerance over that of the chord.
  */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "plan/certify.h"
-#include "plan/bends.h"          /* bends_find */
+#include "plan/certify_chords.h" /* certify_chords */
 #include "base/space.h"          /* space_distance, space_eval */
 #include "base/tool.h"           /* tool_grow */
 
@@ -35,20 +33,7 @@
 #define DEPTH    60         /* halvings of a curve */
 
 typedef struct {
-    double p[4][ENGINE_AXES];
-} cubic;
-
-/* A path as short chords; chord k leads from end[k] to end[k + 1]. */
-typedef struct {
-    double (*end)[ENGINE_AXES];
-    double *s;                  /* length up to each end */
-    double *share;              /* of the tolerance, of each chord */
-    size_t *of;                 /* the curve that each chord belongs to */
-    size_t chords, room;
-} chords;
-
-typedef struct {
-    const chords *to;
+    const certify_chords *to;
     double tol, fine;
     double step;                /* by which the worst rises: `fine`, as it counts at corners */
     double share;               /* of what is compared */
@@ -108,217 +93,6 @@ static bool is_connected(const certify_plan *plan, size_t n)
 }
 
 
-// Paths
-// -----
-
-static void cubic_of_span(const certify_plan *plan, size_t n, cubic *out)
-{
-    for (int k = 0; k < 4; k++) {
-        double motors[ENGINE_AXES];
-        for (int i = 0; i < ENGINE_AXES; i++)
-            motors[i] = plan->span[n].p[k][i] * LSB;
-        if (!kinematics_tool(plan->k, motors, out->p[k]))
-            memcpy(out->p[k], motors, sizeof motors);
-    }
-}
-
-static void cubic_of_move(const certify_plan *plan, size_t n, cubic *out)
-{
-    memcpy(out->p, plan->move[n].p, sizeof out->p);
-}
-
-typedef void cubic_source(const certify_plan *plan, size_t n, cubic *out);
-
-static void eval(const cubic *c, double t, double out[ENGINE_AXES]) { space_eval(c->p, t, out); }
-
-/* How far the curve may be from its chord; of a part of it: times the square of its length. */
-static double bulge_of(const cubic *c)
-{
-    double most = 0;
-
-    for (int k = 0; k < 2; k++) {
-        double sum = 0;
-        for (int i = 0; i < ENGINE_AXES; i++) {
-            const double d = c->p[k][i] - 2 * c->p[k + 1][i] + c->p[k + 2][i];
-            sum += d * d;
-        }
-        most = fmax(most, sum);
-    }
-    return 0.75 * sqrt(most);
-}
-
-static void add_end(chords *c, size_t of, const double at[ENGINE_AXES])
-{
-    const size_t n = c->s == NULL ? 0 : c->chords + 1;
-
-    if (n >= c->room) {
-        c->room = c->room ? 2 * c->room : 1024;
-        c->end  = tool_grow(c->end, c->room * sizeof *c->end);
-        c->s    = tool_grow(c->s, c->room * sizeof *c->s);
-        c->share = tool_grow(c->share, c->room * sizeof *c->share);
-        c->of   = tool_grow(c->of, c->room * sizeof *c->of);
-    }
-    c->share[n] = 1;
-    c->of[n > 0 ? n - 1 : 0] = of;
-    memcpy(c->end[n], at, sizeof c->end[n]);
-    c->s[n]   = n > 0 ? c->s[n - 1] + space_distance(at, c->end[n - 1]) : 0;
-    c->chords = n;
-}
-
-static void make_chords(chords *out, const certify_plan *plan, cubic_source *source, size_t count,
-                        double fine)
-{
-    *out = (chords){ .chords = 0 };
-    for (size_t n = 0; n < count; n++) {
-        cubic c;
-        source(plan, n, &c);
-        const double parts = fmax(ceil(sqrt(bulge_of(&c) / fine)), 1);
-        if (n == 0)
-            add_end(out, 0, c.p[0]);
-        for (double k = 1; k <= parts; k++) {
-            double at[ENGINE_AXES];
-            eval(&c, k / parts, at);
-            add_end(out, n, k < parts ? at : c.p[3]);
-        }
-    }
-}
-
-static void free_chords(chords *c)
-{
-    free(c->end);
-    free(c->s);
-    free(c->share);
-    free(c->of);
-}
-
-
-static double segment_distance(const double p[ENGINE_AXES], const double a[ENGINE_AXES],
-                               const double b[ENGINE_AXES])
-{
-    double along = 0, square = 0, at[ENGINE_AXES];
-
-    for (int i = 0; i < ENGINE_AXES; i++) {
-        along  += (p[i] - a[i]) * (b[i] - a[i]);
-        square += (b[i] - a[i]) * (b[i] - a[i]);
-    }
-    const double z = square > 0 ? fmin(fmax(along / square, 0), 1) : 0;
-    for (int i = 0; i < ENGINE_AXES; i++)
-        at[i] = a[i] + z * (b[i] - a[i]);
-    return space_distance(p, at);
-}
-
-
-// Corners
-// -------
-
-/* Where along the drawing the corner at `at` is: it is about `expected`. */
-static double corner_at(const chords *c, const double at[ENGINE_AXES], double expected,
-                        double within)
-{
-    double least = HUGE_VAL, s = expected;
-
-    for (size_t k = 0; k < c->chords; k++) {
-        if (c->s[k + 1] < expected - within || c->s[k] > expected + within)
-            continue;
-        const double d = segment_distance(at, c->end[k], c->end[k + 1]);
-        if (d < least) {
-            least = d;
-            s = c->s[k] + fmin(space_distance(at, c->end[k]), c->s[k + 1] - c->s[k]);
-        }
-    }
-    return s;
-}
-
-/* The length of the path that is planned up to a bend; chord *k is not behind it. */
-static double way_to(const chords *c, const bend *b, size_t *k)
-{
-    while (*k < c->chords && c->of[*k] < b->move)
-        ++*k;
-    size_t end = *k;
-    while (end < c->chords && c->of[end] == b->move)
-        end++;
-    return b->t > 0 ? corner_at(c, b->at, (c->s[*k] + c->s[end]) / 2, (c->s[end] - c->s[*k]) / 2)
-                    : c->s[*k];
-}
-
-/* Chords again, with ends at s. */
-static void cut_at(chords *c, const double s[], size_t count)
-{
-    chords out = { .chords = 0 };
-    size_t n = 0;
-
-    add_end(&out, 0, c->end[0]);
-    for (size_t k = 0; k < c->chords; k++) {
-        for (; n < count && s[n] < c->s[k + 1]; n++)
-            if (s[n] > c->s[k]) {
-                const double z = (s[n] - c->s[k]) / (c->s[k + 1] - c->s[k]);
-                double at[ENGINE_AXES];
-                for (int i = 0; i < ENGINE_AXES; i++)
-                    at[i] = c->end[k][i] + z * (c->end[k + 1][i] - c->end[k][i]);
-                add_end(&out, c->of[k], at);
-            }
-        add_end(&out, c->of[k], c->end[k + 1]);
-    }
-    free_chords(c);
-    *c = out;
-}
-
-static int by_size(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* Where the corners of the path that is planned are along the drawing; tool_grow has made it. */
-static double *corners_of(const chords *drawn, const certify_plan *plan, size_t *count)
-{
-    const certify_plan planned = { .move = plan->planned ? plan->planned : plan->move,
-                                   .moves = plan->planned ? plan->planned_moves : plan->moves };
-    bends b;
-    chords path;
-    size_t k = 0;
-    double at = 0, before = 0;
-
-    bends_find(&b, planned.move, planned.moves);
-    make_chords(&path, &planned, cubic_of_move, planned.moves, plan->tol);
-    double *s = tool_grow(NULL, (b.count + 1) * sizeof *s);
-    for (size_t n = 0; n < b.count; n++) {
-        const double now = way_to(&path, &b.bend[n], &k), way = now - before;
-        at = corner_at(drawn, b.bend[n].at, at + way, plan->tol + 0.02 * way);
-        before = now;
-        s[n] = at;
-    }
-    *count = b.count;
-    free_chords(&path);
-    bends_free(&b);
-    return s;
-}
-
-/* Give each chord of the drawing its share. */
-static void mark_corners(chords *drawn, const certify_plan *plan)
-{
-    const double reach = CERTIFY_NEAR * plan->corner;
-    size_t count, n = 0;
-    double *corner = corners_of(drawn, plan, &count),
-           *cut = tool_grow(NULL, (2 * count + 1) * sizeof *cut);
-
-    for (size_t i = 0; i < count; i++) {
-        cut[2 * i]     = corner[i] - reach;
-        cut[2 * i + 1] = corner[i] + reach;
-    }
-    qsort(cut, 2 * count, sizeof *cut, by_size);
-    cut_at(drawn, cut, 2 * count);
-    for (size_t k = 0; k < drawn->chords; k++) {
-        const double middle = (drawn->s[k] + drawn->s[k + 1]) / 2;
-        while (n < count && corner[n] + reach < middle)
-            n++;
-        drawn->share[k] = n < count && corner[n] - reach <= middle ? plan->tol / plan->corner : 1;
-    }
-    free(cut);
-    free(corner);
-}
-
-
 // Distances
 // ---------
 
@@ -326,10 +100,10 @@ static void mark_corners(chords *drawn, const certify_plan *plan)
 static double chord_distance(const search *s, size_t k, const double a[ENGINE_AXES],
                              const double b[ENGINE_AXES])
 {
-    const chords *c = s->to;
+    const certify_chords *c = s->to;
     return s->share * c->share[k] *
-           fmax(segment_distance(a, c->end[k], c->end[k + 1]),
-                segment_distance(b, c->end[k], c->end[k + 1]));
+           fmax(space_segment_distance(a, c->end[k], c->end[k + 1]),
+                space_segment_distance(b, c->end[k], c->end[k + 1]));
 }
 
 /* The least of these for chords near the last one, or the first that is at most `enough`. The
@@ -339,7 +113,7 @@ static double chord_distance(const search *s, size_t k, const double a[ENGINE_AX
 static double least_distance(search *s, const double a[ENGINE_AXES], const double b[ENGINE_AXES],
                              double enough)
 {
-    const chords *c = s->to;
+    const certify_chords *c = s->to;
     const double size = space_distance(a, b), reach = size > s->tol ? size : NEAR;
     size_t low = s->near, high = low + 1;
     double least = chord_distance(s, s->near, a, b);
@@ -361,19 +135,19 @@ static double least_distance(search *s, const double a[ENGINE_AXES], const doubl
 
 /* Compare a curve. Returns whether some of it is farther by `step` than the worst so far; *t is its
  * parameter. */
-static bool compare_curve(search *s, const cubic *c, double *t)
+static bool compare_curve(search *s, const certify_cubic *c, double *t)
 {
     struct {
         double from, to;
     } part[DEPTH + 2] = { { 0, 1 } };
-    const double bulge = bulge_of(c);
+    const double bulge = certify_bulge(c);
     bool worse = false;
 
     for (int parts = 1; parts > 0; parts--) {
         const double from = part[parts - 1].from, to = part[parts - 1].to, middle = (from + to) / 2;
         double a[ENGINE_AXES], b[ENGINE_AXES];
-        eval(c, from, a);
-        eval(c, to, b);
+        certify_eval(c, from, a);
+        certify_eval(c, to, b);
         const double fine = s->share * s->fine,
                      more = s->share * bulge * (to - from) * (to - from) + fine,
                      most = s->worst + s->step, off = least_distance(s, a, b, most - more) + more;
@@ -395,11 +169,11 @@ static bool compare_curve(search *s, const cubic *c, double *t)
 }
 
 /* Compare two points of a curve: if they are far, few parts set a new worst distance afterwards. */
-static void compare_points(search *s, const cubic *c)
+static void compare_points(search *s, const certify_cubic *c)
 {
     for (double t = 0.25; t < 1; t += 0.5) {
         double at[ENGINE_AXES];
-        eval(c, t, at);
+        certify_eval(c, t, at);
         s->worst = fmax(s->worst, least_distance(s, at, at, s->worst));
     }
 }
@@ -412,7 +186,7 @@ static void begin_curves(search *s)
 }
 
 /* Chord k of the drawing, which counts as what is left of its curve. */
-static void cubic_of_chord(search *s, const chords *c, size_t k, cubic *out)
+static void cubic_of_chord(search *s, const certify_chords *c, size_t k, certify_cubic *out)
 {
     for (int n = 0; n < 4; n++)
         for (int i = 0; i < ENGINE_AXES; i++)
@@ -429,29 +203,29 @@ static void take_distance(certify_worst *w, const search *s)
 
 static void compare_motion(certify *c, const certify_plan *plan, search *off)
 {
-    cubic curve;
+    certify_cubic curve;
     double t = 0, begin = 0;
 
     for (size_t n = 0; n < plan->spans; n++) {
-        cubic_of_span(plan, n, &curve);
+        certify_cubic_of_span(plan, n, &curve);
         compare_points(off, &curve);
     }
     begin_curves(off);
     for (size_t n = 0; n < plan->spans; n++) {
         const double h = (double)plan->span[n].ticks / plan->limits->tick_hz;
-        cubic_of_span(plan, n, &curve);
+        certify_cubic_of_span(plan, n, &curve);
         if (compare_curve(off, &curve, &t)) {
             c->off.seconds = begin + t * h;
-            eval(&curve, t, c->off.at);
+            certify_eval(&curve, t, c->off.at);
         }
         begin += h;
     }
     take_distance(&c->off, off);
 }
 
-static void compare_drawing(certify *c, const chords *drawn, search *missed)
+static void compare_drawing(certify *c, const certify_chords *drawn, search *missed)
 {
-    cubic curve;
+    certify_cubic curve;
     double t = 0;
 
     for (size_t k = 0; k < drawn->chords; k++) {
@@ -463,7 +237,7 @@ static void compare_drawing(certify *c, const chords *drawn, search *missed)
         cubic_of_chord(missed, drawn, k, &curve);
         if (compare_curve(missed, &curve, &t)) {
             c->missed.move = drawn->of[k];
-            eval(&curve, t, c->missed.at);
+            certify_eval(&curve, t, c->missed.at);
         }
     }
     take_distance(&c->missed, missed);
@@ -471,23 +245,23 @@ static void compare_drawing(certify *c, const chords *drawn, search *missed)
 
 static void compare_paths(certify *c, const certify_plan *plan, double fine)
 {
-    chords drawn, moved;
+    certify_chords drawn, moved;
 
-    make_chords(&drawn, plan, cubic_of_move, plan->moves, fine / 4);
-    make_chords(&moved, plan, cubic_of_span, plan->spans, fine / 2);
+    certify_chords_make(&drawn, plan, certify_cubic_of_move, plan->moves, fine / 4);
+    certify_chords_make(&moved, plan, certify_cubic_of_span, plan->spans, fine / 2);
     search off = { .to = &drawn, .tol = plan->tol, .fine = fine, .share = 1, .worst_share = 1 };
 
     off.step = fine;
     if (plan->corner > plan->tol) {
-        mark_corners(&drawn, plan);
+        certify_mark_corners(&drawn, plan);
         off.step *= plan->tol / plan->corner;
     }
     search missed = off;
     missed.to = &moved;
     compare_motion(c, plan, &off);
     compare_drawing(c, &drawn, &missed);
-    free_chords(&drawn);
-    free_chords(&moved);
+    certify_chords_free(&drawn);
+    certify_chords_free(&moved);
 }
 
 
