@@ -287,10 +287,11 @@ static void set_last(loft_emit *e, int64_t ticks)
     }
 }
 
-/* By how much the motion leaves the samples around loose points, beyond what the tube leaves. */
+/* By how much the motion leaves the samples around loose points, beyond half of what the tube
+ * leaves: the rest is for the path between samples, and for spans. */
 static int32_t missed(const loft_emit *e)
 {
-    const loft_coord left = e->period->tol - e->period->tube;
+    const loft_coord left = (e->period->tol - e->period->tube) / 2;
     loft_coord most = left;
 
     for (unsigned k = first_loose(e); k + 2 < e->count; k++) {
