@@ -41,5 +41,5 @@ int main(void)
 
 /* prints
  *
- *     4 curves in 1.73 s, at rest again
+ *     4 curves in 1.72 s, at rest again
  */
