@@ -62,6 +62,18 @@ until_log() {
     job_fails "the machine never said: $2"
 }
 
+# until_rest MACHINE: each job that it has begun is over, 0.2 s later as well
+until_rest() {
+    local log=$tmp/$1.log still=0
+    for _ in $(seq 3000); do
+        still=$((still + 1))
+        [ "$(grep -c ' begun' "$log")" = "$(grep -cE 'aborted|done' "$log")" ] || still=0
+        [ $still -lt 11 ] || return 0
+        sleep 0.02
+    done
+    job_fails "the machine never came to rest"
+}
+
 # run CODE COMMAND..: standard output to $tmp/out, standard error to $tmp/err; the exit code must
 # be CODE
 run() {
@@ -3542,7 +3554,7 @@ case_home_says_what_is_wrong() {
     machine killed --speed fast --limits x-=-33
     "$loft" home x --port "$tmp/killed" "${file[@]}" >/dev/null 2>&1 & homing=$!
     disown $homing; until_log killed ' begun'; kill -9 $homing; gone $homing
-    until_log killed 'aborted'
+    until_rest killed
     run 0 "$loft" home x --port "$tmp/killed" "${file[@]}"
     says out '^homed: the tool is at 0.000 0.000 0.000$'
 }
