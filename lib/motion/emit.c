@@ -287,8 +287,7 @@ static void set_last(loft_emit *e, int64_t ticks)
     }
 }
 
-/* By how much the motion leaves the samples around loose points, beyond half of what the tube
- * leaves: the rest is for the path between samples, and for spans. */
+/* By how much samples at loose points are left, beyond half of what the tube leaves for all. */
 static int32_t missed(const loft_emit *e)
 {
     const loft_coord left = (e->period->tol - e->period->tube) / 2;

@@ -21,7 +21,6 @@
 #define MARGIN    4  /* of them, by which is seen if ones before hinder */
 #define CREEP     (LOFT_V2_ONE / 1024)
 
-
 enum stage { IDLE, FILLING, MEASURING, SMOOTHING_THEM, PLACING, AIMING, RAISING };
 
 
@@ -50,10 +49,13 @@ static void append(loft_plan *plan, const loft_path_place *p)
     k->point = p->at;
 }
 
-/* Control points of three knots are at the start, and at the end. The third place is near it. */
-static bool is_far(const loft_plan *plan, const loft_path_place *a, const loft_path_place *b)
+/* Control points of three knots are at the start, and at the end. The third place is near it: by
+ * half of the tolerance, less what is skipped beside it. */
+static bool is_far(const loft_plan *plan, const loft_path_place *a, const loft_path_place *b,
+                   const loft_path_place *beside)
 {
-    return loft_position_distance(&a->at, &b->at) > plan->period.tol / 2;
+    return loft_position_distance(&a->at, &b->at) >
+           (plan->period.tol - loft_coord_most(loft_path_skip(b), loft_path_skip(beside))) / 2;
 }
 
 /* The last knot stands for the rest behind the end; there are seven at least. */
@@ -68,7 +70,7 @@ static void close_chain(loft_plan *plan)
         plan->knot[0].is.on = first;
         plan->count++;
     }
-    if (is_far(plan, &plan->knot[plan->count - 2].is.on, &last))
+    if (is_far(plan, &last, &plan->knot[plan->count - 2].is.on, &plan->knot[plan->count - 3].is.on))
         append(plan, &last);
     append(plan, &last);
     plan->ended = true;
@@ -97,7 +99,7 @@ static enum loft_path_state fill(loft_plan *plan)
         return state;
     if (plan->count == 0)
         loft_emit_begin(&plan->emit, &plan->period, plan->guess.path.chain.from);
-    if (plan->count == 2 && is_far(plan, &plan->knot[1].is.on, &p))
+    if (plan->count == 2 && is_far(plan, &plan->knot[1].is.on, &p, &plan->knot[1].is.on))
         append_start(plan);
     append(plan, &p);
     if (plan->count == 1)
