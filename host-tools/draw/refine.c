@@ -88,20 +88,6 @@ static refined_place place_between(const refined_place *a, const refined_place *
     return (refined_place){ u0 + share * (u1 - u0), v0 + share * (v1 - v0), NONE, 0 };
 }
 
-static double distance_to_edge(const double p[3], const double a[3], const double b[3])
-{
-    double along = 0, length = 0, foot[3];
-
-    for (int i = 0; i < 3; i++) {
-        along += (p[i] - a[i]) * (b[i] - a[i]);
-        length += (b[i] - a[i]) * (b[i] - a[i]);
-    }
-    const double share = length > 0 ? fmin(fmax(along / length, 0), 1) : 0;
-    for (int i = 0; i < 3; i++)
-        foot[i] = a[i] + share * (b[i] - a[i]);
-    return space_distance(p, foot);
-}
-
 /* Edges that may be shared have a hash of their nodes alone. */
 static size_t hash_of(size_t a, size_t b, size_t owner)
 {
@@ -146,7 +132,7 @@ static int new_edge(work *w, unsigned kite, const refined_place *a, const refine
         const int status = point_at(w, kite, &at, p);
         if (status != LOFT_OK)
             return status;
-        made.split = distance_to_edge(p, r->node[a->node], r->node[b->node]) > w->far;
+        made.split = space_segment_distance(p, r->node[a->node], r->node[b->node]) > w->far;
     }
     r->edge = room_for(r->edge, r->edges, &r->room[2], sizeof *r->edge);
     spread_edges(r);

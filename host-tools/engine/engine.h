@@ -17,7 +17,8 @@ struct curve;               /* curve.h */
 struct piece;               /* piece.h */
 struct surface;             /* surface.h */
 
-/* A span as it is sent and drawn: Bezier points in time, raw Q16.16 mm. */
+/* A span as it is sent and drawn: Bezier points in time, raw Q16.16 mm, in steps of ENGINE_LSB. */
+#define ENGINE_LSB (1 / 65536.0)
 typedef struct {
     int32_t  p[4][ENGINE_AXES];
     uint16_t ticks;

@@ -15,7 +15,6 @@
 #define TURN     0.03       /* radians; a smaller turn is not a corner */
 #define NEAR     40         /* moments between passing a corner and the slowest one */
 #define USED_UP  0.97       /* of the feed */
-#define LSB      (1 / 65536.0)
 
 static causes_moment *moment_at(const causes *c, size_t i)  { return &c->moment[i - c->low]; }
 static causes_move   *move_at(const causes *c, size_t k)    { return &c->move[k - c->first]; }
@@ -41,7 +40,7 @@ static bool move_direction(const engine_move *m, bool end, double out[ENGINE_AXE
         const double size = size_of(out);
         for (int i = 0; i < ENGINE_AXES; i++)
             out[i] /= size;
-        if (size > LSB)
+        if (size > ENGINE_LSB)
             return true;
     }
     return false;

@@ -24,7 +24,6 @@
 #include "base/space.h"          /* space_distance, space_eval */
 #include "base/tool.h"           /* tool_grow */
 
-#define LSB      (1 / 65536.0)
 #define UP       (1 + 1 / 562949953421312.0)    /* 1 + 2^-49: above eight roundings of 2^-53 */
 #define FINE     400        /* parts of the tolerance, and where these do not decide */
 #define FINEST   400000     /* ten times as many, up to these */
@@ -74,13 +73,13 @@ static void judge_span(certify *c, const certify_plan *plan, const engine_span *
         int64_t d[3];
         for (int k = 0; k < 3; k++)
             d[k] = (int64_t)s->p[k + 1][i] - s->p[k][i];
-        judge_speed(&c->speed[i], d, 3 * LSB / h / l->max_speed[i], begin, h);
-        const double accel = 6 * LSB / (h * h) / l->max_accel[i] * UP;
+        judge_speed(&c->speed[i], d, 3 * ENGINE_LSB / h / l->max_speed[i], begin, h);
+        const double accel = 6 * ENGINE_LSB / (h * h) / l->max_accel[i] * UP;
         take_worst(&c->accel[i], fabs((double)(d[1] - d[0])) * accel, begin);
         take_worst(&c->accel[i], fabs((double)(d[2] - d[1])) * accel, begin + h);
         if (l->max_jerk[i] > 0)
             take_worst(&c->jerk[i],
-                       fabs((double)(d[2] - 2 * d[1] + d[0])) * 6 * LSB / (h * h * h) /
+                       fabs((double)(d[2] - 2 * d[1] + d[0])) * 6 * ENGINE_LSB / (h * h * h) /
                            l->max_jerk[i] * UP,
                        begin);
     }

@@ -12,14 +12,12 @@
 #include "base/space.h"         /* space_distance */
 #include "base/tool.h"          /* tool_grow */
 
-#define LSB      (1 / 65536.0)
-
 void certify_cubic_of_span(const certify_plan *plan, size_t n, certify_cubic *out)
 {
     for (int k = 0; k < 4; k++) {
         double motors[ENGINE_AXES];
         for (int i = 0; i < ENGINE_AXES; i++)
-            motors[i] = plan->span[n].p[k][i] * LSB;
+            motors[i] = plan->span[n].p[k][i] * ENGINE_LSB;
         if (!kinematics_tool(plan->k, motors, out->p[k]))
             memcpy(out->p[k], motors, sizeof motors);
     }
@@ -88,6 +86,7 @@ void certify_chords_free(certify_chords *c)
     free(c->share);
     free(c->of);
 }
+
 
 // Corners
 // -------

@@ -22,7 +22,6 @@
 #define JERK_MAX  1e7
 #define TOL_MIN   (1 / 1024.0)
 #define TOL_MAX   1.0
-#define LSB       (1 / 65536.0)     /* of the wire */
 
 typedef struct {
     joints *j;
@@ -400,7 +399,7 @@ static double rounding_error(const joints *j)
 
     for (int i = 0; i < ENGINE_AXES; i++)
         sum += j->scale[i] > 1 ? (j->scale[i] + 1) * (j->scale[i] + 1) : 0;
-    return sqrt(sum) * LSB / 2;
+    return sqrt(sum) * ENGINE_LSB / 2;
 }
 
 /* What of a tolerance of the tool is left for the plan. */

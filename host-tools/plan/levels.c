@@ -9,7 +9,6 @@
 
 #include "plan/levels.h"
 
-#define LSB (1 / 65536.0)
 
 double levels_of(const drawing_event *e, double s_max)
 {
@@ -35,7 +34,7 @@ static double along_at(const levels *l, unsigned tick)
     double motors[ENGINE_AXES], tool[ENGINE_AXES], sum = 0, square = 0;
 
     for (int i = 0; i < ENGINE_AXES; i++)
-        motors[i] = blossom(l->span, i, u, u, u) * LSB;
+        motors[i] = blossom(l->span, i, u, u, u) * ENGINE_LSB;
     if (!kinematics_tool(l->k, motors, tool))
         memcpy(tool, motors, sizeof tool);
     for (int i = 0; i < ENGINE_AXES; i++) {

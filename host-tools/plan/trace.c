@@ -17,7 +17,6 @@
 #define USED_UP_JERK  0.85
 #define ROUNDED       0.7
 #define AT_REST  1e-3       /* mm/s                                                */
-#define LSB      (1 / 65536.0)
 
 typedef struct {
     trace *t;
@@ -52,8 +51,8 @@ static void motion_of(const trace *t, const engine_span *s, double h, double z, 
     kinematics_moving motors;
 
     for (int i = 0; i < ENGINE_AXES; i++) {
-        const double p0 = s->p[0][i] * LSB, p1 = s->p[1][i] * LSB, p2 = s->p[2][i] * LSB,
-                     p3 = s->p[3][i] * LSB;
+        const double p0 = s->p[0][i] * ENGINE_LSB, p1 = s->p[1][i] * ENGINE_LSB,
+                     p2 = s->p[2][i] * ENGINE_LSB, p3 = s->p[3][i] * ENGINE_LSB;
         out->x[i] = y * y * y * p0 + 3 * y * y * z * p1 + 3 * y * z * z * p2 + z * z * z * p3;
         out->v[i] = 3 * (y * y * (p1 - p0) + 2 * y * z * (p2 - p1) + z * z * (p3 - p2)) / h;
         out->a[i] = 6 * (y * (p0 - 2 * p1 + p2) + z * (p1 - 2 * p2 + p3)) / (h * h);
@@ -219,7 +218,7 @@ static void add_span(making *m, const engine_span *span)
     t->count++;
 
     for (int i = 0; i < ENGINE_AXES; i++)
-        by[i] = (span->p[3][i] - (double)span->p[0][i]) * LSB;
+        by[i] = (span->p[3][i] - (double)span->p[0][i]) * ENGINE_LSB;
     m->length += size_of(by);
     progress_show(&m->bar, m->length, "planning");
 }
