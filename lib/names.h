@@ -299,6 +299,7 @@
 #define loft_drive_place           LOFT_NAME(loft_drive_place)
 #define loft_drive_poll            LOFT_NAME(loft_drive_poll)
 #define loft_drive_prepare         LOFT_NAME(loft_drive_prepare)
+#define loft_drive_pressed         LOFT_NAME(loft_drive_pressed)
 #define loft_drive_push            LOFT_NAME(loft_drive_push)
 #define loft_drive_slot            LOFT_NAME(loft_drive_slot)
 #define loft_drive_table           LOFT_NAME(loft_drive_table)

@@ -184,6 +184,10 @@ void loft_drive_close(loft_drive *d);
  * 7 of them. Call it repeatedly. */
 void loft_drive_prepare(loft_drive *d);
 
+/* Will a short span soon need a walk that cannot be prepared yet? Then the main loop does nothing
+ * long before it calls loft_drive_prepare again. */
+bool loft_drive_pressed(const loft_drive *d);
+
 /* Read the report. When state is DONE or ABORTED, it is final. */
 loft_drive_report loft_drive_poll(loft_drive *d);
 

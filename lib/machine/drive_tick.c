@@ -10,6 +10,10 @@ enum { NO_TICK = 0, TICK = 1, LAST_TICK = 2 };     /* LAST_TICK: of its item */
  * its middle and its end. */
 #define WALKED 3
 
+/* A span of so few ticks may be over before a message is answered and the next walk prepared: 5 and
+ * 3 ms on an ATmega328P, which interrupts leave a quarter of its time. */
+#define SHORT 8
+
 /* The number of items that one call looks at, or looks ahead. The queue empties by at most one item
  * per tick, so any number above 1 catches up. */
 #define LOOKS 8
@@ -232,6 +236,23 @@ void loft_drive_prepare(loft_drive *d)
     LOFT_BARRIER();
     d->ready_item = (uint8_t)(number + behind);
     d->ready = 1;
+}
+
+/* The walk after the one that is prepared can only be made when the item of that one begins, and
+ * must be ready at its end. If an answer begins shortly before a short item, the walk waits for it.
+ * That cannot last: each item that begins leaves one less in the queue, and before the last one
+ * nothing is waited for. At half the pace there is time for both. */
+bool loft_drive_pressed(const loft_drive *d)
+{
+    if (d->state != LOFT_STATE_RUNNING || d->kind == LOFT_POINTS || !d->ready ||
+        d->pace.level < loft_pace_full(&d->pace) / 4 || *(const volatile uint16_t *)&d->left > 1)
+        return false;
+    const uint8_t at = (uint8_t)(d->ready_item - d->item);
+    const volatile loft_item *item = loft_queue_peek(&d->queue, at);
+    if (!item || item->ticks > SHORT)
+        return false;
+    item = loft_queue_peek(&d->queue, at + 1u);
+    return item && item->ticks >= WALKED;
 }
 
 static bool next_point(loft_drive *d)

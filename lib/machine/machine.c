@@ -455,6 +455,8 @@ size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX])
 {
     (void)loft_machine_plan(m);
     loft_drive_prepare(&m->drive);
+    if (!LOFT_MACHINE_TICK_PREPARES && loft_drive_pressed(&m->drive))
+        return 0;
     if (m->set.session)
         return answer_set(m, wire);
 
