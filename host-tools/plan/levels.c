@@ -9,7 +9,6 @@
 
 #include "plan/levels.h"
 
-
 double levels_of(const drawing_event *e, double s_max)
 {
     return e->way == 0 ? 0 : isnan(e->amount) ? 1 : fmin(e->amount / s_max, 1);

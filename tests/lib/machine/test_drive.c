@@ -120,6 +120,16 @@ static void without_an_end_the_machine_stands_at_pace_0_and_says_that_it_starves
     CHECK(drive.state == LOFT_STATE_DONE && r.passed == r.ticks);
 }
 
+/* Must an answer wait, by the list of all items? `next` is the one that begins next. */
+static bool answer_waits(uint32_t next)
+{
+    uint32_t n = next;
+
+    while (n < r.pushed && r.item[n].ticks < 3)
+        n++;
+    return n + 1 < r.pushed && r.item[n].ticks <= 8 && r.item[n + 1].ticks >= 3;
+}
+
 static void a_held_machine_stands_at_the_end_of_a_tick_until_it_is_resumed(arb *a)
 {
     const uint32_t when = arb_below(a, 40000);
@@ -144,11 +154,16 @@ static void a_held_machine_stands_at_the_end_of_a_tick_until_it_is_resumed(arb *
                 rig_slot();
             }
             CHECK(r.passed == passed && drive.state == LOFT_STATE_HELD);
+            CHECK(!loft_drive_pressed(&drive));
             loft_drive_hold(&drive, false);
         }
         prepared += !drive.ready;
         loft_drive_prepare(&drive);
         prepared -= !drive.ready;
+        const bool soon = r.kind != LOFT_POINTS && drive.state == LOFT_STATE_RUNNING &&
+                          drive.left <= 1 && drive.ready &&
+                          drive.pace.level >= loft_pace_full(&drive.pace) / 4;
+        CHECK(loft_drive_pressed(&drive) == (soon && answer_waits(drive.item)));
         loft_drive_tick(&drive);
         rig_slot();
     }
