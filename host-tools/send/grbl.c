@@ -16,6 +16,11 @@
 #include "base/waits.h"          /* waits_due */
 
 #define STUCK       5.0     /* s at rest with unanswered lines */
+#define UNREAD      5.0     /* s without a status that has a meaning */
+#define STOPS       5.0     /* s to slow down to a stop, at most, */
+#define STOPS_STILL 1.0     /* and without another place */
+#define STILL       3.0     /* s that it says it runs, without another place or an answer */
+#define IDLES       2       /* "Idle" so often after the last answer: it draws nothing any more */
 #define ABREAST     0.05    /* mm: moves that are so much farther may be the ones that it draws */
 
 /* Send as many lines as fit. */
@@ -26,7 +31,7 @@ static bool send_lines(grbl *g)
     while (g->sent < g->code->count && g->sent - g->done < GRBL_WAITING) {
         const unsigned size = (unsigned)snprintf(text, sizeof text, "%s\n",
                                                  gcode_text(g->code, g->sent));
-        if (g->under_way + size > g->buffer - 1)
+        if (g->under_way > 0 && g->under_way + size > g->buffer - 1)
             break;
         if (!grbl_put(g, text, size))
             return false;
@@ -36,34 +41,66 @@ static bool send_lines(grbl *g)
     return true;
 }
 
-/* Slow down, stop, and discard the lines that were sent. The position is kept, since a reset at
- * rest loses no step. */
-static bool stop_controller(grbl *g)
+static enum grbl_doing doing_of(const grbl *g)
 {
-    const double until = tool_clock() + GRBL_DEAF;
+    return g->state != NULL ? g->state->doing : GRBL_RUNS;
+}
 
+/* Slow down, stop, and discard the lines that were sent. The position is kept, since a reset at
+ * rest loses no step; *rests: it said that it rests. */
+static bool stop_controller(grbl *g, bool *rests)
+{
+    const double began = tool_clock();
+
+    *rests = false;
     if (!grbl_put_byte(g, '!'))
         return false;
-    g->state = GRBL_UNKNOWN;
-    while (g->state != GRBL_HELD && g->state != GRBL_IDLE && g->state != GRBL_ALARM &&
-           tool_clock() < until)
+    g->state = NULL;
+    g->moved = began;
+    while (!*rests && tool_clock() - began < STOPS && tool_clock() - g->moved < STOPS_STILL) {
         if (!grbl_pump(g, 20))
             return false;
+        *rests = g->state != NULL && g->state->doing != GRBL_RUNS && g->state->doing != GRBL_SLOWS;
+    }
     g->code = NULL;                     /* the greeting that follows is expected */
     return grbl_put_byte(g, 0x18);
 }
 
-static bool is_held(const grbl *g) { return g->state == GRBL_HOLD || g->state == GRBL_HELD; }
+static bool is_held(const grbl *g)
+{
+    return doing_of(g) == GRBL_SLOWS || doing_of(g) == GRBL_STANDS;
+}
 
 /* The state in one word, for a program. */
 static const char *state_word(const grbl *g)
 {
-    switch (g->state) {
-    case GRBL_RUN:  return "draws";
-    case GRBL_HOLD: return "holds";
-    case GRBL_HELD: return "held";
-    default:        return "waits";
+    switch (doing_of(g)) {
+    case GRBL_RUNS:   return g->state != NULL ? "draws" : "waits";
+    case GRBL_SLOWS:  return "holds";
+    case GRBL_STANDS: return "held";
+    default:          return "waits";
     }
+}
+
+/* What keeps the job from going on, or NULL. */
+static const char *awaited_event(const grbl *g, char text[200])
+{
+    if (tool_clock() - g->heard > STILL)
+        return "the controller does not answer: look at cable and power";
+    if (g->state == NULL)
+        return NULL;
+    if (*g->state->text != '\0')
+        snprintf(text, 200, "the controller says %s: %s", g->word, g->state->text);
+    else if (is_held(g) && !report_shown())
+        snprintf(text, 200, "the controller is held: its button goes on");
+    else if (doing_of(g) == GRBL_RUNS && tool_clock() - g->moved > STILL)
+        snprintf(text, 200,
+                 "the controller says %s, and does not move: a pause of the program, or "
+                 "it waits for something",
+                 g->word);
+    else
+        return NULL;
+    return text;
 }
 
 /* Tell the current state in one line; it stays on the screen. */
@@ -90,6 +127,34 @@ static bool obey_keys(grbl *g, bool *abort)
     }
 }
 
+/* Stop: the count of answers, or what they say, cannot be right. Returns the exit code. */
+static int stop_after(grbl *g, const char *what)
+{
+    const size_t done = g->done, count = g->code->count;
+    bool rests;
+
+    (void)stop_controller(g, &rests);
+    return tool_error(EX_PROTOCOL,
+                      "%s: %s, at line %zu of %zu: what was drawn cannot be trusted; look at cable "
+                      "and --baud, home it and begin again",
+                      g->port, what, done, count);
+}
+
+/* An answer says that a line of ours is wrong. */
+static int report_failed(grbl *g)
+{
+    const gcode *code = g->code;
+    const bool ours   = g->wrong < g->sent;
+    bool rests;
+
+    (void)stop_controller(g, &rests);
+    return tool_error(EX_PROTOCOL, "%s: error %s at line %zu of %zu%s%s%s%s; the machine %s",
+                      g->port, g->error, g->wrong + ours, code->count, ours ? ", `" : "",
+                      ours ? gcode_text(code, g->wrong) : "", ours ? "`" : "",
+                      grbl_error_text(g->error),
+                      rests ? "is stopped" : "did not say that it stopped");
+}
+
 /* Report what is wrong. Returns an exit code after printing one line; 0: nothing is wrong. */
 static int report_trouble(grbl *g)
 {
@@ -106,27 +171,35 @@ static int report_trouble(grbl *g)
                           "%s: the controller restarted at line %zu of %zu: its position is lost; "
                           "home it and begin again",
                           g->port, g->done, code->count);
-    if (g->alarm != 0)
-        return tool_error(EX_PROTOCOL, "%s: alarm %d at line %zu of %zu: %s", g->port, g->alarm,
+    if (g->alarmed)
+        return tool_error(EX_PROTOCOL, "%s: alarm %s at line %zu of %zu%s", g->port, g->alarm,
                           g->done, code->count, grbl_alarm_text(g->alarm));
-    if (g->error != 0) {
-        (void)stop_controller(g);
+    if (g->failed)
+        return report_failed(g);
+    if (doing_of(g) == GRBL_ENDS)
         return tool_error(EX_PROTOCOL,
-                          "%s: error %d at line %zu of %zu, `%s`: %s; the machine is stopped",
-                          g->port, g->error, g->wrong + 1, code->count, gcode_text(code, g->wrong),
-                          grbl_error_text(g->error));
+                          "%s: the controller says %s at line %zu of %zu: %s; then "
+                          "begin again",
+                          g->port, g->word, g->done, code->count, g->state->text);
+    if (g->surplus)
+        return stop_after(g, "one answer more than lines were sent: bytes were bent on the line");
+    if (g->unread[0] != '\0' && now - g->read > UNREAD) {
+        char text[GRBL_SAID + 64];
+        snprintf(text, sizeof text, "its report `%s` has no meaning", g->unread);
+        return stop_after(g, text);
     }
     if (now - g->heard > GRBL_DEAF)
         return tool_error(EX_IOERR,
                           "%s: silent for %g s at line %zu of %zu: look at cable and power; it "
                           "draws what it has and stops",
                           g->port, GRBL_DEAF, g->done, code->count);
-    if (g->state == GRBL_IDLE && g->done < g->sent && now - g->moved > STUCK) {
-        (void)stop_controller(g);
-        return tool_error(EX_PROTOCOL,
-                          "%s: %zu lines were not answered: bytes were lost on the line, and what "
-                          "was drawn cannot be trusted",
-                          g->port, g->sent - g->done);
+    if (now - g->read > GRBL_DEAF)
+        return stop_after(g, "it answers lines, but does not tell its state");
+    if (g->idles > 0 && g->done < g->sent && now - g->moved > STUCK) {
+        char text[96];
+        snprintf(text, sizeof text, "%zu lines were not answered: bytes were lost on the line",
+                 g->sent - g->done);
+        return stop_after(g, text);
     }
     return 0;
 }
@@ -169,32 +242,42 @@ static void show_progress(grbl *g, const report_job *job)
     report_show(&f, text);
 }
 
+static int report_aborted(grbl *g)
+{
+    const size_t done = g->done, count = g->code->count;
+    bool rests;
+
+    if (!stop_controller(g, &rests))
+        return grbl_report_vanished(g);
+    if (!rests)
+        return tool_error(EX_TEMPFAIL,
+                          "aborted at line %zu of %zu: the controller did not say that it stopped, "
+                          "and was reset: home it",
+                          done, count);
+    return tool_error(EX_TEMPFAIL,
+                      "aborted at line %zu of %zu: the machine is stopped at %.3f %.3f %.3f", done,
+                      count, g->place[0], g->place[1], g->place[2]);
+}
+
 static int drive_job(grbl *g, const report_job *job)
 {
     bool abort = false;
     waits waiting = { .told = false };
+    char text[200];
 
-    while (g->done < g->code->count || g->state != GRBL_IDLE) {
+    while (g->done < g->code->count || g->idles < IDLES) {
         if (!send_lines(g) || !grbl_pump(g, 20) || !obey_keys(g, &abort))
             return grbl_report_vanished(g);
         const int code = report_trouble(g);
         if (code != 0)
             return code;
-        if (abort || keys_interrupted()) {
-            const size_t count = g->code->count;
-            if (!stop_controller(g))
-                return grbl_report_vanished(g);
-            return tool_error(
-                EX_TEMPFAIL, "aborted at line %zu of %zu: the machine is stopped at %.3f %.3f %.3f",
-                g->done, count, g->place[0], g->place[1], g->place[2]);
-        }
-        if (g->done == g->code->count && g->state != GRBL_RUN && !is_held(g))
+        if (abort || keys_interrupted())
+            return report_aborted(g);
+        if (g->done == g->code->count && doing_of(g) == GRBL_IDLE)
             g->asked = 0;               /* the last line was answered before it was drawn: ask
                                          * again */
         show_progress(g, job);
-        if (waits_due(&waiting, !report_shown() && is_held(g)
-                                    ? "the controller is held: its button goes on"
-                                    : NULL))
+        if (waits_due(&waiting, awaited_event(g, text)))
             report_line("waiting: %s", waiting.what);
     }
     return 0;
@@ -205,12 +288,15 @@ int grbl_run(grbl *g, const gcode *code, const report_job *job)
     const double began = tool_clock();
 
     g->code   = code;
-    g->state  = GRBL_UNKNOWN;
+    g->state  = NULL;
+    g->idles  = 0;
     g->behind = 0;
-    g->heard = g->moved = began;
+    g->sent = g->done = 0;
+    g->heard = g->moved = g->read = began;
     report_begin(job);
     const int result = drive_job(g, job);
     report_end();
+    g->code = NULL;
     if (result == 0)
         printf("drawn: %zu curve%s, %.3f m, %zu lines of G-code in %.1f s, %s at %.3f %.3f %.3f\n",
                job->path->curves, tool_s(job->path->curves), job->path->drawn / 1000, code->count,

@@ -30,6 +30,12 @@ static int report_unready(const grbl *g, double seconds)
                           "%s: %lu bytes came, but no word of grbl's: is --baud right, and is it a "
                           "controller of that kind?",
                           g->line.text, g->received);
+    if (g->unread[0] != '\0')
+        return tool_error(
+            EX_PROTOCOL,
+            "%s: %s answers, but its report `%s` has no place with a meaning: look at "
+            "the line, --baud and its settings",
+            g->line.text, name, g->unread);
     if (g->machined)
         return tool_error(EX_CONFIG,
                           "%s: %s answers, but reports its position as MPos without WCO: set $10=0 "
@@ -75,15 +81,17 @@ static int greet_controller(grbl *g, double seconds)
             break;                      /* a question is unknown: do without the answer */
         return report_unready(g, seconds);
     }
-    if (g->state == GRBL_ALARM)
+    if (g->state->doing == GRBL_IDLE)
+        return 0;
+    if (strncmp(g->word, "Alarm", 5) == 0)
         return tool_error(EX_CONFIG,
                           "%s: the controller is locked after an alarm: home it ($H) or unlock it "
                           "($X) with a terminal, then run this again",
                           g->port);
-    if (g->state != GRBL_IDLE)
-        return tool_error(EX_UNAVAILABLE,
-                          "%s: the controller is not idle: let it finish, or reset it", g->port);
-    return 0;
+    return tool_error(EX_UNAVAILABLE,
+                      "%s: the controller is not idle but says %s%s%s: let it "
+                      "finish, or reset it",
+                      g->port, g->word, *g->state->text ? ": " : "", g->state->text);
 }
 
 /* With soft limits, the offset tells where the table is in work coordinates. */

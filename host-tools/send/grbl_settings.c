@@ -5,28 +5,72 @@
  * wiki, "Grbl v1.1 Configuration"). Firmware built with HOMING_FORCE_SET_ORIGIN, a Z in what it
  * answers to $I, has 0 at the end where an axis is homed: bit i of $23 set, that is the low one.
  */
+#include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "base/scan.h"           /* scan_number */
+#include "base/tool.h"           /* tool_error */
 #include "send/grbl_settings.h"
 
-void grbl_settings_take(grbl_settings *s, const char *line)
+#define FAR 1e6                  /* mm of travel: more has no meaning */
+
+/* A number, and nothing behind it; grblHAL writes "130=200.000", others blanks. */
+static bool value_of(const char *text, double most, double *out)
+{
+    double value;
+
+    scan_space(&text);
+    if (!scan_number(&text, &value) || !(value >= 0 && value <= most))
+        return false;
+    scan_space(&text);
+    *out = value;
+    return *text == '\0' || *text == '(';      /* grbl 0.9: a comment follows */
+}
+
+/* Those that are needed here, and the most that has a meaning. */
+static double most_of(int number)
+{
+    switch (number) {
+    case 13:
+    case 20:
+    case 23: return 255;
+    case 130:
+    case 131:
+    case 132: return FAR;
+    default: return NAN;
+    }
+}
+
+void grbl_settings_take(grbl_settings *s, const char *port, const char *line)
 {
     const size_t room = sizeof s->text - s->used, size = strlen(line) + 1;
+    const char *at    = line + 1;
+    double number, value;
 
+    if (scan_number(&at, &number) && *at == '=' && number >= 0 && number < 1000 &&
+        !isnan(most_of((int)number)) && !value_of(at + 1, most_of((int)number), &value)) {
+        (void)tool_error(EX_OK,
+                         "%s: the controller says `%s`, which is left out: give %.*s= a number",
+                         port, line, (int)(at - line), line);
+        return;
+    }
     if (size < room)
         s->used += (size_t)snprintf(s->text + s->used, room, "%s\n", line);
 }
 
 double grbl_settings_number(const grbl_settings *s, int number, double otherwise)
 {
-    char key[16];
+    char key[16], row[64];
     const size_t size = (size_t)snprintf(key, sizeof key, "$%d=", number);
+    double value      = otherwise;
 
     for (const char *line = s->text; *line != '\0'; line = strchr(line, '\n') + 1)
-        if (strncmp(line, key, size) == 0)
-            return atof(line + size);
+        if (strncmp(line, key, size) == 0) {
+            snprintf(row, sizeof row, "%.*s", (int)strcspn(line + size, "\n"), line + size);
+            if (value_of(row, most_of(number), &value))
+                return value;
+        }
     return otherwise;
 }
 

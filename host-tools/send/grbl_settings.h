@@ -12,8 +12,9 @@ typedef struct {
     bool corner_zero;           /* its $I has Z: homed, a corner of the table is 0 */
 } grbl_settings;
 
-/* Keep a line of its answer. */
-void grbl_settings_take(grbl_settings *s, const char *line);
+/* Keep a line of its answer. A number that is needed here and has no meaning is left out, with a
+ * warning about what is at `port`. */
+void grbl_settings_take(grbl_settings *s, const char *port, const char *line);
 
 /* A number of it; `otherwise` if it was not told. */
 double grbl_settings_number(const grbl_settings *s, int number, double otherwise);

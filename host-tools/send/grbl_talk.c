@@ -1,11 +1,14 @@
 /* host-tools/send/grbl_talk.c
  * SPDX-License-Identifier: MIT
  */
+#include <ctype.h>
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
+#include "base/scan.h"           /* scan_number */
 #include "send/grbl_talk.h"
 #include "base/tool.h"           /* tool_error, tool_clock */
 
@@ -41,54 +44,110 @@ bool grbl_put_byte(grbl *g, int byte)
 // Lines
 // -----
 
-static void read_vector(const grbl *g, const char *text, double out[ENGINE_AXES])
+/* A number of it, which ends at one of these. Numbers that are none, such as nan, are not read. */
+static bool number_at(const char **at, const char *ends, double least, double most, double *out)
 {
-    if (sscanf(text, "%lf,%lf,%lf", &out[0], &out[1], &out[2]) == ENGINE_AXES)
-        for (int i = 0; i < ENGINE_AXES; i++)
-            out[i] *= g->unit;
+    double value;
+
+    if (!scan_number(at, &value) || !(value >= least && value <= most) ||
+        strchr(ends, **at) == NULL)
+        return false;
+    *out = value;
+    return true;
 }
 
-static enum grbl_state state_of(const char *word)
+/* Places of its axes: the first three count. */
+static bool vector_at(const char *text, double unit, double out[ENGINE_AXES])
 {
-    static const struct {
-        const char *word;
-        enum grbl_state state;
-    } states[] = { { "Idle", GRBL_IDLE },   { "Run", GRBL_RUN },   { "Jog", GRBL_RUN },
-                   { "Hold:0", GRBL_HELD }, { "Hold", GRBL_HOLD }, { "Alarm", GRBL_ALARM } };
+    double value = 0;
+    int count    = 0;
 
-    for (size_t i = 0; i < sizeof states / sizeof *states; i++)
-        if (strncmp(word, states[i].word, strlen(states[i].word)) == 0)
-            return states[i].state;
-    return GRBL_OTHER;
+    do {
+        if (!number_at(&text, ",|>", -GRBL_FAR, GRBL_FAR, &value))
+            return false;
+        if (count < ENGINE_AXES)
+            out[count] = value * unit;
+        count++;
+    } while (*text++ == ',');
+    return count >= ENGINE_AXES;
+}
+
+/* What a status tells; what it does not tell is as before. */
+typedef struct {
+    double place[ENGINE_AXES], machine[ENGINE_AXES], offset[ENGINE_AXES], feed, rate;
+    bool placed, machined, offsetted;
+} status;
+
+/* A part of a status, "WPos:1.000,2.000,0.000". Returns false if it has no meaning. */
+static bool part_read(const char *part, double unit, status *s)
+{
+    const char *value = part + strcspn(part, ":|>");
+
+    value += *value == ':';
+    if (strncmp(part, "MPos:", 5) == 0)
+        return s->machined = vector_at(value, unit, s->machine);
+    if (strncmp(part, "WPos:", 5) == 0)
+        return s->placed = vector_at(value, unit, s->place);
+    if (strncmp(part, "WCO:", 4) == 0)
+        return s->offsetted = vector_at(value, unit, s->offset);
+    if (strncmp(part, "F:", 2) == 0 || strncmp(part, "FS:", 3) == 0)
+        return number_at(&value, ",|>", 0, GRBL_FAR, &s->feed);
+    if (strncmp(part, "Ov:", 3) == 0)
+        return number_at(&value, ",|>", 1, 1000, &s->rate);
+    return true;
 }
 
 /* <Idle|WPos:1.000,2.000,0.000|FS:500,0|Ov:100,100,100|WCO:0.000,0.000,0.000> */
-static void take_status(grbl *g, char *text)
+static bool status_read(const grbl *g, const char *text, status *s)
 {
-    g->state = state_of(text);
-    for (char *part = strchr(text, '|'); part != NULL; part = strchr(part, '|')) {
-        part++;
-        if (strncmp(part, "MPos:", 5) == 0) {
-            read_vector(g, part + 5, g->machine);
-            g->machined = true;
-            g->placed = g->offsetted;
-        } else if (strncmp(part, "WPos:", 5) == 0) {
-            read_vector(g, part + 5, g->place);
-            g->placed = true;
-        } else if (strncmp(part, "WCO:", 4) == 0) {
-            read_vector(g, part + 4, g->offset);
-            g->offsetted = true;
-        } else if (strncmp(part, "F:", 2) == 0 || strncmp(part, "FS:", 3) == 0) {
-            g->feed = g->unit * atof(strchr(part, ':') + 1);
-        } else if (strncmp(part, "Ov:", 3) == 0) {
-            g->rate = (unsigned)atoi(part + 3);
-        }
+    const size_t size = strlen(text);
+
+    *s = (status){ .rate = g->rate, .feed = NAN };
+    if (size == 0 || text[size - 1] != '>')
+        return false;                   /* bytes of it were lost on the line */
+    for (const char *part = strchr(text, '|'); part != NULL; part = strchr(part, '|'))
+        if (!part_read(++part, g->unit, s))
+            return false;
+    return true;
+}
+
+static void set_place(grbl *g, const double to[ENGINE_AXES])
+{
+    if (g->placed && memcmp(g->place, to, sizeof g->place) != 0)
+        g->moved = tool_clock();
+    memcpy(g->place, to, sizeof g->place);
+    g->placed = true;
+}
+
+static void take_status(grbl *g, const char *text)
+{
+    double place[ENGINE_AXES];
+    status s;
+
+    if (!status_read(g, text, &s)) {
+        if (g->unread[0] == '\0')
+            snprintf(g->unread, sizeof g->unread, "<%s", text);
+        return;
     }
-    if (strstr(text, "MPos:") != NULL && g->offsetted) {
-        g->placed = true;
-        for (int i = 0; i < ENGINE_AXES; i++)
-            g->place[i] = g->machine[i] - g->offset[i];
+    g->unread[0] = '\0';
+    g->read      = tool_clock();
+    g->state     = grbl_state_of(text);
+    g->idles     = g->state->doing == GRBL_IDLE ? g->idles + 1 : 0;
+    snprintf(g->word, sizeof g->word, "%.*s", (int)strcspn(text, "|>"), text);
+    g->rate = (unsigned)s.rate;
+    if (!isnan(s.feed))
+        g->feed = g->unit * s.feed;
+    if (s.offsetted) {
+        memcpy(g->offset, s.offset, sizeof g->offset);
+        g->offsetted = true;
     }
+    g->machined = g->machined || s.machined;
+    for (int i = 0; i < ENGINE_AXES; i++)
+        place[i] = s.machine[i] - g->offset[i];
+    if (s.placed)
+        set_place(g, s.place);
+    else if (s.machined && g->offsetted)
+        set_place(g, place);
 }
 
 /* What it said of its place, and of itself, does not hold any more. */
@@ -109,32 +168,86 @@ static void use_settings(grbl *g)
     g->placed = g->offsetted = g->machined = false;
 }
 
-/* A line was answered: a question, one of our lines, or an earlier line of somebody else. */
+/* A line was answered: a question, one of our lines, or an earlier line of somebody else. In a job
+ * there is nobody else. */
 static void take_answer(grbl *g)
 {
+    const bool asked = g->asking;
+
     if (g->asking && g->inquired == GRBL_QUESTIONS)
         use_settings(g);
     g->asking = false;
-    if (g->done == g->sent)
+    g->idles  = 0;
+    if (g->done == g->sent) {
+        g->surplus = g->surplus || (g->code != NULL && !asked);
         return;
+    }
     g->under_way -= g->size_of[g->done++ % GRBL_WAITING];
     g->moved = tool_clock();
 }
 
+/* What follows `word`, written in any case, and a colon; NULL: the line does not begin with it. */
+static const char *said_behind(const char *word, const char *line)
+{
+    const size_t size = strlen(word);
+
+    if (strncasecmp(line, word, size) != 0 || isalnum((unsigned char)line[size]))
+        return NULL;
+    return line + size + strspn(line + size, ": \t");
+}
+
 static bool is_word(const char *text)
 {
-    static const char *const words[] = { "<", "[", "$", "ok", "error:", "ALARM:", "Grbl" };
+    static const char *const words[] = { "<", "[", "$", "Grbl" };
 
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strncmp(text, words[i], strlen(words[i])) == 0)
             return true;
-    return false;
+    return strcmp(text, "ok") == 0 || said_behind("error", text) || said_behind("alarm", text);
+}
+
+/* Our first error: lines after it may be answered before anybody looks. */
+static void take_error(grbl *g, const char *said)
+{
+    if (!g->failed && g->code != NULL) {
+        snprintf(g->error, sizeof g->error, "%s", said);
+        g->failed = true;
+        g->wrong  = g->done;
+    }
+    take_answer(g);
+}
+
+static void take_greeting(grbl *g, const char *text)
+{
+    g->restarted = g->code != NULL;
+    if (g->code == NULL)                /* what it said before is obsolete, and so is the question */
+        forget(g);
+    snprintf(g->name, sizeof g->name, "%.*s", (int)strcspn(text, "["), text);
+}
+
+/* [OPT:VZ,15,128]: what it was built with, blocks, bytes of its buffer; some tell less. */
+static void take_build(grbl *g, const char *text)
+{
+    const char *built = text + strlen("[OPT:"), *at = built + strcspn(built, ",]");
+    double blocks, bytes;
+
+    g->settings.corner_zero = memchr(built, 'Z', (size_t)(at - built)) != NULL;
+    if (*at != ',')
+        return;
+    at++;
+    if (number_at(&at, ",", 0, GRBL_FAR, &blocks) && *at++ == ',' &&
+        number_at(&at, ",]", GRBL_BUFFER_LEAST, GRBL_BUFFER_MOST, &bytes))
+        g->buffer = (unsigned)bytes;
+    else
+        (void)tool_error(EX_OK,
+                         "%s: the controller says `%s`, which is no size of a buffer: %u bytes are "
+                         "sent ahead: look at the line and at its firmware",
+                         g->port, text, g->buffer - 1);
 }
 
 static void take_line(grbl *g, char *text)
 {
-    unsigned first, second, bytes;
-    char built[64];
+    const char *said;
 
     g->heard    = tool_clock();
     g->answered = g->answered || is_word(text);
@@ -142,26 +255,18 @@ static void take_line(grbl *g, char *text)
         take_status(g, text + 1);
     } else if (strcmp(text, "ok") == 0) {
         take_answer(g);
-    } else if (strncmp(text, "error:", 6) == 0) {
-        if (g->error == 0 && g->done < g->sent) {   /* our first error: lines after it may be
-                                                     * answered before anybody looks */
-            g->error = atoi(text + 6);
-            g->wrong = g->done;
-        }
-        take_answer(g);
-    } else if (strncmp(text, "ALARM:", 6) == 0) {
-        g->alarm = atoi(text + 6);
+    } else if ((said = said_behind("error", text)) != NULL) {
+        take_error(g, said);
+    } else if ((said = said_behind("alarm", text)) != NULL) {
+        if (!g->alarmed)
+            snprintf(g->alarm, sizeof g->alarm, "%s", said);
+        g->alarmed = true;
     } else if (strncmp(text, "Grbl", 4) == 0) {
-        g->restarted = g->code != NULL;
-        if (g->code == NULL)            /* what it said before is obsolete, and so is the
-                                         * question */
-            forget(g);
-        snprintf(g->name, sizeof g->name, "%.*s", (int)strcspn(text, "["), text);
+        take_greeting(g, text);
     } else if (text[0] == '$') {
-        grbl_settings_take(&g->settings, text);
-    } else if (sscanf(text, "[OPT:%63[^,],%u,%u,%u", built, &first, &second, &bytes) >= 3) {
-        g->buffer               = second >= GRBL_BUFFER ? second : GRBL_BUFFER;
-        g->settings.corner_zero = strchr(built, 'Z') != NULL;
+        grbl_settings_take(&g->settings, g->port, text);
+    } else if (strncmp(text, "[OPT:", 5) == 0) {
+        take_build(g, text);
     }
 }
 

@@ -8,19 +8,23 @@
 
 #include "send/grbl.h"
 #include "send/grbl_settings.h"
+#include "send/grbl_words.h"    /* grbl_state */
 #include "send/transport.h"     /* transport */
 
-#define GRBL_BUFFER     128     /* bytes that every such controller accepts */
+#define GRBL_BUFFER     128     /* bytes of grbl's own buffer: taken where it tells none */
+#define GRBL_BUFFER_LEAST 16    /* bytes that are believed */
+#define GRBL_BUFFER_MOST  65536
+#define GRBL_FAR        1e6     /* mm, mm/min: what is beyond has no meaning */
 #define GRBL_DEAF       10.0    /* s of silence until we give up */
 #define GRBL_WAITING    512     /* lines in flight at most */
 #define GRBL_QUESTIONS  2       /* $I: the size of its buffer; $$: its settings */
 
-enum grbl_state { GRBL_UNKNOWN, GRBL_IDLE, GRBL_RUN, GRBL_HOLD, GRBL_HELD, GRBL_ALARM, GRBL_OTHER };
+#define GRBL_SAID       80      /* bytes of what it said, as it is repeated */
 
 struct grbl {
     const char *port;
     transport line;
-    char text[256];                     /* a line that is being received */
+    char text[512];                     /* a line that is being received: the first bytes of it */
     size_t size;
     char name[64];                      /* its greeting                          */
     unsigned buffer;
@@ -29,19 +33,25 @@ struct grbl {
     unsigned inquired;                  /* how many of its questions were sent */
     bool asking;                        /* an answer is awaited */
     grbl_settings settings;
-    enum grbl_state state;
+    const grbl_state *state;            /* NULL: not told since the last question of ours */
+    char word[24];                      /* the state, as it says it */
+    char unread[GRBL_SAID];             /* the first status that has no meaning since the last that
+                                         * has one */
+    unsigned idles;                     /* "Idle" so often since the last answer */
     double machine[ENGINE_AXES], offset[ENGINE_AXES], place[ENGINE_AXES];
     bool placed, machined, offsetted;   /* known: WPos, or MPos and WCO; MPos; WCO */
     double unit;                        /* mm: of what it reports, 1 or 25.4 ($13) */
     double feed;                        /* mm/min                                */
     unsigned rate;                      /* override in percent                   */
-    double heard, asked, moved;         /* clocks                                */
+    double heard, asked, moved;         /* clocks: a line; a question; a place or an answer */
+    double read;                        /* the clock of the last status that has a meaning */
     const gcode *code;
     size_t sent, done, wrong;           /* lines; wrong: the line that the error is about */
     size_t behind;                      /* moves of the path, drawn by now */
     unsigned size_of[GRBL_WAITING], under_way;   /* bytes                             */
-    int error, alarm;
-    bool restarted;
+    char error[GRBL_SAID], alarm[GRBL_SAID];     /* what follows the colon; "": none */
+    bool failed, alarmed, restarted;
+    bool surplus;                       /* an answer that belongs to no line */
 };
 
 /* Both return whether the port is still there. */
