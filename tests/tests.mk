@@ -378,7 +378,7 @@ test-corpus: $(CORPUS)
 	@{ $(REPLAY); } | bash tests/house/beside.sh
 
 # --- whole jobs -----------------------------------------------------------------------------------
-## Run whole jobs: the command, sanitized, on the simulated machine   CASE=one of tests/e2e/e2e.sh
+## Run whole jobs: the command, sanitized, on the simulated machine   CASE=one of tests/e2e/*.sh
 .PHONY: test-e2e
 test-e2e: build/loft build/e2e/pty build/e2e/shim.so
 	+@$(PARALLEL) -s tools TOOL_OUT=build/e2e BUILT="$(TESTED) $(SANITIZE)" \

@@ -1,0 +1,266 @@
+# tests/e2e/bad_input.sh -- input, options and files that cannot be
+# SPDX-License-Identifier: MIT
+
+case_bad_drawings() {
+    printf '<svg xmlns="http://www.w3.org/2000/svg"><path d="M 0 0' >"$tmp/broken.svg"
+    printf '<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="10mm"></svg>' \
+        >"$tmp/empty.svg"
+    printf 'this is no drawing\n' >"$tmp/text.txt"
+    printf '(made by x)\n%%\nG21 G90\nG1 X1 Y2 F100\nG1 X\n' >"$tmp/job.nc"
+    one_line 65 'job.nc:5: a number is missing' "$loft" stream "$tmp/job.nc" --dry-run
+    one_line 64 '--dialect x: give linuxcnc, grbl' "$loft" plan "$tmp/job.nc" --dialect x
+    head -c 4096 /dev/urandom >"$tmp/random.bin"
+    : >"$tmp/nothing"
+    one_line 66 'no such file' "$loft" stream "$tmp/absent.svg" --dry-run
+    for bad in broken.svg empty.svg text.txt random.bin nothing; do
+        one_line 65 "$bad" "$loft" stream "$tmp/$bad" --dry-run
+    done
+    printf '0,0,1e9,0,1,1,2,2\n' >"$tmp/far.csv"
+    one_line 65 'far.csv' "$loft" stream "$tmp/far.csv" --dry-run
+    printf '\n0,0,9000,0,1,1,2,2\n' >"$tmp/wide.csv"
+    one_line 65 'wide.csv:2: a point at 9000,0 mm' "$loft" stream "$tmp/wide.csv" --dry-run
+    printf '0,0 1,1\n0,zero\n'   >"$tmp/word.txt"
+    one_line 65 'word.txt:1' "$loft" eval "$tmp/word.txt"
+}
+# warned PATTERN COMMAND..: a warning, which --strict makes an error; without it the job is done
+warned() {
+    local pattern=$1; shift
+    run 0 "$@"
+    says err "$pattern"; cp "$tmp/err" "$tmp/warnings"
+    one_line 65 "$pattern.*--strict" "$@" --strict
+    [ ! -s "$tmp/out" ] || job_fails "$* --strict prints: $(head -c 200 "$tmp/out")"
+    grep -qF "$(sed 's/ (an error by --strict)//' "$tmp/err")" "$tmp/warnings" \
+        || job_fails "another line than the first warning"
+}
+# a drawing for each warning of the reader of SVG (enum svg_warning): the tail of its name, what the
+# line says, what is within <svg>
+svg_warnings() {
+    sed -e :a -e '/\\$/N; s/\\\n *//; ta' <<'TABLE'
+SELECTOR|selector "path:nth-child(2)|<style>path:nth-child(2) { display: none }</style>
+DATA|path data ends after|<path d="M0 0L5" stroke="red"/>
+TEXT|<flowRoot> is not drawn|<flowRoot/>
+LETTER|is in no font|<text x="5" y="9">a&#x10FFFD;</text>
+LAYER|as AxiDraw does|<g i:groupmode="layer" i:label="% notes"><path d="M0 0h5" stroke="red"/></g>
+LAYER_NUMBERS|no speed, height|\
+    <g i:groupmode="layer" i:label="1 +S50"><path d="M0 0h5" stroke="red"/></g>
+LINE|letters without single lines|<text x="5" y="9">&#x3a9;</text>
+UPRIGHT|is read as horizontal|<text x="5" y="9" writing-mode="vertical-rl">a</text>
+PICTURE|<image> is not drawn|<image width="5" height="5" href="a.png"/>
+CLIP_PATH|clip-path: circle(2)|<path d="M0 0h5" stroke="red" clip-path="circle(2)"/>
+MASK|not of white shapes|\
+    <mask id="m"><path d="M0 0h9v9z" fill="#777"/></mask>\
+    <path d="M0 0h5" stroke="red" mask="url(#m)"/>
+PATTERN|tiles is left out|\
+    <pattern id="p" width=".01" height=".01" patternUnits="userSpaceOnUse">\
+    <path d="M0 0h1" stroke="red"/></pattern><path d="M0 0h40v40h-40z" fill="url(#p)"/>
+DASHES|more than [0-9]* dashes|<path d="M0 0h40" stroke="red" stroke-dasharray=".0001"/>
+BOX|transform-box: fill-box|\
+    <path d="M0 0h5" stroke="red" style="transform-box: fill-box; transform: rotate(9deg)"/>
+UNSEEN|without fill and stroke|<path d="M0 0h5" fill="none"/>
+USE_NOTHING|<use> without href|<use/>
+USE_ELSEWHERE|is not in this file|<use href="b.svg#a"/>
+USE_MISSING|no element has this id|<use href="#a"/>
+TABLE
+}
+case_strict_svg_warning_by_warning() {
+    local kind pattern inside text
+    while IFS='|' read -r kind pattern inside; do
+        printf '%s\n%s\n' '<svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm"
+            viewBox="0 0 50 50" xmlns:i="http://www.inkscape.org/namespaces/inkscape">
+            <path d="M1 1h3" stroke="red"/>' "$inside</svg>" >"$tmp/$kind.svg"
+        [ $kind = LINE ] && text=line || text=outline
+        warned "$kind.svg:[0-9]*: .*$pattern" "$loft" plan "$tmp/$kind.svg" --total --text $text
+    done < <(svg_warnings)
+    # each has a line above
+    diff <(svg_warnings | cut -d'|' -f1 | sort) \
+         <(sed -n 's/^    SVG_WARN_\([A-Z_]*\),\?$/\1/p' host-tools/read/svg.h | sort) \
+        || job_fails "warnings without a line, or lines without a warning"
+}
+# a program for each word that G-code leaves out
+case_strict_gcode_warning_by_warning() {
+    local pattern lines dialect
+    while IFS='|' read -r pattern dialect lines; do
+        printf 'G21 G90 F600\nG1 X5\n%b\nG1 Y5\n' "$lines" >"$tmp/left.nc"
+        warned "left.nc:\?[0-9]*: $pattern" "$loft" plan "$tmp/left.nc" --total --dialect $dialect
+    done <<'TABLE'
+M48: has no meaning|linuxcnc|M48
+$: commands of a controller|grbl|$H
+M107: has no meaning|marlin|M107
+E: there is no extruder|marlin|G1 X9 E2
+G61 in a part of it|linuxcnc|G61\nG1 X9\nG64
+TABLE
+}
+# what is not in a reader
+case_strict_elsewhere() {
+    printf 'G21 G90 F600\nG1 X5\nG1 Y5\n' >"$tmp/plain.nc"
+    printf '0,0 1,1 2,2 9,9\n' >"$tmp/one.csv"
+    warned 'it has no layers of Inkscape' "$loft" plan "$tmp/one.csv" --total --order layer
+    printf 'x.reversed = yes\nx.travel = 90\nkinematics = corexy\ntolerance = 0.01\n' \
+        >"$tmp/plan.txt"
+    machine strict --speed fast
+    warned 'and what else is of firmware or plan, is not kept' \
+        "$loft" set --machine "$tmp/plan.txt" --port "$tmp/strict"
+}
+case_strict_makes_warnings_errors() {
+    cat >"$tmp/image.svg" <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm" viewBox="0 0 50 50">
+  <path d="M5 5h9" stroke="red"/><image width="5" height="5" href="a.png"/></svg>
+SVG
+    printf 'G21 G90 F600\nG1 X5\nM48\nG1 Y5\n' >"$tmp/left.nc"
+    printf 'G21 G90 F600\nG1 X5\nG4 P1\nG1 Y5\n' >"$tmp/wait.nc"
+    printf 'tool.red.colours = blue\n' >"$tmp/pens.txt"
+    for command in "stream --dry-run" "plan --total" "measure" "plot -o $tmp/plot.svg" \
+            "export -o $tmp/image.nc"; do
+        rm -f "$tmp"/plot.svg "$tmp"/image.nc
+        warned 'image.svg:2: ' "$loft" ${command%% *} "$tmp/image.svg" ${command#"${command%% *}"}
+        run 65 "$loft" ${command%% *} "$tmp/left.nc" ${command#"${command%% *}"} --strict
+        says err 'left.nc:3: M48.*--strict'
+    done
+    run 65 "$loft" plan "$tmp/wait.nc" --strict; says err 'wait.nc:3: .*times.*--strict'
+    sed -i 's/<image.*//; $a</svg>' "$tmp/image.svg"
+    warned '1 curve belongs to no tool' "$loft" plan "$tmp/image.svg" --total \
+        --machine "$tmp/pens.txt"
+    # these have no warnings: what is off is an error in any case
+    echo 1,2,3 >"$tmp/short.csv"; one_line 65 'short.csv:1' "$loft" plan "$tmp/short.csv" --strict
+    echo 'bend 0 0' >"$tmp/odd.loft"; one_line 65 'odd.loft:1' "$loft" plan "$tmp/odd.loft" --strict
+    echo 'x.tavel = 3' >"$tmp/odd.txt"
+    one_line 65 'odd.txt:1' "$loft" plan "$tmp/small.csv" --machine "$tmp/odd.txt" --strict
+    run 0 "$loft" plan "$tmp/small.csv" --total --strict; is_empty err
+}
+case_bad_options() {
+    one_line 64 'unknown command draw'     "$loft" draw
+    one_line 64 'not an option'  "$loft" stream x --fast
+    one_line 64 'needs a value'  "$loft" stream x --port
+    one_line 64 'no --port'      "$loft" stream "$tmp/small.csv"
+    one_line 64 'no drawing'     "$loft" stream --port "$tmp/x"
+    one_line 64 'more than one'  "$loft" stream a b --port "$tmp/x"
+    one_line 64 'no other argument' "$loft" stream --hold --abort --port "$tmp/x"
+    one_line 64 '--feed -3'      "$loft" stream "$tmp/small.csv" --dry-run --feed -3
+    one_line 64 'a whole one'    "$loft" sample --n 2.5 --points "0,0 1,1"
+    one_line 74 'standard output' sh -c "'$loft' sample --points '0,0 1,1' >/dev/full"
+    one_line 64 '--num q31'      "$loft" eval --num q31 --points "0,0 1,1"
+    one_line 64 '--speed slow'   "$loft" simulate --speed slow
+    one_line 64 'the whole name' "$loft" plan "$tmp/small.csv" --fee 3
+    one_line 64 'the whole name' "$loft" plan "$tmp/small.csv" --mach=none
+    one_line 64 'give one file'  "$loft" eval "$tmp/small.csv" "$tmp/small.csv"
+    one_line 64 'not both'       "$loft" sample --points '0,0 1,1' "$tmp/small.csv"
+    one_line 64 '2 to 32768'     "$loft" simulate --queue 1
+    one_line 64 '0 for none'     "$loft" simulate --curves 3
+    one_line 74 'standard output' sh -c "'$loft' --version >/dev/full"
+    one_line 65 'give 0 to 1 for this tensor' "$loft" eval --uv 5,5 tests/drawings/patch.loft
+    ln -s /dev/full "$tmp/full.pdf"; ln -s /dev/full "$tmp/full.png"
+    for full in full.pdf full.png; do
+        one_line 73 'No space left' "$loft" plot "$tmp/small.csv" -o "$tmp/$full"
+    done
+    one_line 64 'HOST:PORT'      "$loft" stream "$tmp/small.csv" --port tcp:1234
+}
+case_pages() {
+    run 0 "$loft" stream "$tmp/small.csv" --dry-run --page A4 --fit --margin 10 --rotate auto
+    says out '^drawing: 190.000 x 235.731 mm at 10.000,30.634 on a page of 210 x 297 mm$'
+    run 0 "$loft" plan "$tmp/small.csv" --total --page 100x60 --at 0,0 --copies 2x1
+    says out '^drawing: 115.000 x .*, 15.000 mm beyond it$'; says out '^drawn  *360.541 '
+    run 0 "$loft" plot "$tmp/small.csv" --page 40x20 --crop -o "$tmp/cut.svg"; says out ' curves'
+    one_line 64 'say which, as --page A4' "$loft" plan "$tmp/small.csv" --fit
+    one_line 64 '--page B9' "$loft" stream "$tmp/small.csv" --dry-run --page B9
+}
+case_text() {
+    cat >"$tmp/text.svg" <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="90mm" height="40mm" viewBox="0 0 90 40">
+<text x="10" y="30" font-size="30">TT</text></svg>
+SVG
+    run 0 "$loft" stream "$tmp/text.svg" --dry-run --text line
+    says out '^drawing: 30.000 x 21.000 mm at 11.000,10.000 '; says out ' 4 curves, 0.070 m drawn'
+    run 0 "$loft" export "$tmp/text.svg" --as csv; says out '^[0-9.,]*$'
+    one_line 65 'nothing to draw' "$loft" stream "$tmp/text.svg" --dry-run --text none
+    one_line 65 'no font "x"' "$loft" stream "$tmp/text.svg" --dry-run --text line:x
+}
+case_fill() {
+    cat >"$tmp/box.svg" <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="90mm" height="40mm" viewBox="0 0 90 40">
+<rect x="10" y="10" width="20" height="10"/></svg>
+SVG
+    run 0 "$loft" stream "$tmp/box.svg" --dry-run --fill hatch:0,2 --outline none
+    says out ' 5 curves, 0.100 m drawn'
+    run 0 "$loft" plan "$tmp/box.svg" --total --fill cross:0,2 --page 25x40 --crop
+    says out '^drawn  *195.000 '
+    one_line 65 'nothing in it is filled' "$loft" plan "$tmp/small.csv" --fill hatch
+    one_line 64 'give hatch:ANGLE,MM' "$loft" plan "$tmp/box.svg" --fill wave
+}
+# A folder that is not there is told before anything is computed, in one line with the remedy.
+case_bad_places_for_files() {
+    local none=$tmp/none/x
+    awk 'BEGIN { print "bspline 3"; for (i = 0; i < 20000; i++) print i % 170, i * 7 % 190 }' \
+        >"$tmp/long.loft"
+    printf '0,0\n4,0\n4,3\n2,1\n0,3\n' >"$tmp/polygon.csv"
+    echo '# slot_hz = 1' >"$tmp/record.csv"
+    for job in "plan $tmp/long.loft --plot $none.png" "plan $tmp/long.loft --spans -o $none.csv" \
+        "export $tmp/small.csv -o $none.nc" "plot $tmp/small.csv -o $none.png" \
+        "surface tests/drawings/surfaces.loft --tol 0.0001 -o $none.stl" \
+        "harmonic $tmp/polygon.csv -o $none.h" "study gb -o $none/y" \
+        "mill tests/drawings/patch.loft --record $tmp/record.csv -o $none.png"; do
+        # shellcheck disable=SC2086
+        one_line 73 'none/x.*: No such file or directory: name a place in a folder that exists' \
+            timeout 10 "$loft" $job
+    done
+    one_line 73 'folder' "$loft" figures family -o "$none"
+    one_line 73 'name a log' "$loft" stream "$tmp/small.csv" --port "$tmp/no" --log "$none"
+    one_line 73 'name a file that can be written' "$loft" simulate --record "$none" --link "$tmp/l"
+    one_line 73 'name a place in a folder that exists' "$loft" simulate --link "$none"
+    one_line 73 'name a file that can be written' "$loft" simulate --link "$tmp/l" --keep "$none"
+    mkdir "$tmp/folder"
+    one_line 73 'Is a directory' "$loft" export "$tmp/small.csv" -o "$tmp/folder" --as nc
+    # pieces of other files in the place of a machine file, and of what a machine keeps
+    tail -c 400 tests/corpus/svg.tar.gz >"$tmp/settings"
+    one_line 65 'settings: is not text' "$loft" plan "$tmp/small.csv" --machine "$tmp/settings"
+    machine strange --speed fast --keep "$tmp/settings"
+    run 0 "$loft" settings --port "$tmp/strange"; says out 'those of its firmware'
+    run 0 "$loft" set x.travel=9 --port "$tmp/strange"
+    run 0 "$loft" settings --port "$tmp/strange"; says out '^x.travel = 9$'
+    kill "$machine"
+}
+case_bad_ports() {
+    one_line 69 'No such file'      "$loft" stream "$tmp/small.csv" --port /dev/ttyNONE
+    one_line 69 'not a serial port' "$loft" stream "$tmp/small.csv" --port /dev/null
+    one_line 69 'not a serial port' "$loft" stream "$tmp/small.csv" --port "$tmp/small.csv"
+    one_line 69 'No such file'      "$loft" stream "$tmp/small.csv" --port "unix:$tmp/none"
+    one_line 69 'refused'           "$loft" stream "$tmp/small.csv" --port tcp:127.0.0.1:1
+}
+
+case_links_of_others_are_left_alone() {
+    echo precious >"$tmp/file"
+    ln -s "$tmp/file" "$tmp/mine"
+    ln -s nowhere "$tmp/dangling"
+    mkdir "$tmp/folder"
+    one_line 73 'link to something other than a simulated machine' \
+        "$loft" simulate --link "$tmp/mine"
+    one_line 73 'link to something other than a simulated machine' \
+        "$loft" simulate --link "$tmp/dangling"
+    one_line 73 'is a file' "$loft" simulate --link "$tmp/file"
+    one_line 73 'is a file' "$loft" simulate --link "$tmp/folder"
+    [ "$(readlink "$tmp/mine") $(readlink "$tmp/dangling") $(cat "$tmp/mine")" = \
+        "$tmp/file nowhere precious" ] || job_fails "$(ls -l "$tmp")"
+    machine first --speed fast
+    one_line 73 'another simulated machine has this link' "$loft" simulate --link "$tmp/first"
+    run 0 "$loft" ports "$tmp/first"; says out '	idle'
+    kill -9 "$machine"
+    gone "$machine"
+    [ -L "$tmp/first" ] || job_fails "no link is left behind to be replaced"
+    machine first --speed fast
+    until_log first '^machine: '
+    run 0 "$loft" ports "$tmp/first"
+    says out '	idle'
+    ln -sfn elsewhere "$tmp/first"; kill "$machine"; gone "$machine"
+    [ "$(readlink "$tmp/first")" = elsewhere ] || job_fails "a link of somebody else was removed"
+}
+case_help_everywhere() {
+    run 0 "$loft" --help;    says out 'usage: loft COMMAND'
+    run 0 "$loft" --version; says out '^loft [0-9]'
+    run 64 "$loft"
+    for command in stream simulate plot ports eval sample flatten measure compare surface contour \
+                   export decide make mill figures fit
+    do
+        run 0 "$loft" help $command;   says out "^usage: loft $command"; cp "$tmp/out" "$tmp/help"
+        run 0 "$loft" $command --help
+        cmp -s "$tmp/out" "$tmp/help" || job_fails "help $command and $command --help differ"
+    done
+}
