@@ -95,7 +95,7 @@ bench-chip: lib/names.h
 	@bash tests/bench/bench_motion_chip.sh $(MOTION)/chip
 
 CASES ?= 100000
-## Measure the promises of motion, half an hour   ROWS="A B C D lines ahead icons chip .."  CASES=
+## Measure the promises of motion, half an hour   ROWS="A chords lines ahead icons chip .."  CASES=
 .PHONY: bench-motion
 bench-motion: $(MOTION)/moves $(foreach w,$(MOTION_WHAT),$(MOTION)/$(w)-q16 $(MOTION)/$(w)-f64)
 	@bash tests/bench/bench_motion.sh $(MOTION) $(CASES)

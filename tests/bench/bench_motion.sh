@@ -166,7 +166,7 @@ property_rows() {
 }
 
 printf '%-66s %10s %12s  %-6s %s\n' what "at most" measured "" "where"
-all="A B C D lines ahead icons stops chip limits deviation outline cortex property"
+all="A B C D chords lines ahead icons stops chip limits deviation outline cortex property"
 for rows in ${ROWS:-$all}; do
     case $rows in limits|time|same|outline) lists ;; esac
     ${rows}_rows

@@ -1,7 +1,8 @@
 /* tests/bench/bench_motion_lists.c -- how good plans of lists of moves are
  * SPDX-License-Identifier: MIT
- * usage: lists SPEED ACCEL JERK TOL KNOTS LIST..   (mm/s, mm/s^2, mm/s^3 or 0, mm)
+ * usage: lists SPEED[:FEED] ACCEL JERK TOL KNOTS LIST..   (mm/s, mm/s^2, mm/s^3 or 0, mm)
  *
+ * Without FEED it is the speed that an axis may have.
  * Prints, of each list and their sum: seconds; the largest part of speed, acceleration and jerk per
  * axis that the spans use; the distance (Frechet) over the tolerance, 1 if it is less, else the
  * power of two; spans; milliseconds of processor per second of motion.
@@ -22,6 +23,8 @@ int main(int words, char **word)
 
     if (words < 7)
         return 64;
+    const char *colon = strchr(word[1], ':');
+    const double speed = atof(word[1]), feed = colon ? atof(colon + 1) : speed;
     printf("%-28s %9s %7s %7s %7s %7s %7s %7s\n", "list", "s", "speed", "accel", "jerk", "off/tol",
            "spans", "ms/s");
     for (int n = 6; n < words; n++) {
@@ -30,12 +33,12 @@ int main(int words, char **word)
         const char *slash = strrchr(word[n], '/'), *name = slash ? slash + 1 : word[n];
         if (slash)
             snprintf(folder, sizeof folder, "%.*s", (int)(slash - word[n]), word[n]);
-        even_limits(atof(word[1]), atof(word[2]), atof(word[3]));
+        even_limits(speed, atof(word[2]), atof(word[3]));
         limits.tol = real_of(atof(word[4]));
         if (!load_moves(folder, name, 1))
             return 66;
         for (unsigned c = 0; c < curves; c++)
-            chain[c].feed = real_of(atof(word[1]));
+            chain[c].feed = real_of(feed);
         const clock_t begun = clock();
         const enum outcome o = plan_chain(&how);
         const double took = (double)(clock() - begun) / CLOCKS_PER_SEC;

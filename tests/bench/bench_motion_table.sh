@@ -6,12 +6,11 @@
 
 table_b=B:200:3000:100000
 
-# measured NUM TOL KNOTS MACHINE LIST.. > rows of bench_motion_lists.c
+# measured NUM TOL KNOTS MACHINE[:FEED] LIST.. > rows of bench_motion_lists.c
 measured() {
-    local num=$1 tol=$2 knots=$3 machine=$4; shift 4
-    local v=${machine#*:}; local a=${v#*:}; local j=${a#*:}
+    local num=$1 tol=$2 knots=$3 m v a j feed; IFS=: read -r m v a j feed <<< "$4"; shift 4
     (cd "$build/lists" &&
-        "$table_bin/lists-$num" ${v%%:*} ${a%%:*} "$j" "$tol" "$knots" "$@") |
+        "$table_bin/lists-$num" "$v${feed:+:$feed}" "$a" "$j" "$tol" "$knots" "$@") |
         sed '/^list /d; /^sum /d'
 }
 # largest COLUMN PATTERN FILE..: the value, and the list that has it
@@ -77,6 +76,36 @@ A_rows() { cut_rows A:100:500:10000; }
 B_rows() { cut_rows $table_b; }
 C_rows() { cut_rows C:100:2000:40000; }
 D_rows() { cut_rows D:100:500:0; }
+
+# shapes written as chords, over the same as cubics; and a higher feed, which is never slower
+chords_rows() {
+    local machine m feed list n=0
+    mkdir -p "$build/lists"
+    rm -f "$build"/lists/*-cubics.moves "$build"/lists/*-{even,random}-*.moves
+    /usr/bin/python3 tests/bench/motion_chords.py lists "$build/lists" || exit 1
+    list=$(cd "$build/lists" && ls | sed -n 's/\.moves$//; /-cubics$\|-\(even\|random\)-/p')
+    for machine in A:100:500:10000 $table_b C:100:2000:40000 D:100:500:0; do
+        for feed in ${FEEDS:-20 60 100 200}; do
+            measured q16 0.005 400 "$machine:$feed" $list | sed "s/$/ $feed/"
+        done > "$build/chords-${machine%%:*}.out" &
+        [ $((n = 1 - n)) = 1 ] || wait
+    done
+    # KEY MACHINE VALUE WHERE
+    /usr/bin/python3 tests/bench/motion_chords.py judge "$build/chords.svg" \
+        "$build"/chords-[A-D].out > "$build/chords.table"
+    for m in A B C D; do
+        row "($m) chords of a sag up to tol/2 over the same as cubics, worst" 1.02 \
+            $(judged fine $m)
+        row "($m) chords of a sag above tol/2 over the same as cubics, worst" 1.05 \
+            $(judged coarse $m)
+        row "($m) chords: distance from the path (Frechet), of the tolerance" 1 $(judged off $m)
+        row "($m) chords: time over that with the next lower feed, worst" 1.002 $(judged feed $m)
+        note "$(judged above $m)"
+    done
+}
+judged() {
+    awk -v key="$1" -v m="$2" '$1 == key && $2 == m { $1 = $2 = ""; print }' "$build/chords.table"
+}
 
 icons_rows() {
     local b=$table_b at before="" value name file
