@@ -246,6 +246,11 @@ test-mixed: $(foreach n,$(NUMS),build/$(n)x$(AXES)/libloft.a)
 test-cplusplus: $(foreach n,$(NUMS),build/$(n)x3/libloft.a)
 	@sh tests/house/cplusplus.sh build
 
+## Compile each form of the packages: one file as C99 and C++11, sketches, samples, modules
+.PHONY: test-packages
+test-packages: lib/names.h
+	@bash tests/packages/compile.sh
+
 ## Compile and run the README's example
 .PHONY: test-readme
 test-readme: build/q16x3/libloft.a

@@ -63,7 +63,7 @@ static void add_product(const loft_residue *r, const loft_residue_poly *a,
 
 static void wronskian(const loft_whole_poly *w, const loft_residue *r, uint32_t out[])
 {
-    const curve *c = w->data;
+    const curve *c = (const curve *)w->data;
     const unsigned rows = c->w ? 3 : 2;
     loft_residue_poly d[3][3];
 

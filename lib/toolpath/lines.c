@@ -228,7 +228,7 @@ bool loft_lines_next(loft_lines *l, loft_cubic *out, bool *cuts)
         case LINK: break;
         default: return false;
         }
-        l->phase = phase < SINK ? (uint8_t)(phase + 1) : l->leaving ? OVER : CUT;
+        l->phase = (uint8_t)(phase < SINK ? phase + 1 : l->leaving ? OVER : CUT);
         *cuts = phase >= SINK && !l->leaving;
         if (loft_vec_equal(l->at, to))
             continue;

@@ -16,6 +16,7 @@ void analogWrite(uint8_t pin, int value);
 struct bare_serial {
     void begin(unsigned long) {}
     void print(const char *text);
+    void print(int value) { print((long)value); }
     void print(long value);
     void print(char c);
     template <typename T> void println(T value)
