@@ -290,7 +290,7 @@ static int compare_all(const engine *e, const compare_to *to, const content *all
                               file, c->line, to->other);
         if (status != 0)
             return tool_error(EX_DATAERR, "%s:%u: %s in %s: %s", file, c->line, curve_name(c->kind),
-                              e->name, engine_status(status));
+                              e->name, curve_status(c, status));
     }
     return EX_OK;
 }

@@ -29,7 +29,8 @@ static int refuse_parameter(const evaluation *v, const curve *c, double t, int s
     if (!curve_extends(c) && (t < curve_from(c) || t > curve_to(c)))
         return tool_error(EX_DATAERR, "%s:%u: t = %g: give %.9g to %.9g for this %s", v->file,
                           c->line, t, curve_from(c), curve_to(c), curve_name(c->kind));
-    return tool_error(EX_DATAERR, "%s:%u: t = %g: %s", v->file, c->line, t, engine_status(status));
+    return tool_error(EX_DATAERR, "%s:%u: t = %g: %s", v->file, c->line, t,
+                      curve_status(c, status));
 }
 
 static bool wants_more(const evaluation *v)
@@ -147,7 +148,7 @@ static int print_shapes(evaluation *v, const curve *c, engine_curve *held)
     }
     return status == 0 ? EX_OK
                        : tool_error(EX_DATAERR, "%s:%u: %s: %s", v->file, c->line,
-                                    curve_name(c->kind), engine_status(status));
+                                    curve_name(c->kind), curve_status(c, status));
 }
 
 static int every_curve(evaluation *v, const curves *all, bool shape)
@@ -161,7 +162,7 @@ static int every_curve(evaluation *v, const curves *all, bool shape)
         const int status = make->open(c, &held);
         if (status != 0)
             return tool_error(EX_DATAERR, "%s:%u: %s: %s", v->file, c->line, curve_name(c->kind),
-                              engine_status(status));
+                              curve_status(c, status));
         code = shape ? print_shapes(v, c, held) : print_points(v, c, held);
         make->close(held);
     }
@@ -295,7 +296,7 @@ static int eval_solids(const char *file, const engine *e, const tool_list *uvw)
                                   at[0], at[1], at[2]);
             else if (e->solid(s, at, point) != 0)
                 code = tool_error(EX_DATAERR, "%s:%u: tetra: %s", source_name(file), s->line,
-                                  engine_status(LOFT_ERR_RANGE));
+                                  engine_status(LOFT_ERR_RANGE, NULL));
             else
                 print_point((void *)&p, point);
         }

@@ -19,6 +19,7 @@
 #include "plan/scatter_fit.h"
 
 #define GRID_MOST 1000  /* rows, columns */
+#define FIT_WRONG "give more points than --degree, and --tol above 0"
 
 typedef struct {
     point_fit_options o;
@@ -135,7 +136,7 @@ static int fit_scattered(fitting *x)
                           "over the rectangle around them, or a lower --degree",
                           x->file, f.loose, f.points[0] * f.points[1]);
     else if (status != 0)
-        code = tool_error(EX_DATAERR, "%s: %s", x->file, engine_status(status));
+        code = tool_error(EX_DATAERR, "%s: %s", x->file, engine_status(status, FIT_WRONG));
     else if (!(f.off <= x->o.tol) && f.loose > 0)
         code = tool_error(
             EX_DATAERR,
@@ -165,7 +166,7 @@ static int fit_surface(fitting *x)
         return tool_error(EX_DATAERR, "%s: %s", x->file,
                           status == LOFT_SINGULAR ? "two rows or columns are one: give different "
                                                     "points"
-                                                  : engine_status(status));
+                                                  : engine_status(status, FIT_WRONG));
     if (!(g->off <= x->o.tol))
         return refuse_off(x, g->off);
     print_net(x, g->degree, g->points, (const double(*)[ENGINE_AXES])g->net, g->knot);

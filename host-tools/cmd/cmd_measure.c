@@ -19,6 +19,7 @@
 #include "base/tool.h"
 #include "cmd/measure_surface.h"
 
+#define NO_TOL "give --tol above 0"
 #define FINE 0.01           /* of the tolerance, for cubics that replace other curves */
 
 typedef struct {
@@ -115,7 +116,7 @@ static int size_of_curve(const measuring *m, size_t first, size_t last, double *
         if (status == 0)
             status = m->p.e->piece->cubics(&x->p, cubics_share(m, x), add_length, &s);
         if (status != 0 || s.status != 0)
-            return element_error(x, engine_status(status ? status : s.status));
+            return element_error(x, engine_status(status ? status : s.status, NO_TOL));
         widen_box(box, (const double (*)[ENGINE_AXES])shape.box, i == first);
     }
     *length = s.sum;
@@ -163,7 +164,7 @@ static int nearest_point(const measuring *m, size_t first, size_t last, engine_n
         engine_near n;
         const int status = m->p.e->measure->nearest(&x[i].p, m->at, m->tol / 2, &n);
         if (status != 0)
-            code = element_error(&x[i], engine_status(status));
+            code = element_error(&x[i], engine_status(status, NO_TOL));
         else if (known)
             element_settle(&x[i], &r, range, m->at, &n);
         if (code == EX_OK && n.distance < near->distance)
@@ -305,7 +306,7 @@ static int print_joins(const measuring *m)
         engine_joint j;
         const int status = join_elements(m, a, b, &j);
         if (status != 0)
-            return element_error(b, engine_status(status));
+            return element_error(b, engine_status(status, NO_TOL));
         print_name(a);
         putchar('\t');
         print_name(b);
@@ -371,7 +372,7 @@ static int print_offset(const measuring *m)
         if (o.status == 0)
             o.status = status;
         if (o.status != 0 && o.status != LOFT_SINGULAR)     /* a point has no offset */
-            return element_error(x, engine_status(o.status));
+            return element_error(x, engine_status(o.status, NO_TOL));
     }
     return EX_OK;
 }

@@ -172,7 +172,8 @@ static int refuse(const char *file, const surfaces *all, const mill_report *r, i
                           "%s: nothing is left inside of the loops: --trim takes mm, "
                           "--trim-uv 0 to 1",
                           file);
-    return tool_error(EX_DATAERR, "%s: --tool, --step, --area: %s", file, engine_status(status));
+    return tool_error(EX_DATAERR, "%s: --tool, --step, --area: %s", file,
+                      engine_status(status, "out of bounds: give numbers above 0"));
 }
 
 static int mill_surfaces(const engine *e, tool_wish *w, const char *file)

@@ -223,9 +223,9 @@ static int trace_drawing(const plan_options *o, const engine_limits *limits, rep
     if (status == 0 && r->rows != NULL && !o->spans && t->count > 0)
         put_end(r);
     code = close_rows(r);
-    return status != 0
-               ? tool_error(EX_DATAERR, "%s: cannot be planned: %s", o->file, engine_status(status))
-               : code;
+    return status != 0 ? tool_error(EX_DATAERR, "%s: cannot be planned: %s", o->file,
+                                    engine_status(status, ENGINE_NO_MOTION))
+                       : code;
 }
 
 /* What is done between motions is no part of the plan that is analysed. */

@@ -43,9 +43,9 @@ static int plan_work(const stream_options *o, const stream_parts *all, size_t k,
     if (code == 0)
         status = job_open(&w->j, &w->of, as);
     keys_hasty(false);
-    return status == 0
-               ? code
-               : tool_error(EX_DATAERR, "%s: cannot be planned: %s", file, engine_status(status));
+    return status == 0 ? code
+                       : tool_error(EX_DATAERR, "%s: cannot be planned: %s", file,
+                                    engine_status(status, ENGINE_NO_MOTION));
 }
 
 static void print_plan(const job *j, const toolpath *path, double tol)
@@ -88,9 +88,9 @@ static int finish_job(const char *file, job *j)
     keys_hasty(true);
     const int status = job_finish(j);
     keys_hasty(false);
-    return status == LOFT_OK
-               ? 0
-               : tool_error(EX_DATAERR, "%s: cannot be planned: %s", file, engine_status(status));
+    return status == LOFT_OK ? 0
+                             : tool_error(EX_DATAERR, "%s: cannot be planned: %s", file,
+                                          engine_status(status, ENGINE_NO_MOTION));
 }
 
 static void print_page(const drawing *d)

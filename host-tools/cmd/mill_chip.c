@@ -51,9 +51,10 @@ static int plan_work(const mill_chip *c, const surface *s, const char *file,
     code = planning_joints(&c->p, file, &m->d, start, true, &as.limits, &m->w.path, &m->w.of);
     const int status = code == 0 ? job_open(&m->w.j, &m->w.of, &as) : LOFT_OK;
     keys_hasty(false);
-    return status == LOFT_OK ? code
-                             : tool_error(EX_DATAERR, "%s:%u: cannot be planned: %s",
-                                          source_name(file), s->line, engine_status(status));
+    return status == LOFT_OK
+               ? code
+               : tool_error(EX_DATAERR, "%s:%u: cannot be planned: %s", source_name(file), s->line,
+                            engine_status(status, ENGINE_NO_MOTION));
 }
 
 static void tell(const milling *m, const surface *s, const char *file)
@@ -78,7 +79,7 @@ static int dry_run(mill_chip *c, const surfaces *all, const char *file)
         const int status = code == 0 ? job_finish(&m.w.j) : LOFT_OK;
         if (status != LOFT_OK)
             code = tool_error(EX_DATAERR, "%s:%u: cannot be planned: %s", source_name(file),
-                              all->surface[k].line, engine_status(status));
+                              all->surface[k].line, engine_status(status, ENGINE_NO_MOTION));
         if (code == 0) {
             tell(&m, &all->surface[k], file);
             printf("planned: %.1f s\n", job_seconds(&m.w.j));

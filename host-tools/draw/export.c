@@ -241,7 +241,9 @@ int export_hpgl(const export_options *o, FILE *out)
         }
         status = engine_f64.flatten((const double(*)[ENGINE_AXES])flat, o->tol, put_chord, &p);
         if (status != 0)
-            return tool_error(EX_DATAERR, "%s:%u: %s", o->name, c->line, engine_status(status));
+            return tool_error(
+                EX_DATAERR, "%s:%u: %s", o->name, c->line,
+                engine_status(status, "its chords want a tolerance above 0: give a larger --tol"));
     }
     fprintf(out, "%sPU0,0;SP0;\n", p.down ? ";\n" : "");
     return 0;

@@ -85,6 +85,9 @@ typedef struct curves {
 
 const char *curve_name(enum curve_kind kind);
 
+/* What the library says of this curve, and the remedy (engine_status). */
+const char *curve_status(const curve *c, int status);
+
 /* Does it have weights? Is it a single Bezier curve, which extends beyond its ends? */
 bool curve_is_rational(const curve *c);
 bool curve_extends(const curve *c);

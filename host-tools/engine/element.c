@@ -69,7 +69,7 @@ static int add_curve(elements *list, const engine *e, const curve *c, const char
     int status = e->curve->open(c, &held);
 
     if (status != 0)
-        return element_error(&cut.x, engine_status(status));
+        return element_error(&cut.x, curve_status(c, status));
     const unsigned pieces = e->curve->pieces(held);
     for (unsigned i = 0; i < pieces && status == 0; i++) {
         piece *whole = &cut.x.whole;
@@ -87,7 +87,7 @@ static int add_curve(elements *list, const engine *e, const curve *c, const char
                                       : LOFT_ERR_RANGE;
     }
     e->curve->close(held);
-    return status == 0 ? 0 : element_error(&cut.x, engine_status(status));
+    return status == 0 ? 0 : element_error(&cut.x, curve_status(c, status));
 }
 
 int elements_add(elements *list, const engine *e, const curves *all, const char *file, double tol)

@@ -55,21 +55,6 @@ static int ellipse(const double from[2], const double to[2], const double radii[
     return status == LOFT_OK ? give_circle(&arc, within, sink, context) : status;
 }
 
-static int arc(const double from[ENGINE_AXES], const double to[ENGINE_AXES], int across,
-               const double centre[ENGINE_AXES], int turns, double tol, engine_cubic_sink *sink,
-               void *context)
-{
-    const loft_plane plane = { (uint8_t)((across + 1) % 3), (uint8_t)((across + 2) % 3) };
-    loft_circle circle;
-    loft_vec a, z, c;
-    loft_real within;
-
-    if (!vec_of(from, &a) || !vec_of(to, &z) || !vec_of(centre, &c) || !tol_of(tol, &within))
-        return LOFT_ERR_RANGE;
-    const int status = loft_circle_from_centre(&circle, a, z, plane, c, turns);
-    return status == LOFT_OK ? give_circle(&circle, within, sink, context) : status;
-}
-
 static int flatten(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink,
                    void *context)
 {
@@ -116,7 +101,6 @@ const engine ENGINE_OF(engine) = { .name = ENGINE_TEXT(LOFT_TAG),
                                    .fit_off = ENGINE_OF(engine_fit_off),
                                    .solid   = ENGINE_OF(engine_solid_eval),
                                    .ellipse = ellipse,
-                                   .arc = arc,
                                    .surface = &ENGINE_OF(engine_surfaces),
                                    .maps = &ENGINE_OF(engine_maps),
                                    .flatten = flatten,

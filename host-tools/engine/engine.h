@@ -261,11 +261,6 @@ typedef struct {
      * turns is 1 from x to y, or -1. */
     int (*ellipse)(const double from[2], const double to[2], const double radii[2], double degrees,
                    bool large, int turns, double tol, engine_cubic_sink *sink, void *context);
-    /* The arc of G-code around a centre, and its helix along the axis across its plane. turns is 1
-     * counterclockwise, -1 clockwise, 2, -2 .. a turn more; `across` is that axis. */
-    int (*arc)(const double from[ENGINE_AXES], const double to[ENGINE_AXES], int across,
-               const double centre[ENGINE_AXES], int turns, double tol, engine_cubic_sink *sink,
-               void *context);
     const engine_surfaces *surface;
     /* The point at v, w, x of a tetrahedron. */
     int (*solid)(const struct surface *s, const double at[3], double out[ENGINE_AXES]);
@@ -287,6 +282,12 @@ bool engine_parse(const char *text, void *out);
 
 /* The smallest tolerance, or a little more, within which a piece becomes cubics. */
 double engine_finest(const engine *e, const struct piece *p);
-const char   *engine_status(int status);        /* a sentence            */
+
+/* A status of the library as what is wrong and its remedy. `wrong` says so for LOFT_ERR_ARG, which
+ * means another thing at each place; NULL: nothing that a user gives leads there. */
+const char *engine_status(int status, const char *wrong);
+
+/* What LOFT_ERR_ARG of a plan means. */
+#define ENGINE_NO_MOTION "there is no motion in it: give one with visible outlines, or with motions"
 
 #endif

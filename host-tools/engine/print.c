@@ -90,7 +90,7 @@ int print_chain(const print_options *p, const curves *all, const char *file, con
         if (status != 0)
             return tool_error(EX_DATAERR, "%s:%u: %s of degree %u%s: %s", file, all->curve[i].line,
                               curve_name(all->curve[i].kind), all->curve[i].degree, words,
-                              engine_status(status));
+                              curve_status(&all->curve[i], status));
     }
     return EX_OK;
 }

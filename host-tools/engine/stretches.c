@@ -93,7 +93,7 @@ int stretches_meet(stretches *list, const engine *e, const element *a, const ele
         return element_error(
             a, "meets another curve in more places than two curves have: give a larger --tol");
     if (status != 0)
-        return element_error(a, engine_status(status));
+        return element_error(a, engine_status(status, "no tolerance: give --tol above 0"));
     for (size_t k = 0; k < count; k++) {
         stretch r = { .distance = c[k].distance, .overlap = c[k].overlap };
         memcpy(r.point, c[k].point, sizeof r.point);

@@ -66,7 +66,9 @@ const char *surface_status(const surface *s, int status)
     if (polygon && status == LOFT_ERR_RANGE && s->coordinates == COORDINATES_HARMONIC)
         return "the points do not fit, or the domain is too narrow for harmonic coordinates: make "
                "it wider, or take meanvalue";
-    return engine_status(status);
+    return engine_status(status,
+                         "its numbers are out of bounds: give degrees 1 to 9, at least one step, "
+                         "and places inside of its domain");
 }
 
 void surface_middle(const surface *s, double uv[2])

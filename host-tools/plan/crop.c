@@ -174,7 +174,7 @@ int page_crop(drawing *to, const drawing *from, const double box[2][2], const ch
         const int status = find_cuts(&c, of->p, cuts, &count);
         if (status != 0)
             return tool_error(EX_DATAERR, "%s:%u: --crop: %s", file, of->line,
-                              engine_status(status));
+                              engine_status(status, NULL));
         crop_curve(&c, of, cuts, count, fresh);
     }
     return 0;

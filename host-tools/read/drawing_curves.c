@@ -40,7 +40,7 @@ static int draw_curve(pen *out)
 
     if (status != 0)
         return tool_error(EX_DATAERR, "%s:%u: %s: %s", out->file, out->c->line,
-                          curve_name(out->c->kind), engine_status(status));
+                          curve_name(out->c->kind), curve_status(out->c, status));
     return out->code;
 }
 

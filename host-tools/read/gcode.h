@@ -8,6 +8,7 @@
  *     gcode_left.c      words that are left out
  *     gcode_event.c     events: motions with their feed, waits
  *     gcode_motion.c    straight motions, arcs, cubics, NURBS
+ *     gcode_arc.c       an arc as cubics
  *     gcode_cycle.c     drilling
  *     gcode_offset.c    coordinate systems, home, lengths of tools
  *     gcode_tool.c      tools
@@ -72,6 +73,12 @@ typedef struct {
 
 /* Returns 0, or an exit code that ends the reading. */
 typedef int gcode_sink(void *context, const gcode_event *e);
+
+/* The cubics of an arc within tol of it, in coordinates of the program, up to the first one for
+ * which the sink does not return 0; and its length. */
+typedef int gcode_cubic_sink(void *context, double p[4][3]);
+int    gcode_arc_cubics(const gcode_event *e, double tol, gcode_cubic_sink *sink, void *context);
+double gcode_arc_length(const gcode_event *e);
 
 /* The program as a machine of this kind reads it. */
 enum gcode_dialect { GCODE_ANY, GCODE_LINUXCNC, GCODE_GRBL, GCODE_FLUIDNC, GCODE_MARLIN };

@@ -10,7 +10,7 @@
 #include <strings.h>
 
 #include "engine/curve.h"
-#include "engine/engine.h"  /* engine_f64: arcs and NURBS */
+#include "engine/engine.h"  /* engine_f64: NURBS */
 #include "engine/piece.h"
 #include "base/source.h"    /* source_part */
 #include "base/tool.h"      /* tool_error, sysexits */
@@ -86,6 +86,14 @@ static void draw_cubic(pen *out, const gcode_event *e)
         }
     }
     draw(out, p);
+}
+
+static int draw_arc(void *context, double p[4][3])
+{
+    pen *out = context;
+
+    draw(out, p);
+    return out->code;
 }
 
 static int draw_nurbs(pen *out, const gcode_event *e)
@@ -198,16 +206,13 @@ static int take(void *context, const gcode_event *e)
     case GCODE_COOLANT: add_event(out, e); break;
     case GCODE_SAY:     note_message(out, e); break;
     case GCODE_TOOL:     change_tool(out, e); break;
-    case GCODE_ARC:
-        status = engine_f64.arc(e->from, e->to, e->plane, e->centre, e->turns,
-                                DRAWING_TOL / e->frame->unit, draw, out);
-        break;
+    case GCODE_ARC: (void)gcode_arc_cubics(e, DRAWING_TOL / e->frame->unit, draw_arc, out); break;
     case GCODE_NURBS: status = draw_nurbs(out, e); break;
     default: draw_cubic(out, e);
     }
     if (status != 0 && out->code == 0)
-        out->code = tool_error(EX_DATAERR, "%s:%u: %s: %s", out->file, e->line,
-                               e->kind == GCODE_ARC ? "arc" : "NURBS", engine_status(status));
+        out->code = tool_error(EX_DATAERR, "%s:%u: NURBS: %s", out->file, e->line,
+                               engine_status(status, "give L from 2 to 10 and more points than L"));
     return out->code;
 }
 

@@ -84,24 +84,11 @@ static bool line_has(const gcode_program *g, int code)
 // Arcs
 // ----
 
-/* The distance from the centre, and the angle of the arc. */
+/* The distance from the centre. */
 static double radius_at(const gcode_program *g, const double centre[3], const double at[3])
 {
     return hypot(at[gcode_first(g)] - centre[gcode_first(g)],
                  at[gcode_second(g)] - centre[gcode_second(g)]);
-}
-
-static double length_of_arc(const gcode_program *g, const gcode_event *e)
-{
-    const int a = gcode_first(g), b = gcode_second(g), up = g->plane;
-    const double from = atan2(g->at[b] - e->centre[b], g->at[a] - e->centre[a]),
-                 to = atan2(e->to[b] - e->centre[b], e->to[a] - e->centre[a]), turn = 2 * acos(-1);
-    double angle = e->turns > 0 ? to - from : from - to;
-
-    while (angle <= 0)
-        angle += turn;
-    angle += turn * (abs(e->turns) - 1);
-    return hypot(angle * radius_at(g, e->centre, g->at), e->to[up] - g->at[up]);
 }
 
 /* The centre on the left or on the right of the chord. */
@@ -175,7 +162,9 @@ static int move_arc(gcode_program *g)
     memcpy(e.centre, g->at, sizeof e.centre);
     const int code = gcode_has(&g->b, 'R') ? centre_by_radius(g, turn, &e)
                                            : centre_by_offset(g, &e);
-    return code == 0 ? gcode_give(g, &e, g->feed_mode == 930 ? length_of_arc(g, &e) : 0) : code;
+    e.plane = g->plane;
+    memcpy(e.from, g->at, sizeof e.from);
+    return code == 0 ? gcode_give(g, &e, g->feed_mode == 930 ? gcode_arc_length(&e) : 0) : code;
 }
 
 

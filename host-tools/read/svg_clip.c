@@ -120,7 +120,7 @@ static bool find_cuts(svg_reader *r, const drawing *outline, const drawing_curve
         set_piece(&edge, &outline->curve[k]);
         const int status = engine_f64.measure->meet(&whole, &edge, MEET_TOL, meeting, &found);
         if (status != 0)
-            return svg_fail(r, "clip-path: %s", engine_status(status));
+            return svg_fail(r, "clip-path: %s", engine_status(status, NULL));
         for (size_t i = 0; i < found; i++)
             for (int j = 0; j < 3; j++)
                 if (meeting[i].overlap || j == 1)

@@ -115,7 +115,7 @@ static int plan_move(const mover *v, const mover_move *m, job_work *w)
     const int status = code == 0 ? job_open(&w->j, &w->of, &as) : LOFT_OK;
     return status == LOFT_OK ? code
                              : tool_error(EX_DATAERR, "%s: this move cannot be planned: %s",
-                                          v->port, engine_status(status));
+                                          v->port, engine_status(status, ENGINE_NO_MOTION));
 }
 
 
@@ -163,7 +163,7 @@ static int run_job(mover *v, const mover_move *m, job *j, bool *ended)
     }
     return planned == LOFT_OK ? 0
                               : tool_error(EX_DATAERR, "%s: this move cannot be planned: %s",
-                                           v->port, engine_status(planned));
+                                           v->port, engine_status(planned, ENGINE_NO_MOTION));
 }
 
 /* What the report says. Other ends than those of mover_end are errors, in the words of a stream. */

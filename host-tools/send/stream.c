@@ -363,7 +363,7 @@ int stream_run(talk *t, job *j, const stream_subject *about)
     if (r.planned != LOFT_OK)
         return tool_error(
             EX_DATAERR, "%s: cannot be planned beyond item %zu: %s: the job was ended on the path",
-            about->file, j->count, engine_status(r.planned));
+            about->file, j->count, engine_status(r.planned, ENGINE_NO_MOTION));
     if (t->sender.phase < LOFT_PHASE_DONE)
         return stream_interrupted(t, j);
     return stream_ended(t, j, about);

@@ -166,7 +166,7 @@ static int report_drawn(talk *t, job *j, const stream_subject *about)
         status = job_finish(j);
     if (status != LOFT_OK)
         return tool_error(EX_DATAERR, "%s: cannot be planned: %s", about->file,
-                          engine_status(status));
+                          engine_status(status, ENGINE_NO_MOTION));
     commanded_end(s, j, want);
     if (memcmp(want, s->report.position, sizeof want) != 0)
         return tool_error(

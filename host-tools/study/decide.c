@@ -27,9 +27,17 @@ static int ask(const decide_question *q, const decide_input *in, const char *wha
 
     asked.why = why;
     const int status = q->answer(&asked);
-    return status == 0 ? EX_OK
-                       : tool_error(EX_DATAERR, "%s: %s: %s", what, q->name,
-                                    *why ? why : engine_status(status));
+    if (status == 0)
+        return EX_OK;
+    const bool told = *why != '\0';
+    if (!told && q->most > 0)
+        snprintf(why, sizeof why, "%s do not suit: give %s",
+                 q->takes == DECIDE_NUMBERS ? "these numbers" : "the numbers, or this file,",
+                 q->numbers);
+    else if (!told)
+        snprintf(why, sizeof why, "what this file holds does not suit: see `loft help`");
+    return tool_error(EX_DATAERR, "%s: %s: %s", what, q->name,
+                      told ? why : engine_status(status, why));
 }
 
 /* The curves of one file and the surfaces of another. */
@@ -97,7 +105,7 @@ int decide_run(const tool_command *self, const decide_question *const table[3], 
     tool_list of = { .count = 0 };
     int first;
 
-    const tool_option options[] = { TOOL_LIST("of", "NUMBER,..", &of, -32768, 32767,
+    const tool_option options[] = { TOOL_LIST("of", "NUMBER,..", &of, -1e15, 1e15,
                                               "the numbers of the question"),
                                     ENGINE_OPTION(&e, "number type (q16)"), TOOL_OPTIONS_END };
     const int code = tool_options(self, options, argc, argv, &first);

@@ -22,6 +22,18 @@ case_bad_drawings() {
     printf '0,0 1,1\n0,zero\n'   >"$tmp/word.txt"
     one_line 65 'word.txt:1' "$loft" eval "$tmp/word.txt"
 }
+# what the library refuses is told as what it is there, never as another cause
+case_a_refused_argument_is_told_by_its_place() {
+    one_line 65 'copositive: these numbers do not suit: give a symmetric matrix' \
+        "$loft" decide copositive --of=1,2
+    one_line 65 'smooth: these numbers do not suit: give 2 to 10 samples, how many times' \
+        "$loft" decide smooth --of=1,2,0,0.5
+    one_line 65 'the numbers do not fit: .*take --num f64' "$loft" decide smooth --of=40000,2,1,0.5
+    run 0 "$loft" decide smooth --of=40000,2,1,0.5 --num f64; says out '^value 20001$'
+    printf 'G0 X1\nG2 X2 Y0.5 I0.5 J-0.5 F9\n' >"$tmp/arc.nc"
+    one_line 65 'arc.nc:2: an arc that starts 0.7.* and ends 1.1.* from its centre' \
+        "$loft" plan "$tmp/arc.nc"
+}
 # warned PATTERN COMMAND..: a warning, which --strict makes an error; without it the job is done
 warned() {
     local pattern=$1; shift

@@ -9,6 +9,14 @@
 #include "plan/toolpath.h"
 #include "read/gcode.h"
 
+static int read_text(drawing *d, const char *text)
+{
+    *d = (drawing){ 0 };
+    caught[0] = '\0';
+    caught_lines = 0;
+    return drawing_read_gcode(d, "part.nc", text, strlen(text));
+}
+
 static void lines_and_modes(arb *a)
 {
     (void)a;
@@ -122,6 +130,88 @@ static void tolerances_and_places_of_the_reference(arb *a)
     FAILS("G0 X EXISTS[#<a>+1]\n", "part.nc:1: EXISTS without [#<name>]: ");
 }
 
+/* The distance of a point of the plane from the spiral of an arc, at its angle in the arc. */
+static double off_spiral(const gcode_event *e, const double at[3], double *turned)
+{
+    const int a = (e->plane + 1) % 3, b = (e->plane + 2) % 3, way = e->turns > 0 ? 1 : -1;
+    const double x[2] = { e->from[a] - e->centre[a], e->from[b] - e->centre[b] },
+                 y[2] = { e->to[a] - e->centre[a], e->to[b] - e->centre[b] },
+                 p[2] = { at[a] - e->centre[a], at[b] - e->centre[b] }, turn = 2 * acos(-1);
+    double whole = way * atan2(x[0] * y[1] - x[1] * y[0], x[0] * y[0] + x[1] * y[1]),
+           here  = way * atan2(x[0] * p[1] - x[1] * p[0], x[0] * p[0] + x[1] * p[1]);
+
+    whole += whole < 1e-6 ? turn : 0;
+    whole += turn * (abs(e->turns) - 1);
+    while (here < *turned - 1e-3)
+        here += turn;
+    *turned = here;
+    const double r = hypot(x[0], x[1]) + (hypot(y[0], y[1]) - hypot(x[0], x[1])) * here / whole;
+    return fabs(hypot(p[0], p[1]) - r) +
+           fabs(at[e->plane] - e->from[e->plane] -
+                (e->to[e->plane] - e->from[e->plane]) * here / whole) *
+               (here <= whole + 1e-3);
+}
+
+typedef struct {
+    const gcode_event *e;
+    double off, turned, last[3];
+    unsigned count;
+} followed;
+
+static int follow(void *context, double p[4][3])
+{
+    followed *f = context;
+
+    CHECK(memcmp(f->last, p[0], sizeof f->last) == 0);
+    for (int k = 0; k <= 16; k++) {
+        const double t = k / 16.0, u = 1 - t;
+        double at[3];
+        for (int i = 0; i < 3; i++)
+            at[i] = u * u * u * p[0][i] + 3 * u * t * (u * p[1][i] + t * p[2][i]) +
+                    t * t * t * p[3][i];
+        f->off = fmax(f->off, off_spiral(f->e, at, &f->turned));
+    }
+    memcpy(f->last, p[3], sizeof f->last);
+    f->count++;
+    return 0;
+}
+
+/* An arc rounded to some decimals is read, and its cubics keep to the spiral of its ends. */
+static void rounded_arcs_are_spirals(arb *a)
+{
+    static const double tens[] = { 1, 10, 100, 1000, 10000 };
+    const int decimals = 2 + (int)arb_below(a, 3);
+    const double ten = tens[decimals], least = decimals == 2 ? 0.05 : 0.005,
+                 r = least + arb_below(a, 10001) / 1e4 * (arb_below(a, 2) ? 50 : 0.3),
+                 from = arb_below(a, 62832) / 1e4, sweep = 0.2 + arb_below(a, 60001) / 1e4;
+    const int way = arb_below(a, 2) ? 1 : -1;
+    gcode_event e = { .kind = GCODE_ARC,
+                      .plane = (int)arb_below(a, 3),
+                      .turns = way * (int)(1 + arb_below(a, 3)) };
+    const int x = (e.plane + 1) % 3, y = (e.plane + 2) % 3;
+    char text[200];
+    seen s;
+
+    e.from[x] = floor(ten * r * cos(from) + 0.5) / ten;
+    e.from[y] = floor(ten * r * sin(from) + 0.5) / ten;
+    e.to[x]   = floor(ten * r * cos(from + way * sweep) + 0.5) / ten;
+    e.to[y]   = floor(ten * r * sin(from + way * sweep) + 0.5) / ten;
+    e.to[e.plane] = arb_below(a, 1001) / ten;
+    snprintf(text, sizeof text,
+             "G%d G0 %c%.*f %c%.*f\nG%d %c%.*f %c%.*f %c%.*f %c%.*f %c%.*f P%d F9\n", 19 - e.plane,
+             'X' + x, decimals, e.from[x], 'X' + y, decimals, e.from[y], way > 0 ? 3 : 2, 'X' + x,
+             decimals, e.to[x], 'X' + y, decimals, e.to[y], 'X' + e.plane, decimals, e.to[e.plane],
+             'I' + x, decimals, -e.from[x], 'I' + y, decimals, -e.from[y], abs(e.turns));
+    CHECK(run(&s, GCODE_ANY, text) == 0);
+    followed f = { .e = &e };
+    memcpy(f.last, e.from, sizeof f.last);
+    CHECK(gcode_arc_cubics(&e, 1e-4, follow, &f) == 0 && memcmp(f.last, e.to, sizeof f.last) == 0);
+    CHECK(f.off <= 1e-4 + 1e-9);
+    drawing d;
+    CHECK(read_text(&d, text) == 0 && d.count > f.count);
+    drawing_free(&d);
+}
+
 static void places_on_the_machine(arb *a)
 {
     (void)a;
@@ -231,14 +321,6 @@ static void printers_are_understood(arb *a)
           strstr(caught, "part.nc:3: E (3 times): there is no extruder") != NULL &&
           strstr(caught, "part.nc:5: M117: ") != NULL && caught_lines == 3);
     CHECK(gcode_is_printer("; x\nM109 S200\n") && !gcode_is_printer("M3 S1000\nG1 X1\n"));
-}
-
-static int read_text(drawing *d, const char *text)
-{
-    *d = (drawing){ 0 };
-    caught[0] = '\0';
-    caught_lines = 0;
-    return drawing_read_gcode(d, "part.nc", text, strlen(text));
 }
 
 /* All curves follow each other; arcs keep their radius; feeds and rapids are those of the file. */
@@ -399,6 +481,7 @@ int main(void)
     PROPERTY(places_and_modes_are_stored, 1);
     PROPERTY(polar_coordinates_are_understood, 1);
     PROPERTY(tolerances_and_places_of_the_reference, 1);
+    PROPERTY(rounded_arcs_are_spirals, 2000);
     PROPERTY(places_on_the_machine, 1);
     PROPERTY(names_of_programs_are_skipped, 1);
     PROPERTY(what_is_wrong_has_its_line, 1);
