@@ -9,6 +9,8 @@ what=$1 loft=$2 input=$3 out=$4; shift 4
 is=(--steps 320 --slots 80) as=() job=$input tol=0.005
 mkdir -p "$out"
 rm -f "$out/machine" "$out/pulses.csv" "$out/drawn.png" "$out/left.png"
+rm -rf "$out/state"             # a demo that was stopped leaves nothing in doubt
+export XDG_STATE_HOME=$(cd "$out" && pwd)/state
 
 machine=
 clean_up() { [ -z "$machine" ] || kill "$machine" 2>/dev/null || true; rm -f "$out/machine"; }

@@ -180,7 +180,8 @@ TOOL_TESTS  := $(patsubst tests/tools/test_%.c,%,$(sort $(wildcard tests/tools/t
 TOOL_TESTED := $(filter-out %/tool.c $(TOOL_LEFT),$(sort $(foreach r,base engine read plan draw, \
                  $(wildcard host-tools/$(r)/*.c))))
 TOOL_TESTED := $(filter-out host-tools/engine/engines.c,$(TOOL_TESTED))
-TOOL_TESTED += host-tools/send/gcode.c host-tools/send/near_move.c $(wildcard host-tools/send/grbl*.c)
+TOOL_TESTED += host-tools/send/gcode.c host-tools/send/near_move.c host-tools/send/unfinished.c \
+               $(wildcard host-tools/send/grbl*.c)
 TOOL_FLAGS   = $(INCLUDE) $(TESTED) $(TOOL_STD) $(SANITIZE) -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3
 TOOL_TESTED_OBJ := $(patsubst %.c,build/test/tools/%.o,$(TOOL_TESTED))
 

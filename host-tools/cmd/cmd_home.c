@@ -377,6 +377,8 @@ static int run_home(const tool_command *self, int argc, char **argv)
         code = choose_axes(&v, axis);
     if (code == 0)
         code = by_motors(&v) ? home_motors(&v, axis, touches) : home_axes(&v, axis, touches);
+    if (code == 0 && first == argc)
+        talk_placed(&v.t, ~0u);         /* also those that find no switch, as a servo */
     if (code == 0)
         printf("homed: the tool is at %s\n", mover_text(v.at, text));
     mover_close(&v);

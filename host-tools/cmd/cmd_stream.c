@@ -447,6 +447,8 @@ const tool_command command_stream = {
     "Keys while it runs: h holds, r resumes, a aborts, + and - change the override by 10 %\n"
     "(10..200), 0 makes it 100 %, s prints where things are; ^C holds and leaves, twice\n"
     "leaves at once. The machine never leaves the path. A job that was cut off continues\n"
-    "where the machine stopped when the same command runs again.\n",
+    "where the machine stopped when the same command runs again. A machine that was restarted\n"
+    "in a job must be homed or zeroed before: $XDG_STATE_HOME/loft, or ~/.local/state/loft,\n"
+    "has a note of each job that has not ended.\n",
     run_stream
 };

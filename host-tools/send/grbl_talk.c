@@ -220,7 +220,7 @@ static void take_error(grbl *g, const char *said)
 static void take_greeting(grbl *g, const char *text)
 {
     g->restarted = g->code != NULL;
-    if (g->code == NULL)                /* what it said before is obsolete, and so is the question */
+    if (g->code == NULL)                /* what it said before is obsolete */
         forget(g);
     snprintf(g->name, sizeof g->name, "%.*s", (int)strcspn(text, "["), text);
 }

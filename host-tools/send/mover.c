@@ -143,6 +143,8 @@ static int run_job(mover *v, const mover_move *m, job *j, bool *ended)
     if (loft_sender_begin(s, &j->head, job_items(j), job_source, j) != LOFT_OK)
         return tool_error(EX_SOFTWARE, "the move could not begin: please report this");
     while (s->phase < LOFT_PHASE_DONE) {
+        if (s->phase == LOFT_PHASE_STREAMING && m->guard.inputs == 0 && m->ends == NULL)
+            talk_begun(&v->t, j->head.id, "");
         const bool more = s->phase == LOFT_PHASE_STREAMING && planned == LOFT_OK && job_waits(j, 0);
         if (more)
             planned = job_plan(j, 0, PORTION);
@@ -161,6 +163,7 @@ static int run_job(mover *v, const mover_move *m, job *j, bool *ended)
             *ended = true;
         }
     }
+    talk_over(&v->t);
     return planned == LOFT_OK ? 0
                               : tool_error(EX_DATAERR, "%s: this move cannot be planned: %s",
                                            v->port, engine_status(planned, ENGINE_NO_MOTION));
@@ -273,8 +276,10 @@ int mover_place(mover *v, unsigned axes, const double at[ENGINE_AXES])
     if (loft_sender_place(s, (uint8_t)axes, steps) != LOFT_OK)
         return tool_error(EX_SOFTWARE, "the place could not be sent: please report this");
     code = wait_place(v);
-    if (code == 0)
+    if (code == 0) {
+        talk_placed(&v->t, axes);
         read_place(v, steps);
+    }
     return code;
 }
 

@@ -329,10 +329,12 @@ static int stream_loop(run_state *r)
             report_end();
             return tool_error(EX_IOERR,
                               "%s: the machine has been silent for %g s %s: it stops on the path; "
-                              "look at cable and power, "
-                              "then run the same command again",
+                              "look at the cable, then run the same command again; if it lost its "
+                              "power, the position may be lost: home it, or `loft zero`",
                               r->t->port, SILENCE, where_text(r, place));
         }
+        if (s->phase == LOFT_PHASE_STREAMING)
+            talk_begun(r->t, r->j->head.id, r->about->file);
         wake_job(r);
         watch_pauses(r);
         obey_keys(r);
@@ -358,6 +360,7 @@ int stream_run(talk *t, job *j, const stream_subject *about)
     loft_sender_extend(&t->sender, (uint32_t)j->count, job_items(j));
     report_begin(&told);
     const int code = stream_loop(&r);
+    talk_over(t);
     if (code != 0)
         return code;
     if (r.planned != LOFT_OK)
@@ -423,5 +426,6 @@ int stream_control(talk *t, enum loft_verb verb, const kinematics *k)
         if (done <= 0 && verb_obeyed(s, verb))
             done = tool_clock();
     }
+    talk_over(t);
     return stream_obeyed(t, verb, k);
 }

@@ -290,8 +290,9 @@ int stream_ended(talk *t, job *j, const stream_subject *about)
     case LOFT_PHASE_LOST:
         return tool_error(
             EX_PROTOCOL,
-            "%s: the machine was restarted in the middle of the job: home it and start again",
-            t->port);
+            "%s: the machine was restarted in the middle of the job: home it, or `loft zero --port "
+            "%s` at 0,0,0, then start again: its position may be lost",
+            t->port, t->port);
     case LOFT_PHASE_UNFIT:
         return tool_error(
             EX_CONFIG, "%s: the machine came back with another version or other axes: start again",

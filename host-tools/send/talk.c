@@ -7,6 +7,7 @@
 
 #include "base/keys.h"           /* keys_interrupted */
 #include "send/talk.h"
+#include "send/unfinished.h"
 #include "base/tool.h"
 #include "base/waits.h"          /* waits_for */
 
@@ -58,6 +59,12 @@ bool talk_pump(talk *t, int most_ms)
 
 int talk_vanished(const talk *t, const char *where)
 {
+    if (t->noted)
+        return tool_error(EX_IOERR,
+                          "%s: the port has vanished %s(%s): if the machine stayed on, plug it in "
+                          "and run the same command again; if it lost its power, the position may "
+                          "be lost: home it, or `loft zero`",
+                          t->port, where, strerror(errno));
     return tool_error(EX_IOERR,
                       "%s: the port has vanished %s(%s): plug it in and run the same command again",
                       t->port, where, strerror(errno));
@@ -82,14 +89,51 @@ const char *talk_inputs(uint16_t inputs, char text[256])
     return text;
 }
 
+static unfinished_machine machine_of(const talk *t)
+{
+    return (unfinished_machine){ t->port, t->sender.machine.boot,
+                                 loft_state_busy(t->sender.ack.state) };
+}
+
 int talk_certain(const talk *t)
 {
+    const unfinished_machine m = machine_of(t);
+
     return t->sender.ack.flags & LOFT_FLAG_LOST
                ? tool_error(EX_UNAVAILABLE,
                             "%s: its position is in doubt, as after an emergency stop: `loft home "
                             "--port %s`, or `loft zero`",
                             t->port, t->port)
-               : 0;
+               : unfinished_check(&m);
+}
+
+void talk_begun(talk *t, uint32_t id, const char *file)
+{
+    const unfinished_machine m = machine_of(t);
+
+    if (!t->noted)
+        unfinished_begin(&m, id, file);
+    t->noted = true;
+}
+
+/* After an emergency stop the place stays in doubt, and a restart would forget that. */
+void talk_over(talk *t)
+{
+    const loft_sender *s = &t->sender;
+    const bool reported  = s->phase == LOFT_PHASE_DONE ||
+                          (s->phase == LOFT_PHASE_ABORTED && s->report.job != 0),
+               ended_by_us = s->phase == LOFT_PHASE_READY && !loft_state_busy(s->ack.state);
+
+    if ((reported || ended_by_us) && !(s->ack.flags & LOFT_FLAG_LOST))
+        unfinished_end(t->port);
+    t->noted = false;
+}
+
+void talk_placed(const talk *t, unsigned axes)
+{
+    const unfinished_machine m = machine_of(t);
+
+    unfinished_placed(&m, axes);
 }
 
 double talk_silence(const talk *t)

@@ -20,6 +20,7 @@ typedef struct {
     FILE *log;                          /* everything that passes, in words, or NULL */
     wire_text down, up;
     double began;
+    bool noted;                         /* that a job began, in a file: see unfinished.h */
 } talk;
 
 /* Where the machine is: options of a command, into o.port, o.baud and o.wait. */
@@ -42,12 +43,20 @@ int  talk_again(talk *t, double seconds);
  * why). */
 bool talk_pump(talk *t, int most_ms);
 
-/* Print that the port has vanished, and `where` the job is. Returns the exit code. */
+/* Print that the port has vanished, and `where` the job is; one that had begun goes on only if the
+ * machine kept its power. Returns the exit code. */
 int  talk_vanished(const talk *t, const char *where);
 
-/* Refuse to draw, or to go to a place, while the position is in doubt. Returns 0, or an exit code
+/* Refuse to draw, or to go to a place, while the position is in doubt: after an emergency stop, or
+ * after a restart of the machine in a job. Returns 0, or an exit code
  * after printing one line. */
 int talk_certain(const talk *t);
+
+/* The machine has taken job `id` of `file`, or goes on with it: once in each run of the job. The
+ * job is over, as the sender's phase tells. The place of these axes is known again. */
+void talk_begun(talk *t, uint32_t id, const char *file);
+void talk_over(talk *t);
+void talk_placed(const talk *t, unsigned axes);
 
 /* "the limit switch of x at its low end, the emergency stop": the inputs that end a job. */
 const char *talk_inputs(uint16_t inputs, char text[256]);

@@ -77,6 +77,42 @@ case_port_vanishes() {
     sed 's/.* item \([0-9]*\) of \(about \)\?\([0-9]*\) .*/\1 \3/' "$tmp/err" |
         awk '{ exit !($1 * 2 < $2) }' || job_fails "not the items executed: $(cat "$tmp/err")"
 }
+until_noted() {         # the sender has noted that its job began
+    for _ in $(seq 3000); do
+        compgen -G "$tmp/state/loft/*[0-9a-f]" >/dev/null && return
+        sleep 0.02
+    done
+    job_fails "nothing is noted of the job"
+}
+# in_doubt COMMAND..: neither this nor another drawing begins
+in_doubt() {
+    one_line 69 'restarted in a job.*position may be lost: home it, or `loft zero' "$@"
+}
+case_machine_that_lost_its_power_is_placed_first() {
+    machine m --speed real
+    draws m
+    { until_noted; kill -9 "$machine"; } & children+=($!)
+    one_line 74 'if it lost its power, the position may be lost: home it' "${job[@]}"
+    gone "$machine"; rm -f "$tmp/m"
+    on_again m; in_doubt "${job[@]}"; in_doubt "$loft" go 1,1 --port "$tmp/m"
+    kill "$machine"; gone "$machine"
+    on_again m
+    run 0 "$loft" zero xy --port "$tmp/m"; in_doubt "$loft" stream "$tmp/small.csv" --port "$tmp/m"
+    says err '`loft zero z --port'
+    kill "$machine"; gone "$machine"    # and those two are in doubt again
+    on_again m; run 0 "$loft" zero z --port "$tmp/m"; in_doubt "${job[@]}"
+    run 0 "$loft" zero --port "$tmp/m"; run 0 "${job[@]}" --feed 400
+    kill "$machine"; gone "$machine"    # a restart after the job is none in it
+    on_again m; run 0 "${job[@]}" --feed 400; kill "$machine"; gone "$machine"
+    on_again m --speed real; draws m; cut_off_noted
+    run 0 "$loft" stream --abort --port "$tmp/m"; kill "$machine"; gone "$machine"
+    on_again m; run 0 "${job[@]}" --feed 400
+}
+cut_off_noted() {       # kill ${job[@]} when it has begun
+    "${job[@]}" >/dev/null 2>&1 & local sender=$!
+    disown $sender
+    until_noted; kill -9 $sender; gone $sender
+}
 case_machine_restarts_in_mid_job() {
     machine again --speed real
     "$pty" relay "$tmp/line" "$tmp/again" & children+=($!); disown $!
@@ -85,6 +121,7 @@ case_machine_restarts_in_mid_job() {
         exec "$loft" simulate --link "$tmp/again" >/dev/null 2>&1; } & children+=($!)
     one_line 76 'restarted in the middle of the job: home it' "$loft" stream "$tmp/small.csv" \
         --port "unix:$tmp/line" "${slowly[@]}"
+    in_doubt "$loft" stream "$tmp/small.csv" --port "unix:$tmp/line"
 }
 case_second_sender_is_refused() {
     machine owned --speed real --once

@@ -34,8 +34,13 @@ CSV
 
 job_fails() { why="$why; $*"; }
 
-# machine NAME OPTIONS..: a simulated machine behind $tmp/NAME, its pulses in $tmp/NAME.csv
+# machine NAME OPTIONS..: a new simulated machine behind $tmp/NAME, its pulses in $tmp/NAME.csv
 machine() {
+    rm -f "$tmp"/state/loft/*
+    on_again "$@"
+}
+# on_again NAME OPTIONS..: one that had a job before, perhaps
+on_again() {
     local name=$1; shift
     "$loft" simulate --link "$tmp/$name" --record "$tmp/$name.csv" "$@" >"$tmp/$name.log" 2>&1 &
     machine=$!; children+=("$machine"); disown "$machine"
@@ -220,6 +225,7 @@ kinematics() {
 
 run_case() {
     tmp=$top/$1 why='' children=()
+    export XDG_STATE_HOME=$tmp/state    # where it is noted that a job began
     mkdir "$tmp"; cp "$top/small.csv" "$tmp"
     trap 'for c in "${children[@]}"; do kill "$c" 2>/dev/null; done' EXIT
     declare -F "case_$1" >/dev/null || job_fails "there is no such case"
