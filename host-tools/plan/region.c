@@ -208,6 +208,16 @@ region *region_inside(const drawing *d, size_t first, size_t last, bool evenodd,
     return r->g ? r : failed(r, d, first, file);
 }
 
+static region *cut_shape(region *shape, const drawing *outline, unsigned clip, const char *file)
+{
+    for (; clip > 0; clip = outline->clip[clip - 1].up)
+        if (!region_cut(shape, &outline->clip[clip - 1].outline, file)) {
+            region_free(shape);
+            return NULL;
+        }
+    return shape;
+}
+
 /* All shapes of an outline together. */
 static region *shapes_of(const drawing *outline, const char *file)
 {
@@ -218,6 +228,8 @@ static region *shapes_of(const drawing *outline, const char *file)
         for (last = first; last < outline->count && outline->curve[last].fill == fill; last++)
             ;
         region *one = region_inside(outline, first, last, fill & DRAWING_EVENODD, file);
+        if (one != NULL)
+            one = cut_shape(one, outline, outline->curve[first].clip, file);
         if (one == NULL || all == NULL) {
             if (one == NULL) {
                 region_free(all);

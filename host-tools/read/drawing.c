@@ -82,7 +82,7 @@ void drawing_free(drawing *d)
         curves_free(d->of);
     free(d->of);
     for (size_t i = 0; i < d->clips; i++)
-        spool_free(d->clip[i].outline.curve);
+        drawing_free(&d->clip[i].outline);
     free(d->clip);
     spool_free(d->curve);
     spool_free(d->event);
@@ -120,6 +120,8 @@ unsigned drawing_add_clip(drawing *d, const drawing *outline, unsigned up)
     for (size_t i = 0; i < outline->count; i++)
         drawing_add_like(&to->outline, &outline->curve[i],
                          i == 0 || outline->curve[i].path != outline->curve[i - 1].path);
+    for (size_t i = 0; i < outline->clips; i++)
+        (void)drawing_add_clip(&to->outline, &outline->clip[i].outline, outline->clip[i].up);
     return (unsigned)d->clips;
 }
 

@@ -105,7 +105,7 @@ typedef struct drawing {
 
 /* What is left of a shape is inside of the outline, and of the area number `up`, 0: none. */
 typedef struct drawing_clip {
-    drawing outline;        /* its shapes together, each by its own rule */
+    drawing outline;        /* its shapes together, each by its own rule, and in its own area */
     unsigned up;
 } drawing_clip;
 

@@ -20,12 +20,12 @@
 static const xmlChar xlink_namespace[] = "http://www.w3.org/1999/xlink";
 
 /* The targets of the <use> elements that are currently drawn, innermost first. */
-typedef struct use_chain {
+struct svg_uses {
     const xmlNode *target;
-    const struct use_chain *up;
-} use_chain;
+    const svg_uses *up;
+};
 
-static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain);
+static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const svg_uses *chain);
 
 
 // What is drawn at all
@@ -53,6 +53,15 @@ static bool element_applies(const xmlNode *node)
     return good;
 }
 
+/* Of a clip path, shapes and text count, and uses of them. */
+static bool clips(const svg_reader *r, const xmlNode *node, const svg_uses *chain)
+{
+    static const char *const groups[] = { "g", "a", "svg", "switch", "symbol", NULL };
+
+    return !r->clipping || r->masking || r->boxing ||
+           !(is_one_of(node, groups) || (chain != NULL && svg_is(node, "use")));
+}
+
 static void warn_undrawn(svg_reader *r, const svg_space *space)
 {
     static const char *const pictures[] = { "image", "foreignObject", NULL };
@@ -69,7 +78,7 @@ static void warn_undrawn(svg_reader *r, const svg_space *space)
 // ---------
 
 static bool draw_children(svg_reader *r, const xmlNode *node, svg_space space,
-                          const use_chain *chain)
+                          const svg_uses *chain)
 {
     for (const xmlNode *child = node->children; child != NULL; child = child->next)
         if (!draw_node(r, child, space, chain))
@@ -79,17 +88,14 @@ static bool draw_children(svg_reader *r, const xmlNode *node, svg_space space,
 
 /* An <svg> inside the drawing, or the target of a <use>, which gives the sizes. */
 static bool draw_viewport(svg_reader *r, const xmlNode *node, svg_space space, double width,
-                          double height, const use_chain *chain)
+                          double height, const svg_uses *chain)
 {
     const svg_matrix frame = space.to_mm;
     const bool clipped = space.clipped && width > 0 && height > 0;
     const size_t first = r->d->count;
-    bool empty;
 
     r->node = node;
-    if (!svg_enter_viewport(r, &space, width, height, &empty))
-        return false;
-    if (!empty && !draw_children(r, node, space, chain))
+    if (svg_enter_viewport(r, &space, width, height) && !draw_children(r, node, space, chain))
         return false;
     return !clipped || svg_cut_frame(r, node, &frame, width, height, first);
 }
@@ -104,15 +110,16 @@ bool svg_children(svg_reader *r, const xmlNode *node, svg_space space)
     return draw_children(r, node, space, NULL);
 }
 
-static bool draw_svg(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain)
+static bool draw_svg(svg_reader *r, const xmlNode *node, svg_space space, const svg_uses *chain)
 {
     double width = space.width, height = space.height;
 
-    return svg_move_origin(r, &space) && svg_sizes(r, &space, &width, &height) &&
-           draw_viewport(r, node, space, width, height, chain);
+    svg_move_origin(r, &space);
+    svg_sizes(r, &space, &width, &height);
+    return draw_viewport(r, node, space, width, height, chain);
 }
 
-static bool draw_switch(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain)
+static bool draw_switch(svg_reader *r, const xmlNode *node, svg_space space, const svg_uses *chain)
 {
     for (const xmlNode *child = node->children; child != NULL; child = child->next)
         if (svg_is(child, NULL) && element_applies(child))
@@ -169,25 +176,24 @@ static const xmlNode *use_target(svg_reader *r)
     return target;
 }
 
-static bool is_in_chain(const use_chain *chain, const xmlNode *target)
+static bool is_in_chain(const svg_uses *chain, const xmlNode *target)
 {
     while (chain != NULL && chain->target != target)
         chain = chain->up;
     return chain != NULL;
 }
 
-static bool fail_circular_use(const svg_reader *r)
+static void warn_circular_use(const svg_reader *r)
 {
     char *href = svg_reference(r->node);
 
-    svg_fail(r, "\"%.60s\" uses itself: break the cycle", href);
+    svg_warn(r, SVG_WARN_USE_CYCLE, "<use> of \"%.60s\" is not drawn, it uses itself", href);
     xmlFree(href);
-    return false;
 }
 
 /* A <symbol> or <svg> that the <use> `node` draws. The sizes of the <use> override its own. */
 static bool draw_use_viewport(svg_reader *r, const xmlNode *node, svg_space space,
-                              const use_chain *chain)
+                              const svg_uses *chain)
 {
     double width = space.width, height = space.height;
     svg_scope scope;
@@ -196,26 +202,30 @@ static bool draw_use_viewport(svg_reader *r, const xmlNode *node, svg_space spac
     r->node = chain->target;
     bool good = svg_enter(r, &space, &scope, &shown);
     if (good && shown) {
-        good = svg_move_origin(r, &space) && svg_sizes(r, &space, &width, &height);
+        svg_move_origin(r, &space);
+        svg_sizes(r, &space, &width, &height);
         r->node = node;
-        good = good && svg_sizes(r, &space, &width, &height) &&
-               draw_viewport(r, chain->target, space, width, height, chain);
+        svg_sizes(r, &space, &width, &height);
+        good = draw_viewport(r, chain->target, space, width, height, chain);
     }
     svg_scope_close(&scope);
     return good;
 }
 
-static bool draw_use(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain)
+static bool draw_use(svg_reader *r, const xmlNode *node, svg_space space, const svg_uses *chain)
 {
     const xmlNode *target = use_target(r);
-    const use_chain link = { target, chain };
+    const svg_uses link = { target, chain };
 
     if (target == NULL)
         return true;
-    if (is_in_chain(chain, target))
-        return fail_circular_use(r);
-    if (!svg_move_origin(r, &space))
-        return false;
+    if (is_in_chain(chain, target)) {
+        warn_circular_use(r);
+        return true;
+    }
+    svg_move_origin(r, &space);
+    if (!clips(r, target, NULL))
+        return true;
     if (svg_is(target, "symbol") || svg_is(target, "svg"))
         return draw_use_viewport(r, node, space, &link);
     return draw_node(r, target, space, &link);
@@ -263,7 +273,7 @@ bool svg_begin(svg_reader *r, const svg_space *space)
     r->cap   = (unsigned char)space->cap;
     r->join  = (unsigned char)space->join;
     r->tool = r->layer_tool ? r->layer_tool : svg_ink_tool(r, space, stroked);
-    return space->visible && (filled || stroked);
+    return r->boxing || (space->visible && (filled || stroked));
 }
 
 /* A shape, if it is seen, and its markers: they are also where the shape is not. */
@@ -273,11 +283,13 @@ static bool draw_shape(svg_reader *r, const svg_space *space, bool seen, bool ma
     const size_t first        = r->d->count;
     bool known;
 
-    r->vertices = all;
-    bool good   = svg_shape(r, space, &known);
-    r->vertices = NULL;
-    if (!seen)
+    r->vertices    = all;
+    r->notes->lost = false;
+    bool good      = svg_shape(r, space, &known);
+    r->vertices    = NULL;
+    if (!seen || r->notes->lost)
         r->d->count = first;
+    marked = marked && !r->notes->lost;
     good = good && svg_dash(r, space, first);
     if (good && marked)
         good = svg_markers(r, space, all);
@@ -286,8 +298,7 @@ static bool draw_shape(svg_reader *r, const svg_space *space, bool seen, bool ma
     return good;
 }
 
-static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space,
-                         const use_chain *chain)
+static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space, const svg_uses *chain)
 {
     static const char *const groups[] = { "g", "a", NULL };
 
@@ -304,7 +315,7 @@ static bool draw_element(svg_reader *r, const xmlNode *node, svg_space space,
     if (svg_is(node, "text"))
         return svg_text(r, &space);
     warn_undrawn(r, &space);
-    if (!space.visible)
+    if (!space.visible && !r->boxing)
         return true;
     const bool tiled = space.pattern != NULL && !r->clipping;
     if (tiled && space.fill_opaque && !svg_pattern(r, &space))
@@ -333,28 +344,49 @@ static bool is_never_drawn(const xmlNode *node)
     return is_one_of(node, names);
 }
 
+bool svg_geometry(svg_reader *r, const svg_element *e, drawing *out)
+{
+    drawing *const d    = r->d;
+    const xmlNode *was  = r->node;
+    const unsigned fill = r->fill;
+    const bool clipping = r->clipping, masking = r->masking, boxing = r->boxing;
+
+    r->d        = out;
+    r->node     = e->node;
+    r->clipping = r->boxing = true;
+    r->masking  = false;
+    const bool good = draw_element(r, e->node, *e->space, e->uses);
+    r->clipping     = clipping;
+    r->masking      = masking;
+    r->boxing       = boxing;
+    r->fill         = fill;
+    r->node         = was;
+    r->d            = d;
+    return good;
+}
+
 static bool draw_in_space(svg_reader *r, const xmlNode *node, svg_space space,
-                          const use_chain *chain)
+                          const svg_uses *chain)
 {
     svg_scope scope;
     bool shown, good = svg_enter(r, &space, &scope, &shown);
     const double area = space.to_mm.a * space.to_mm.d - space.to_mm.b * space.to_mm.c;
-    const size_t first = r->d->count;
+    const svg_element self = { node, &space, chain };
+    const size_t first     = r->d->count;
 
     if (good && shown && area != 0)     /* flattened to a line or a point: SVG draws nothing */
         good = draw_element(r, node, space, chain);
     r->node = node;
-    if (good && shown && area != 0 && space.clip != NULL)
-        good = svg_clip_element(r, &space, first);
-    if (good && shown && area != 0 && space.mask != NULL)
-        good = svg_mask_element(r, &space, first);
+    if (good && shown && area != 0)
+        good = svg_clip_element(r, &self, first) && svg_mask_element(r, &self, first);
     svg_scope_close(&scope);
     return good;
 }
 
-static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const use_chain *chain)
+static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const svg_uses *chain)
 {
-    if (!svg_is(node, NULL) || is_never_drawn(node) || !element_applies(node))
+    if (!svg_is(node, NULL) || is_never_drawn(node) || !element_applies(node) ||
+        !clips(r, node, chain))
         return true;
     r->node = node;
     if (++r->visited > SVG_ELEMENTS_MAX)
@@ -405,18 +437,15 @@ static bool enter_page(svg_reader *r, const xmlNode *root, svg_space *space, svg
                        bool *empty)
 {
     double box[4], width = -1, height = -1;
-    bool given;
 
     *space = svg_space_usual();
     r->node = root;
-    if (!svg_view_box(r, box, &given))
-        return false;
+    const bool given = svg_view_box(r, box);
     if (given) {
         space->width  = box[2];
         space->height = box[3];
     }
-    if (!svg_sizes(r, space, &width, &height))
-        return false;
+    svg_sizes(r, space, &width, &height);
     if (given && width < 0)
         width = height < 0 ? box[2] : height * box[2] / box[3];
     if (given && height < 0)
@@ -429,8 +458,8 @@ static bool enter_page(svg_reader *r, const xmlNode *root, svg_space *space, svg
     space->width = space->height = -1;
     bool shown;
     const bool good = svg_enter(r, space, scope, &shown);
-    *empty = !shown;
-    return good && (*empty || svg_enter_viewport(r, space, width, height, empty));
+    *empty = !shown || (good && !svg_enter_viewport(r, space, width, height));
+    return good;
 }
 
 /* Without a page, the drawing is the page: its lower left corner is the origin. */

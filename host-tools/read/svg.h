@@ -23,8 +23,9 @@
  *     svg_glyphs.c outlines of any installed font (pango, cairo)
  *     svg_lines.c  letters of single lines (Hershey's fonts)
  *
- * Functions that return bool print one line with file and line, and return false, if the file is
- * invalid. Then the reading ends: a machine shall not draw half of a broken drawing.
+ * What cannot be read in an attribute is as if it were not given, as browsers do, and one line of
+ * each kind says where. Functions that return bool print one line with file and line, and return
+ * false, if the file is beyond a limit. Then the reading ends.
  */
 #ifndef LOFT_SVG_H
 #define LOFT_SVG_H
@@ -64,6 +65,12 @@ typedef struct svg_vertices svg_vertices;       /* of a shape with markers, see 
 typedef struct svg_fonts svg_fonts;     /* the fonts that were opened, see svg_glyphs.c */
 typedef struct svg_lines svg_lines;     /* and see svg_lines.c */
 
+/* What a reading has said, and found. */
+typedef struct {
+    unsigned long long warned;  /* bits, see svg_warn */
+    bool lost;                  /* a part of the current shape cannot be drawn: none of it is */
+} svg_notes;
+
 /* One reading of one file. */
 typedef struct {
     drawing *d;
@@ -74,7 +81,7 @@ typedef struct {
     svg_named *named;           /* sorted; of equal ids, only the first in the file */
     size_t named_count;
     unsigned visited, depth;    /* drawn elements, to stop a flood of <use>; nesting */
-    unsigned warned;            /* bits, see svg_warn                                     */
+    svg_notes *notes;
     unsigned chosen;            /* layers around the current element that are to be drawn */
     xmlDictPtr words;           /* names of fonts */
     svg_fonts *fonts;
@@ -86,6 +93,7 @@ typedef struct {
     unsigned layer, layers;     /* the innermost of them, see drawing.h; those that were entered */
     bool clipping;              /* what is drawn now is a clip path */
     bool masking, plain;        /* or a mask; it is white, as a clip path would do */
+    bool boxing;                /* or what an element consists of, for its box */
     unsigned long long compared;/* pairs of curves, to stop a flood of them */
     svg_vertices *vertices;     /* of the current shape; NULL: it has no markers */
     const xmlNode *marking[SVG_MARKINGS];   /* what is drawn now is in these markers, patterns */
@@ -155,6 +163,15 @@ typedef struct {
     const svg_scope *scope;
 } svg_space;
 
+typedef struct svg_uses svg_uses;       /* the <use> elements around an element, see svg.c */
+
+/* An element where it is drawn; `space` is what is in it. */
+typedef struct {
+    const xmlNode *node;
+    const svg_space *space;
+    const svg_uses *uses;
+} svg_element;
+
 enum svg_side { SVG_ACROSS, SVG_ALONG_Y, SVG_DIAGONAL };       /* the length that a % refers to */
 
 
@@ -175,15 +192,14 @@ bool svg_enter(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown);
 svg_space svg_space_usual(void);
 
 /* Enter the viewport of the current element: a box of width x height (below 0: unknown) in `space`
- * shows its viewBox. *empty: its size is 0, and nothing of it is drawn. */
-bool svg_enter_viewport(const svg_reader *r, svg_space *space, double width, double height,
-                        bool *empty);
+ * shows its viewBox. Returns false if its size is 0: nothing of it is drawn. */
+bool svg_enter_viewport(const svg_reader *r, svg_space *space, double width, double height);
 
 /* The sizes that an element gives itself, or `width` and `height`. */
-bool svg_sizes(const svg_reader *r, const svg_space *space, double *width, double *height);
+void svg_sizes(const svg_reader *r, const svg_space *space, double *width, double *height);
 
 /* Go to the x and y of the current element. */
-bool svg_move_origin(const svg_reader *r, svg_space *space);
+void svg_move_origin(const svg_reader *r, svg_space *space);
 
 /* Cut the curves from the first'th on at the edges of a viewport. */
 bool svg_cut_frame(svg_reader *r, const xmlNode *node, const svg_matrix *frame, double width,
@@ -194,6 +210,9 @@ bool svg_viewport(svg_reader *r, const xmlNode *node, svg_space space, double wi
 
 /* Draw the elements in an element. */
 bool svg_children(svg_reader *r, const xmlNode *node, svg_space space);
+
+/* Draw the geometry of an element, seen or not, without clip paths, markers and patterns. */
+bool svg_geometry(svg_reader *r, const svg_element *e, drawing *out);
 
 /* Begin a shape: the curves that follow are painted together. Returns false if it is invisible. */
 bool svg_begin(svg_reader *r, const svg_space *space);
@@ -231,11 +250,21 @@ enum svg_warning {
     SVG_WARN_UNSEEN,
     SVG_WARN_USE_NOTHING,
     SVG_WARN_USE_ELSEWHERE,
-    SVG_WARN_USE_MISSING
+    SVG_WARN_USE_MISSING,
+    SVG_WARN_USE_CYCLE,
+    SVG_WARN_LENGTH,
+    SVG_WARN_SIZE,
+    SVG_WARN_TRANSFORM,
+    SVG_WARN_VIEW,
+    SVG_WARN_FAR
 };
 
 /* The same, but the reading continues; only the first warning of each kind is printed. */
-void svg_warn(svg_reader *r, enum svg_warning kind, const char *format, ...)
+void svg_warn(const svg_reader *r, enum svg_warning kind, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* The same, and the current shape is left out. */
+void svg_lose(const svg_reader *r, enum svg_warning kind, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 // Attributes and style
@@ -348,31 +377,34 @@ svg_matrix svg_multiply(svg_matrix outer, svg_matrix inner);
 /* The largest factor by which it stretches a length. */
 double svg_stretch(svg_matrix m);
 
-/* Multiply *m by the list of transforms in `text`. `css`: numbers may have the units px and deg. */
-bool svg_transform(const svg_reader *r, const char *text, bool css, svg_matrix *m);
+/* Multiply *m by the list of transforms in `text`. `css`: by the functions and units of CSS. What
+ * cannot be computed with becomes all 0, of which nothing is drawn. */
+void svg_transform(const svg_reader *r, const char *text, bool css, svg_matrix *m);
 
-/* Read a value of transform-origin: the point about which a transform turns and scales. */
-bool svg_origin(const svg_reader *r, const svg_space *space, const char *text, double out[2]);
+/* Read a value of transform-origin: the point about which a transform turns and scales; 0, 0 if it
+ * cannot be read. */
+void svg_origin(const svg_reader *r, const svg_space *space, const char *text, double out[2]);
 
-/* Read a length attribute of the current element in user units; `absent` if it is missing or
- * `auto`. */
-bool svg_length(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
-                double absent, double *out);
+/* A length attribute of the current element in user units; `absent` if it is missing, or `auto`, or
+ * cannot be read. And a size, which is a length that is not negative. */
+double svg_length(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
+                  double absent);
+double svg_size(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
+                double absent);
 
-/* Read a list of them; *count tells how many, at most `room`. */
-bool svg_lengths(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
-                 double out[], size_t room, size_t *count);
+/* Read a list of them, at most `room`. Returns how many; 0 if one cannot be read. */
+size_t svg_lengths(const svg_reader *r, const svg_space *space, const char *name,
+                   enum svg_side side, double out[], size_t room);
 
 /* A length of CSS. `hundred` is what 100 % are. Returns false, and leaves *out alone, for anything
  * else. */
 bool svg_css_length(const svg_space *space, const char *text, double hundred, double *out);
 
-/* Read the numbers of the attribute `viewBox`; *given tells whether it exists. */
-bool svg_view_box(const svg_reader *r, double box[4], bool *given);
+/* Read the numbers of the attribute `viewBox`. Returns false if there is none that can be read. */
+bool svg_view_box(const svg_reader *r, double box[4]);
 
 /* The matrix that fits `box` into width x height, by preserveAspectRatio of the current element. */
-bool svg_fit(const svg_reader *r, const double box[4], double width, double height,
-             svg_matrix *out);
+svg_matrix svg_fit(const svg_reader *r, const double box[4], double width, double height);
 
 // Pen
 // ---
@@ -493,14 +525,15 @@ bool svg_rail_at(const svg_rail *l, double distance, double at[2], double way[2]
 /* The curve in the space that `m` maps to mm. */
 drawing_curve svg_within(const drawing_curve *c, const svg_matrix *m);
 
-/* Leave out what is outside of an outline, whose parts are closed, from curve `first` on. */
+/* Leave out what is outside of an outline, whose parts are closed, from curve `first` on. Curves
+ * that are an outline themselves stay, and belong to an area. */
 bool svg_cut(svg_reader *r, const drawing *outline, size_t first);
 
 /* Cut the curves from the first'th on, which the current element has drawn, at its clip path; at
  * its mask, which is a clip path if it is of white shapes: what another one lets through is not
  * known. */
-bool svg_clip_element(svg_reader *r, const svg_space *of, size_t first);
-bool svg_mask_element(svg_reader *r, const svg_space *of, size_t first);
+bool svg_clip_element(svg_reader *r, const svg_element *e, size_t first);
+bool svg_mask_element(svg_reader *r, const svg_element *e, size_t first);
 
 /* Fill the current element, a shape, with its pattern. */
 bool svg_pattern(svg_reader *r, const svg_space *of);

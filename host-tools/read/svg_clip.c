@@ -19,6 +19,8 @@
 #define ALONG    1e-3           /* mm: so near to the outline, a piece stays */
 #define LEAST    1e-9           /* of the parameter, between two cuts */
 
+#define WORK_MAX 20000000u      /* pairs of curves that are compared: a few seconds */
+
 drawing_curve svg_within(const drawing_curve *c, const svg_matrix *m)
 {
     const double area = m->a * m->d - m->b * m->c;
@@ -31,8 +33,6 @@ drawing_curve svg_within(const drawing_curve *c, const svg_matrix *m)
     }
     return in;
 }
-#define WORK_MAX 20000000u      /* pairs of curves that are compared: a few seconds */
-
 typedef struct {
     double *at;
     size_t count, room;
@@ -79,6 +79,17 @@ static bool are_near(const drawing_curve *a, const drawing_curve *b)
     return true;
 }
 
+static bool is_inside(const drawing *outline, const double at[2]);
+
+/* Is it in the area number `clip` of the outline, and in those around it? */
+static bool is_in_area(const drawing *outline, unsigned clip, const double at[2])
+{
+    for (; clip > 0; clip = outline->clip[clip - 1].up)
+        if (!is_inside(&outline->clip[clip - 1].outline, at))
+            return false;
+    return true;
+}
+
 /* The winding number of each shape of the outline decides by its rule; one of them is enough. */
 static bool is_inside(const drawing *outline, const double at[2])
 {
@@ -87,7 +98,8 @@ static bool is_inside(const drawing *outline, const double at[2])
         int winding          = 0;
         for (last = first; last < outline->count && outline->curve[last].fill == shape; last++)
             winding += drawing_winding(&outline->curve[last], at);
-        if (shape & DRAWING_EVENODD ? winding & 1 : winding)
+        if ((shape & DRAWING_EVENODD ? winding & 1 : winding) &&
+            is_in_area(outline, outline->curve[first].clip, at))
             return true;
     }
     return false;
@@ -105,14 +117,18 @@ static bool is_kept(const drawing *outline, const double at[2])
     return false;
 }
 
-static bool find_cuts(svg_reader *r, const drawing *outline, const drawing_curve *c, cuts *out)
+/* Where a curve meets an outline, and the areas at which that is cut. */
+static bool add_cuts(svg_reader *r, const drawing *outline, const drawing_curve *c, cuts *out)
 {
     engine_meeting meeting[ENGINE_MEETINGS];
     piece whole, edge;
 
     set_piece(&whole, c);
-    out->count = 0;
-    add_cut(out, 0);
+    r->compared += outline->count + 1;
+    if (r->compared > WORK_MAX)
+        return svg_fail(r,
+                        "clipping takes too long: more than %u pairs of curves: clip in the editor",
+                        WORK_MAX);
     for (size_t k = 0; k < outline->count; k++) {
         size_t found;
         if (!are_near(&outline->curve[k], c))
@@ -126,6 +142,18 @@ static bool find_cuts(svg_reader *r, const drawing *outline, const drawing_curve
                 if (meeting[i].overlap || j == 1)
                     add_cut(out, meeting[i].s[j]);
     }
+    for (size_t k = 0; k < outline->clips; k++)
+        if (!add_cuts(r, &outline->clip[k].outline, c, out))
+            return false;
+    return true;
+}
+
+static bool find_cuts(svg_reader *r, const drawing *outline, const drawing_curve *c, cuts *out)
+{
+    out->count = 0;
+    add_cut(out, 0);
+    if (!add_cuts(r, outline, c, out))
+        return false;
     add_cut(out, 1);
     qsort(out->at, out->count, sizeof *out->at, compare_cuts);
     return true;
@@ -171,6 +199,15 @@ static unsigned area_within(drawing *d, const drawing *outline, unsigned up, siz
         if (d->clip[k].up == up)
             return (unsigned)k + 1;
     return drawing_add_clip(d, outline, up);
+}
+
+/* What is itself an outline stays whole, and is told its area: cut, it would not be closed. */
+static void mark_area(drawing *d, const drawing *outline, size_t first)
+{
+    const size_t clips = d->clips;
+
+    for (size_t i = first; i < d->count; i++)
+        d->curve[i].clip = area_within(d, outline, d->curve[i].clip, clips);
 }
 
 /* What is filled keeps its whole outline for that. */
@@ -220,16 +257,14 @@ bool svg_cut(svg_reader *r, const drawing *outline, size_t first)
     cuts at     = { .at = NULL };
     bool good = true, drawn = false;
 
+    if (r->clipping) {
+        mark_area(d, outline, first);
+        return true;
+    }
     keep_areas(d, outline, first, &out);
     for (size_t i = first; i < d->count && good; i++) {
         const drawing_curve *c = &d->curve[i];
         const bool fresh       = i == first || c->path != c[-1].path;
-        r->compared += outline->count + 1;
-        if (r->compared > WORK_MAX)
-            good = svg_fail(r,
-                            "clipping takes too long: more than %u pairs of curves: clip in the "
-                            "editor",
-                            WORK_MAX);
         if (c->fill & DRAWING_HIDDEN)
             continue;
         drawing_curve seen = *c;

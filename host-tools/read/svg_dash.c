@@ -200,18 +200,14 @@ static bool read_dashes(dashing *g, const svg_space *space)
 }
 
 /* The attribute pathLength says how long the author takes the path to be. */
-static bool scale_dashes(dashing *g, const svg_space *space, double length)
+static void scale_dashes(dashing *g, const svg_space *space, double length)
 {
-    double said;
-
-    if (!svg_length(g->r, space, "pathLength", SVG_DIAGONAL, 0, &said))
-        return false;
+    const double said = svg_length(g->r, space, "pathLength", SVG_DIAGONAL, 0);
     const double by = said > 0 ? length / said : 1;
     for (size_t i = 0; i < g->count; i++)
         g->dash[i] *= by;
     g->sum *= by;
     g->offset *= by;
-    return true;
 }
 
 bool svg_dash(svg_reader *r, const svg_space *space, size_t first)
@@ -229,8 +225,7 @@ bool svg_dash(svg_reader *r, const svg_space *space, size_t first)
         return true;
     for (size_t i = first; i < last; i++)
         length += whole_length(&g, &d->curve[i]);
-    if (!scale_dashes(&g, space, length))
-        return false;
+    scale_dashes(&g, space, length);
     r->dashes += length / g.sum * (double)g.count;
     if (!(r->dashes <= DASHES_MAX)) {
         svg_warn(r, SVG_WARN_DASHES,

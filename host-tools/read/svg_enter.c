@@ -172,7 +172,8 @@ static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space
     bool opaque = true;
 
     read_positive(r, style, SVG_OPACITY, &opaque);
-    const bool good = opaque && (display == NULL || strcmp(display, "none") != 0);
+    const bool good = (opaque || (r->clipping && (!r->masking || r->boxing))) &&
+                      (display == NULL || strcmp(display, "none") != 0);
     space->clipped = overflow == NULL ||
                      (strcmp(overflow, "visible") != 0 && strcmp(overflow, "auto") != 0);
     xmlFree(display);
@@ -198,7 +199,7 @@ static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space
 }
 
 /* The point about which the current element is transformed. */
-static bool read_origin(svg_reader *r, const svg_style *style, const svg_space *space,
+static void read_origin(svg_reader *r, const svg_style *style, const svg_space *space,
                         double out[2])
 {
     bool css;
@@ -209,29 +210,26 @@ static bool read_origin(svg_reader *r, const svg_style *style, const svg_space *
         svg_warn(r, SVG_WARN_BOX,
                  "transform-box: %.20s is read as view-box: apply the transform in the editor",
                  box);
-    const bool good = text == NULL || (css && strcmp(text, "unset") == 0) ||
-                      svg_origin(r, space, text, out);
+    if (text != NULL && !(css && strcmp(text, "unset") == 0))
+        svg_origin(r, space, text, out);
     xmlFree(box);
     xmlFree(text);
-    return good;
 }
 
 /* Apply the transform of the current element: that of its style, or else its attribute. */
-static bool enter_transform(svg_reader *r, const svg_style *style, svg_space *space)
+static void enter_transform(svg_reader *r, const svg_style *style, svg_space *space)
 {
     bool css;
     char *text = svg_property(r, style, SVG_TRANSFORM, &css);
     double at[2] = { 0, 0 };
-    bool good = true;
 
     if (text != NULL && !(css && strcmp(text, "unset") == 0)) {
-        good = read_origin(r, style, space, at);
+        read_origin(r, style, space, at);
         space->to_mm = svg_multiply(space->to_mm, (svg_matrix){ 1, 0, 0, 1, at[0], at[1] });
-        good = good && svg_transform(r, text, css, &space->to_mm);
+        svg_transform(r, text, css, &space->to_mm);
         space->to_mm = svg_multiply(space->to_mm, (svg_matrix){ 1, 0, 0, 1, -at[0], -at[1] });
     }
     xmlFree(text);
-    return good;
 }
 
 bool svg_enter(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown)
@@ -242,10 +240,11 @@ bool svg_enter(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown)
     space->scope = style.scope;
     *shown = is_displayed(r, &style, space);
     svg_font_enter(r, &style, space);
-    const bool good = !*shown || enter_transform(r, &style, space);
+    if (*shown || r->clipping)
+        enter_transform(r, &style, space);
     svg_style_close(&style);
-    if (good && r->effort > SVG_EFFORT_MAX)
+    if (r->effort > SVG_EFFORT_MAX)
         return svg_fail(r, "the style sheet takes too long: give shapes their styles by style=\"\" "
                            "or fewer classes");
-    return good;
+    return true;
 }

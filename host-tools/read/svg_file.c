@@ -51,18 +51,34 @@ bool svg_fail(const svg_reader *r, const char *format, ...)
     return false;
 }
 
-void svg_warn(svg_reader *r, enum svg_warning kind, const char *format, ...)
+static void say_once(const svg_reader *r, enum svg_warning kind, const char *format, va_list values)
 {
     char text[300];
+
+    if (r->notes->warned & 1ull << kind)
+        return;
+    r->notes->warned |= 1ull << kind;
+    vsnprintf(text, sizeof text, format, values);
+    (void)tool_error(EX_OK, "%s:%u: %s", r->file, svg_at_line(r), text);
+}
+
+void svg_warn(const svg_reader *r, enum svg_warning kind, const char *format, ...)
+{
     va_list values;
 
-    if (r->warned & 1u << kind)
-        return;
-    r->warned |= 1u << kind;
     va_start(values, format);
-    vsnprintf(text, sizeof text, format, values);
+    say_once(r, kind, format, values);
     va_end(values);
-    (void)tool_error(EX_OK, "%s:%u: %s", r->file, svg_at_line(r), text);
+}
+
+void svg_lose(const svg_reader *r, enum svg_warning kind, const char *format, ...)
+{
+    va_list values;
+
+    r->notes->lost = true;
+    va_start(values, format);
+    say_once(r, kind, format, values);
+    va_end(values);
 }
 
 
@@ -350,7 +366,8 @@ static xmlDocPtr parse_document(const char *text, size_t size, report *r)
 
 int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size)
 {
-    svg_reader r = { .d = d, .file = file, .words = xmlDictCreate() };
+    svg_notes notes = { .warned = 0 };
+    svg_reader r    = { .d = d, .file = file, .words = xmlDictCreate(), .notes = &notes };
     report problem;
     xmlDocPtr document = parse_document(text, size, &problem);
     const xmlNode *root = document ? xmlDocGetRootElement(document) : NULL;

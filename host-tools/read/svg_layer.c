@@ -82,7 +82,7 @@ static void keep_name(drawing_names *all, const char *name)
 
 unsigned svg_layer_number(svg_reader *r, const xmlNode *node)
 {
-    char *name           = layer_name(node);
+    char *name           = r->boxing ? NULL : layer_name(node);
     const unsigned found = name != NULL ? ++r->layers : r->layer;
 
     if (name != NULL && r->d->named != NULL)

@@ -130,7 +130,7 @@ static const xmlNode *marker_of(svg_reader *r, const char *value)
 }
 
 /* refX and refY: a length, or a word of its side. */
-static bool read_ref(const svg_reader *r, const svg_space *space, const char *name,
+static void read_ref(const svg_reader *r, const svg_space *space, const char *name,
                      enum svg_side side, const double box[2], double *out)
 {
     static const char *const words[2][3] = { { "left", "center", "right" },
@@ -144,7 +144,8 @@ static bool read_ref(const svg_reader *r, const svg_space *space, const char *na
             word = true;
         }
     xmlFree(text);
-    return word || svg_length(r, space, name, side, 0, out);
+    if (!word)
+        *out = svg_length(r, space, name, side, 0);
 }
 
 /* The angle of a marker at a vertex. */
@@ -168,43 +169,39 @@ static double read_angle(const svg_reader *r, double along, bool start)
 }
 
 /* Where the marker is: its reference point on the vertex. *size: of its viewport. */
-static bool place_marker(const svg_reader *r, const svg_space *of, const vertex *v, double angle,
+static void place_marker(const svg_reader *r, const svg_space *of, const vertex *v, double angle,
                          svg_space *space, double size[2])
 {
     const double c = cos(angle), s = sin(angle);
     double box[4], ref[2], by = of->stroke_width;
     svg_matrix fit = svg_identity, m = of->to_mm;
-    bool given;
 
     char *units = svg_attribute(r->node, "markerUnits");
     by = units != NULL && strcmp(units, "userSpaceOnUse") == 0 ? 1 : by;
     xmlFree(units);
-    if (!svg_length(r, of, "markerWidth", SVG_ACROSS, 3, &size[0]) ||
-        !svg_length(r, of, "markerHeight", SVG_ALONG_Y, 3, &size[1]) ||
-        !svg_view_box(r, box, &given))
-        return false;
+    size[0] = svg_length(r, of, "markerWidth", SVG_ACROSS, 3);
+    size[1] = svg_length(r, of, "markerHeight", SVG_ALONG_Y, 3);
+    const bool given = svg_view_box(r, box);
     if (!(size[0] > 0 && size[1] > 0 && by > 0) || (given && !(box[2] > 0 && box[3] > 0))) {
         size[0] = 0;
-        return true;
+        return;
     }
     if (!given) {
         box[0] = box[1] = 0;
         box[2] = size[0];
         box[3] = size[1];
-    } else if (!svg_fit(r, box, size[0], size[1], &fit)) {
-        return false;
+    } else {
+        fit = svg_fit(r, box, size[0], size[1]);
     }
     const double across[2] = { box[0], box[2] }, along[2] = { box[1], box[3] };
-    if (!read_ref(r, of, "refX", SVG_ACROSS, across, &ref[0]) ||
-        !read_ref(r, of, "refY", SVG_ALONG_Y, along, &ref[1]))
-        return false;
+    read_ref(r, of, "refX", SVG_ACROSS, across, &ref[0]);
+    read_ref(r, of, "refY", SVG_ALONG_Y, along, &ref[1]);
     m.e = v->at[0];
     m.f = v->at[1];
     m = svg_multiply(m, (svg_matrix){ by * c, by * s, -by * s, by * c, 0, 0 });
     space->to_mm = svg_multiply(m, (svg_matrix){ 1, 0, 0, 1,
                                                  -(fit.a * ref[0] + fit.c * ref[1] + fit.e),
                                                  -(fit.b * ref[0] + fit.d * ref[1] + fit.f) });
-    return true;
 }
 
 bool svg_enter_from_root(svg_reader *r, const xmlNode *node, svg_space *space, svg_scope *scope,
@@ -236,8 +233,7 @@ static bool draw_marker(svg_reader *r, const xmlNode *node, const svg_space *of,
     bool shown = false;
 
     r->node = node;
-    if (!place_marker(r, of, v, read_angle(r, angle_of(v, &of->to_mm), start), &space, size))
-        return false;
+    place_marker(r, of, v, read_angle(r, angle_of(v, &of->to_mm), start), &space, size);
     if (!(size[0] > 0))
         return true;
     bool good = svg_enter_from_root(r, node, &space, scope, SVG_DEPTH_MAX, &scopes, &shown);

@@ -1,5 +1,8 @@
 /* host-tools/read/svg_mask.c -- clip-path and mask of an element: their outlines, and what they cut
  * SPDX-License-Identifier: MIT
+ *
+ * A clip path may have a clip path of its own, and so may its children: these are areas of its
+ * outline, see svg_cut. What is clipped twice is cut twice.
  */
 #include <stdio.h>
 #include <string.h>
@@ -40,6 +43,10 @@ void svg_close_outline(drawing *d)
             drawing_add_like(&out, &c, false);
         begin = i + 1;
     }
+    out.clip  = d->clip;
+    out.clips = d->clips;
+    d->clip   = NULL;
+    d->clips  = 0;
     drawing_free(d);
     *d = out;
 }
@@ -59,80 +66,165 @@ void svg_box(const drawing *d, size_t first, const svg_matrix *m, double all[2][
     }
 }
 
-/* With clipPathUnits="objectBoundingBox", 0..1 is the box of what is clipped. */
-static void enter_box(const svg_reader *r, svg_space *space, size_t first)
+static bool says(const xmlNode *node, const char *name, const char *value)
 {
-    double all[2][2];
+    char *text    = svg_attribute(node, name);
+    const bool is = text != NULL && strcmp(text, value) == 0;
 
-    svg_box(r->d, first, &space->to_mm, all);
-    space->to_mm = svg_multiply(
-        space->to_mm,
-        (svg_matrix){ all[1][0] - all[0][0], 0, 0, all[1][1] - all[0][1], all[0][0], all[0][1] });
+    xmlFree(text);
+    return is;
 }
 
-/* What a clip path or a mask lets through, as closed outlines. */
-static bool draw_outline(svg_reader *r, const xmlNode *node, svg_space space, const char *units,
-                         size_t first, drawing *outline)
+/* The matrix from 0..1 to the box of an element, in its user space: of its geometry, seen or not. */
+static bool find_box(svg_reader *r, const svg_element *e, svg_matrix *out)
 {
-    const xmlNode *was  = r->node;
-    drawing *const d    = r->d;
-    const unsigned fill = r->fill;
-    svg_scope scope;
+    drawing all = { .count = 0 };
+    double box[2][2];
+    const bool good = svg_geometry(r, e, &all);
+
+    svg_box(&all, 0, &e->space->to_mm, box);
+    *out = (svg_matrix){ box[1][0] - box[0][0], 0, 0, box[1][1] - box[0][1], box[0][0], box[0][1] };
+    drawing_free(&all);
+    return good;
+}
+
+/* What is drawn while an outline is found. */
+typedef struct {
+    drawing *d;
+    const xmlNode *node;
+    unsigned fill;
+    bool clipping, masking;
+} state;
+
+static state begin_outline(svg_reader *r, bool masks, drawing *outline)
+{
+    const state was = { r->d, r->node, r->fill, r->clipping, r->masking };
+
+    r->clipping = true;
+    r->masking  = masks;
+    r->d        = outline;
+    return was;
+}
+
+static void end_outline(svg_reader *r, const state *was)
+{
+    r->d        = was->d;
+    r->node     = was->node;
+    r->fill     = was->fill;
+    r->clipping = was->clipping;
+    r->masking  = was->masking;
+}
+
+/* What a clip path or a mask lets through, as closed outlines. Its style is that of the place where
+ * it stands. *next: the value of its own property `which`, or NULL. */
+static bool draw_outline(svg_reader *r, const xmlNode *node, const svg_element *e, bool masks,
+                         drawing *outline, const char **next)
+{
+    svg_scope scope[SVG_DEPTH_MAX + 1];
+    svg_space space = svg_space_usual();
+    svg_matrix box  = svg_identity;
+    size_t scopes   = 0;
     bool shown;
 
-    r->node    = node;
-    char *text = svg_attribute(node, units);
-    if (text != NULL && strcmp(text, "objectBoundingBox") == 0)
-        enter_box(r, &space, first);
-    xmlFree(text);
-    space.visible = true;
-    space.clip_evenodd = false;
-    bool good   = svg_enter(r, &space, &scope, &shown);
-    r->clipping = true;
-    r->d        = outline;
-    good = good && (!shown || svg_children(r, node, space));
-    r->d        = d;
-    r->clipping = false;
-    r->fill     = fill;
-    r->node     = was;
-    svg_scope_close(&scope);
+    if (says(node, masks ? "maskContentUnits" : "clipPathUnits", "objectBoundingBox") &&
+        !find_box(r, e, &box))
+        return false;
+    const state was = begin_outline(r, masks, outline);
+    bool good = svg_enter_from_root(r, node->parent, &space, scope, SVG_DEPTH_MAX, &scopes, &shown);
+    space.to_mm  = e->space->to_mm;
+    space.width  = e->space->width;
+    space.height = e->space->height;
+    r->node      = node;
+    good         = good && svg_enter(r, &space, &scope[scopes++], &shown);
+    space.to_mm  = svg_multiply(space.to_mm, box);
+    *next        = masks ? space.mask : space.clip;
+    good         = good && svg_children(r, node, space);
+    end_outline(r, &was);
+    while (scopes > 0)
+        svg_scope_close(&scope[--scopes]);
     svg_close_outline(outline);
     return good;
 }
 
-bool svg_clip_element(svg_reader *r, const svg_space *of, size_t first)
+bool svg_clip_element(svg_reader *r, const svg_element *e, size_t first)
 {
-    const xmlNode *node = r->clipping ? NULL : target_of(r, of->clip, "clipPath");
-    drawing outline     = { .count = 0 };
+    const unsigned markings = r->markings;
+    const char *value       = e->space->clip;
+    bool good               = true;
 
-    if (node == NULL || r->d->count == first)
-        return true;
-    const bool good = draw_outline(r, node, *of, "clipPathUnits", first, &outline) &&
-                      svg_cut(r, &outline, first);
-    drawing_free(&outline);
+    while (good && !r->boxing && value != NULL && r->d->count > first) {
+        const xmlNode *node = target_of(r, value, "clipPath");
+        drawing outline     = { .count = 0 };
+        if (node == NULL || svg_is_marking(r, node))
+            break;
+        r->marking[r->markings++] = node;
+        good = draw_outline(r, node, e, false, &outline, &value) && svg_cut(r, &outline, first);
+        drawing_free(&outline);
+    }
+    r->markings = markings;
     return good;
 }
 
-bool svg_mask_element(svg_reader *r, const svg_space *of, size_t first)
+/* The part of the plane in which a mask exists: by default, more than the box. */
+static bool cut_region(svg_reader *r, const xmlNode *node, const svg_element *e, size_t first)
 {
-    const xmlNode *node = r->clipping ? NULL : target_of(r, of->mask, "mask");
-    drawing outline     = { .count = 0 };
-    svg_space space     = *of;
+    static const char *const names[] = { "x", "y", "width", "height" };
+    const xmlNode *was               = r->node;
+    const bool parts                 = !says(node, "maskUnits", "userSpaceOnUse");
+    svg_space space                  = *e->space;
+    double v[4]                      = { -10, -10, 120, 120 };
+    svg_matrix box                   = svg_identity;
 
-    if (node == NULL || r->d->count == first)
-        return true;
-    space.fill = space.fill_opaque = true;      /* of the mask, which stands elsewhere */
-    space.stroke = space.evenodd = false;
-    space.fill_ink = space.stroke_ink = NULL;
-    r->masking = r->plain = true;
-    bool good  = draw_outline(r, node, space, "maskContentUnits", first, &outline);
-    r->masking = false;
+    if (parts && !find_box(r, e, &box))
+        return false;
+    if (parts)
+        space.width = space.height = 1;
+    r->node = node;
+    for (int i = 0; i < 4; i++) {
+        const enum svg_side side = i % 2 ? SVG_ALONG_Y : SVG_ACROSS;
+        v[i] = svg_length(r, &space, names[i], side,
+                          v[i] / 100 * (side == SVG_ACROSS ? space.width : space.height));
+    }
+    space.to_mm = svg_multiply(svg_multiply(space.to_mm, box),
+                               (svg_matrix){ 1, 0, 0, 1, v[0], v[1] });
+    const bool good = svg_cut_frame(r, node, &space.to_mm, v[2], v[3], first);
+    r->node         = was;
+    return good;
+}
+
+static bool mask_once(svg_reader *r, const xmlNode *node, const svg_element *e, size_t first,
+                      const char **next)
+{
+    drawing outline = { .count = 0 };
+    const bool was  = r->plain;
+
+    r->plain   = true;
+    bool good  = cut_region(r, node, e, first) && draw_outline(r, node, e, true, &outline, next);
     if (good && r->plain)
         good = svg_cut(r, &outline, first);
     else if (good)
         svg_warn(r, SVG_WARN_MASK,
                  "mask is not applied, as it is not of white shapes: the whole outline is drawn: "
                  "cut the paths in the editor");
+    r->plain = was;
     drawing_free(&outline);
+    return good;
+}
+
+bool svg_mask_element(svg_reader *r, const svg_element *e, size_t first)
+{
+    const unsigned markings = r->markings;
+    const char *value       = e->space->mask;
+    bool good               = true;
+
+    while (good && !r->boxing && value != NULL && r->d->count > first &&
+           (!r->clipping || r->masking)) {
+        const xmlNode *node = target_of(r, value, "mask");
+        if (node == NULL || svg_is_marking(r, node))
+            break;
+        r->marking[r->markings++] = node;
+        good = mask_once(r, node, e, first, &value);
+    }
+    r->markings = markings;
     return good;
 }

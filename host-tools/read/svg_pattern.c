@@ -73,7 +73,7 @@ static const xmlNode *with_children(const chain *c)
 }
 
 /* x, y, width, height, in user units or parts of the box. */
-static bool read_tile(svg_reader *r, const chain *c, const svg_space *of, tiling *t)
+static void read_tile(svg_reader *r, const chain *c, const svg_space *of, tiling *t)
 {
     static const char *const names[] = { "x", "y", "width", "height" };
     const bool parts                 = !says(c, "patternUnits", "userSpaceOnUse");
@@ -86,19 +86,15 @@ static bool read_tile(svg_reader *r, const chain *c, const svg_space *of, tiling
         const double across = t->box[1][side] - t->box[0][side];
         double *to          = i < 2 ? &t->at[side] : &t->size[side];
         const xmlNode *node = with_attribute(c, names[i]);
-        *to                 = 0;
         r->node             = node ? node : r->node;
-        if (node != NULL &&
-            !svg_length(r, &space, names[i], side ? SVG_ALONG_Y : SVG_ACROSS, 0, to))
-            return false;
+        *to = node ? svg_length(r, &space, names[i], side ? SVG_ALONG_Y : SVG_ACROSS, 0) : 0;
         if (parts)
             *to = *to * across + (i < 2 ? t->box[0][side] : 0);
     }
-    return true;
 }
 
 /* Where the tiles are that meet the outline. Without any, last < first. */
-static bool place_tiles(svg_reader *r, const chain *c, const svg_space *of, const drawing *outline,
+static void place_tiles(svg_reader *r, const chain *c, const svg_space *of, const drawing *outline,
                         tiling *t)
 {
     const xmlNode *turned = with_attribute(c, "patternTransform");
@@ -112,19 +108,19 @@ static bool place_tiles(svg_reader *r, const chain *c, const svg_space *of, cons
     t->to_mm    = of->to_mm;
     t->last[0]  = t->last[1] = -1;
     t->first[0] = t->first[1] = 0;
-    const bool good = read_tile(r, c, of, t) &&
-                      (text == NULL || svg_transform(r, text, false, &t->to_mm));
+    read_tile(r, c, of, t);
+    if (text != NULL)
+        svg_transform(r, text, false, &t->to_mm);
     xmlFree(text);
     t->to_mm = svg_multiply(t->to_mm, (svg_matrix){ 1, 0, 0, 1, t->at[0], t->at[1] });
     const double area = t->to_mm.a * t->to_mm.d - t->to_mm.b * t->to_mm.c;
-    if (!good || t->content == NULL || !(t->size[0] > 0 && t->size[1] > 0 && fabs(area) > 0))
-        return good;
+    if (t->content == NULL || !(t->size[0] > 0 && t->size[1] > 0 && fabs(area) > 0))
+        return;
     svg_box(outline, 0, &t->to_mm, box);
     for (int i = 0; i < 2; i++) {
         t->first[i] = (int)fmin(fmax(floor(box[0][i] / t->size[i] + 1e-9), -1e9), 1e9);
         t->last[i]  = (int)fmin(fmax(ceil(box[1][i] / t->size[i] - 1e-9) - 1, -1e9), 1e9);
     }
-    return true;
 }
 
 /* What a browser clips to: the shape of the current element, closed. */
@@ -139,6 +135,7 @@ static bool draw_outline(svg_reader *r, const svg_space *of, drawing *outline)
     r->clipping        = true;
     r->d               = outline;
     (void)svg_begin(r, &space);
+    r->notes->lost  = false;
     const bool good = svg_shape(r, &space, &known);
     r->d            = d;
     r->clipping     = was;
@@ -154,17 +151,13 @@ static bool draw_tile(svg_reader *r, const tiling *t, const svg_space *style, in
     const svg_matrix corner = svg_multiply(t->to_mm,
                                            (svg_matrix){ 1, 0, 0, 1, shift[0], shift[1] });
     double box[4];
-    bool given;
     svg_matrix fit = svg_identity;
 
     r->node = t->view ? t->view : t->content;
-    if (!svg_view_box(r, box, &given))
-        return false;
-    if (t->view != NULL && given) {
+    if (t->view != NULL && svg_view_box(r, box)) {
         if (!(box[2] > 0 && box[3] > 0))
             return true;
-        if (!svg_fit(r, box, t->size[0], t->size[1], &fit))
-            return false;
+        fit = svg_fit(r, box, t->size[0], t->size[1]);
     } else if (t->boxed) {
         fit.a = t->box[1][0] - t->box[0][0];
         fit.d = t->box[1][1] - t->box[0][1];
@@ -228,8 +221,9 @@ bool svg_pattern(svg_reader *r, const svg_space *of)
     if (svg_is_marking(r, of->pattern))
         return true;
     bool good = draw_outline(r, of, &outline);
-    const bool seen = good && outline.count > 0;
-    good            = good && (!seen || place_tiles(r, &c, of, &outline, &t));
+    const bool seen = good && outline.count > 0 && !r->notes->lost;
+    if (seen)
+        place_tiles(r, &c, of, &outline, &t);
     if (good && seen && t.last[0] >= t.first[0] && t.last[1] >= t.first[1]) {
         r->marking[r->markings++] = of->pattern;
         good = svg_enter_from_root(r, t.content, &style, scope, SVG_DEPTH_MAX, &scopes, &shown);

@@ -11,6 +11,7 @@
 /* mm; shorter curves are not drawn, closer ends are one point */
 #define SAME    1e-6
 #define ARC_TOL 0.0005      /* mm; half of the promised micrometre */
+#define OUTLINE_LIMIT 1e6   /* mm; of what cuts, which is not drawn */
 
 static void to_mm(const svg_matrix *m, double x, double y, double out[2])
 {
@@ -73,12 +74,14 @@ bool svg_cubic(svg_pen *pen, double x1, double y1, double x2, double y2, double 
     pen->at[0] = x;
     pen->at[1] = y;
 
-    for (int i = 0; i < 4; i++)
-        for (int k = 0; k < 2; k++)
-            if (!(fabs(p[i][k]) <= DRAWING_LIMIT))
-                return svg_fail(pen->r,
-                                "a point at %g mm is beyond +-%g mm: check units and transforms",
-                                p[i][k], DRAWING_LIMIT);
+    for (int i = 0; i < 8; i++)
+        if (!(fabs(p[i / 2][i % 2]) <= (pen->r->clipping ? OUTLINE_LIMIT : DRAWING_LIMIT))) {
+            svg_lose(pen->r, SVG_WARN_FAR,
+                     "<%s> is not drawn, a point at %g mm is beyond +-%g mm: check units and "
+                     "transforms",
+                     (const char *)pen->r->node->name, p[i / 2][i % 2], DRAWING_LIMIT);
+            return true;
+        }
     if (apart(p[1], p[0]) <= SAME && apart(p[2], p[0]) <= SAME && apart(p[3], p[0]) <= SAME) {
         pen->still = true;
         return true;
@@ -173,7 +176,8 @@ bool svg_arc(svg_pen *pen, double rx, double ry, double degrees, bool large, boo
     const int status = engine_f64.ellipse(from, to, radii, fmod(degrees, 360), large,
                                           sweep ? 1 : -1, ARC_TOL / stretch, draw_span, &arc);
     if (status != 0)
-        return svg_fail(pen->r, "an arc of %g mm radius: give at most 1e11",
-                        fmax(radii[0], radii[1]) * stretch);
+        svg_lose(pen->r, SVG_WARN_FAR,
+                 "<%s> is not drawn, it has an arc of %g mm radius: give at most 1e11",
+                 (const char *)pen->r->node->name, fmax(radii[0], radii[1]) * stretch);
     return arc.drawn;
 }

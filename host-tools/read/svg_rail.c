@@ -25,9 +25,10 @@ bool svg_lay_rail(svg_reader *r, const xmlNode *node, const svg_space *space, sv
     r->d        = &out->d;
     r->node     = node;
     char *turn  = svg_attribute(node, "transform");
-    bool good   = turn == NULL || svg_transform(r, turn, false, &alone.to_mm);
+    if (turn != NULL)
+        svg_transform(r, turn, false, &alone.to_mm);
     xmlFree(turn);
-    good    = good && svg_shape(r, &alone, &known);
+    const bool good = svg_shape(r, &alone, &known);
     r->d    = to;
     r->node = was;
     out->until = tool_grow(NULL, (out->d.count * SAMPLES + 1) * sizeof *out->until);

@@ -182,22 +182,6 @@ bool svg_path(svg_reader *r, const char *data, svg_pen *pen)
 // Basic shapes
 // ------------
 
-static bool read_length(const svg_reader *r, const svg_space *s, const char *name,
-                        enum svg_side side, double *out)
-{
-    return svg_length(r, s, name, side, 0, out);
-}
-
-/* A size: a length that is not negative. */
-static bool read_size(const svg_reader *r, const svg_space *s, const char *name, enum svg_side side,
-                      double absent, double *out)
-{
-    if (!svg_length(r, s, name, side, absent, out))
-        return false;
-    return *out >= 0 || *out == absent ||
-           svg_fail(r, "%s=%g: a size cannot be negative", name, *out);
-}
-
 /* The pen of a shape whose parts may have no length. */
 static svg_pen dotting_pen(const svg_reader *r, const svg_space *s)
 {
@@ -220,12 +204,12 @@ static bool draw_path(svg_reader *r, const svg_space *s)
 
 static bool draw_line(svg_reader *r, const svg_space *s)
 {
-    svg_pen pen = dotting_pen(r, s);
-    double x1, y1, x2, y2;
+    svg_pen pen     = dotting_pen(r, s);
+    const double x1 = svg_length(r, s, "x1", SVG_ACROSS, 0),
+                 y1 = svg_length(r, s, "y1", SVG_ALONG_Y, 0),
+                 x2 = svg_length(r, s, "x2", SVG_ACROSS, 0),
+                 y2 = svg_length(r, s, "y2", SVG_ALONG_Y, 0);
 
-    if (!read_length(r, s, "x1", SVG_ACROSS, &x1) || !read_length(r, s, "y1", SVG_ALONG_Y, &y1) ||
-        !read_length(r, s, "x2", SVG_ACROSS, &x2) || !read_length(r, s, "y2", SVG_ALONG_Y, &y2))
-        return false;
     svg_move(&pen, x1, y1);
     svg_vertex_move(&pen);
     const size_t before = r->d->count;
@@ -293,42 +277,44 @@ static bool draw_quarters(svg_reader *r, const svg_space *s, double cx, double c
 
 static bool draw_circle(svg_reader *r, const svg_space *s)
 {
-    double cx, cy, radius;
+    const double cx = svg_length(r, s, "cx", SVG_ACROSS, 0),
+                 cy = svg_length(r, s, "cy", SVG_ALONG_Y, 0),
+                 radius = svg_size(r, s, "r", SVG_DIAGONAL, 0);
 
-    return read_length(r, s, "cx", SVG_ACROSS, &cx) && read_length(r, s, "cy", SVG_ALONG_Y, &cy) &&
-           read_size(r, s, "r", SVG_DIAGONAL, 0, &radius) &&
-           draw_quarters(r, s, cx, cy, radius, radius);
+    return draw_quarters(r, s, cx, cy, radius, radius);
 }
 
 /* Radii: if one is missing, it equals the other. */
-static bool read_radii(const svg_reader *r, const svg_space *s, double *rx, double *ry)
+static void read_radii(const svg_reader *r, const svg_space *s, double *rx, double *ry)
 {
-    if (!read_size(r, s, "rx", SVG_ACROSS, -1, rx) || !read_size(r, s, "ry", SVG_ALONG_Y, -1, ry))
-        return false;
+    *rx = svg_size(r, s, "rx", SVG_ACROSS, -1);
+    *ry = svg_size(r, s, "ry", SVG_ALONG_Y, -1);
     if (*rx < 0)
         *rx = fmax(*ry, 0);
     if (*ry < 0)
         *ry = *rx;
-    return true;
 }
 
 static bool draw_ellipse(svg_reader *r, const svg_space *s)
 {
-    double cx, cy, rx, ry;
+    const double cx = svg_length(r, s, "cx", SVG_ACROSS, 0),
+                 cy = svg_length(r, s, "cy", SVG_ALONG_Y, 0);
+    double rx, ry;
 
-    return read_length(r, s, "cx", SVG_ACROSS, &cx) && read_length(r, s, "cy", SVG_ALONG_Y, &cy) &&
-           read_radii(r, s, &rx, &ry) && draw_quarters(r, s, cx, cy, rx, ry);
+    read_radii(r, s, &rx, &ry);
+    return draw_quarters(r, s, cx, cy, rx, ry);
 }
 
 static bool draw_rect(svg_reader *r, const svg_space *s)
 {
-    svg_pen pen = svg_pen_at(r, s->to_mm);
-    double x, y, w, h, rx, ry;
+    svg_pen pen    = svg_pen_at(r, s->to_mm);
+    const double x = svg_length(r, s, "x", SVG_ACROSS, 0),
+                 y = svg_length(r, s, "y", SVG_ALONG_Y, 0),
+                 w = svg_size(r, s, "width", SVG_ACROSS, 0),
+                 h = svg_size(r, s, "height", SVG_ALONG_Y, 0);
+    double rx, ry;
 
-    if (!read_length(r, s, "x", SVG_ACROSS, &x) || !read_length(r, s, "y", SVG_ALONG_Y, &y) ||
-        !read_radii(r, s, &rx, &ry) || !read_size(r, s, "width", SVG_ACROSS, 0, &w) ||
-        !read_size(r, s, "height", SVG_ALONG_Y, 0, &h))
-        return false;
+    read_radii(r, s, &rx, &ry);
     if (w == 0 || h == 0)
         return true;
     rx = fmin(rx, w / 2);

@@ -45,18 +45,19 @@ static svg_matrix rotation_of(double degrees)
 
 /* The matrix of one function. Returns false if no function has that name and number of
  * arguments. */
-static bool transform_of(const char *name, int length, const double v[6], int count,
+static bool transform_of(const char *name, int length, bool css, const double v[6], int count,
                          svg_matrix *out)
 {
-    static const char *const names[] = {
-        "matrix", "translate", "scale", "rotate", "skewX", "skewY"
-    };
-    int which = 0;
+    static const char *const names[] = { "matrix",     "translate",  "scale",  "rotate",
+                                         "skewX",      "skewY",      "skew",   "translateX",
+                                         "translateY", "scaleX",     "scaleY", "rotateZ" };
+    const int known                  = css ? 12 : 6;
+    int which                        = 0;
 
-    while (which < 6 && !(strlen(names[which]) == (size_t)length &&
-                          strncasecmp(names[which], name, (size_t)length) == 0))
+    while (which < known && !(strlen(names[which]) == (size_t)length &&
+                              strncasecmp(names[which], name, (size_t)length) == 0))
         which++;
-    switch (10 * which + count) {
+    switch (which < known ? 10 * which + count : -1) {
     case  6: *out = (svg_matrix){ v[0], v[1], v[2], v[3], v[4], v[5] };       return true;
     case 11: *out = (svg_matrix){ 1, 0, 0, 1, v[0], 0 };                      return true;
     case 12: *out = (svg_matrix){ 1, 0, 0, 1, v[0], v[1] };                   return true;
@@ -69,8 +70,34 @@ static bool transform_of(const char *name, int length, const double v[6], int co
         return true;
     case 41: *out = (svg_matrix){ 1, 0, tan(v[0] * DEGREE), 1, 0, 0 };        return true;
     case 51: *out = (svg_matrix){ 1, tan(v[0] * DEGREE), 0, 1, 0, 0 };        return true;
+    case 61: *out = (svg_matrix){ 1, 0, tan(v[0] * DEGREE), 1, 0, 0 };        return true;
+    case 62: *out = (svg_matrix){ 1, tan(v[1] * DEGREE), tan(v[0] * DEGREE), 1, 0, 0 }; return true;
+    case 71: *out = (svg_matrix){ 1, 0, 0, 1, v[0], 0 };                      return true;
+    case 81: *out = (svg_matrix){ 1, 0, 0, 1, 0, v[0] };                      return true;
+    case 91: *out = (svg_matrix){ v[0], 0, 0, 1, 0, 0 };                      return true;
+    case 101: *out = (svg_matrix){ 1, 0, 0, v[0], 0, 0 };                     return true;
+    case 111: *out = rotation_of(v[0]);                                            return true;
     default: return false;
     }
+}
+
+/* What a unit of CSS makes of a number: px or degrees. */
+static double css_unit(const char **at)
+{
+    static const struct {
+        const char *name;
+        double by;
+    } known[] = { { "px", 1 },         { "mm", 96 / 25.4 },         { "cm", 96 / 2.54 },
+                  { "in", 96 },        { "pt", 96 / 72.0 },         { "pc", 16 },
+                  { "deg", 1 },        { "rad", 1 / DEGREE },       { "grad", 0.9 },
+                  { "turn", 360 } };
+
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
+        if (strncasecmp(*at, known[i].name, strlen(known[i].name)) == 0) {
+            *at += strlen(known[i].name);
+            return known[i].by;
+        }
+    return 1;
 }
 
 /* Read the numbers between parentheses. Returns how many, or -1 for anything else. */
@@ -85,8 +112,7 @@ static int read_arguments(const char **at, bool css, double v[6])
         if (count == 6 || (count > 0 && scan_comma(at) && **at == ')') ||
             !scan_number(at, &v[count]))
             return -1;
-        if (css)
-            *at += strncmp(*at, "px", 2) == 0 ? 2 : strncmp(*at, "deg", 3) == 0 ? 3 : 0;
+        v[count] *= css ? css_unit(at) : 1;
         scan_space(at);
     }
     ++*at;
@@ -99,13 +125,14 @@ static bool is_finite(svg_matrix m)
            isfinite(m.f);
 }
 
-bool svg_transform(const svg_reader *r, const char *text, bool css, svg_matrix *m)
+void svg_transform(const svg_reader *r, const char *text, bool css, svg_matrix *m)
 {
-    const char *at = text;
+    const svg_matrix before = *m;
+    const char *at          = text;
 
     scan_space(&at);
     if (strcmp(at, "none") == 0)
-        return true;
+        return;
     while (*at != '\0') {
         const char *name = at;
         const int length = scan_word(at);
@@ -114,19 +141,25 @@ bool svg_transform(const svg_reader *r, const char *text, bool css, svg_matrix *
 
         at += length;
         scan_space(&at);
-        if (length == 0 || !transform_of(name, length, v, read_arguments(&at, css, v), &one))
-            return svg_fail(
-                r,
-                "transform: \"%.40s\" is not one of matrix(6 numbers) translate(1 or 2) "
-                "scale(1 or 2) rotate(1 or 3) skewX(1) skewY(1)",
-                name);
+        if (length == 0 || !transform_of(name, length, css, v, read_arguments(&at, css, v), &one)) {
+            svg_warn(r, SVG_WARN_TRANSFORM,
+                     "transform: \"%.40s\" is not one of matrix(6 numbers) translate(1 or 2) "
+                     "scale(1 or 2) rotate(1 or 3) skewX(1) skewY(1): nothing is transformed",
+                     name);
+            *m = before;
+            return;
+        }
         *m = svg_multiply(*m, one);
-        if (!is_finite(*m))
-            return svg_fail(
-                r, "transform: \"%.40s\" is too large to compute with: give smaller numbers", name);
+        if (!is_finite(*m)) {
+            svg_warn(r, SVG_WARN_TRANSFORM,
+                     "transform: \"%.40s\" is too large to compute with, what it transforms is "
+                     "not drawn: give smaller numbers",
+                     name);
+            *m = (svg_matrix){ 0, 0, 0, 0, 0, 0 };
+            return;
+        }
         scan_comma(&at);
     }
-    return true;
 }
 
 
@@ -169,21 +202,22 @@ bool svg_css_length(const svg_space *space, const char *text, double hundred, do
     return true;
 }
 
-static bool percent_of_viewport(const svg_reader *r, const svg_space *space, const char *name,
-                                enum svg_side side, double *value)
+/* Without the size of the page, the shape is not known. */
+static double percent_of_viewport(const svg_reader *r, const svg_space *space, const char *name,
+                                  enum svg_side side, double value)
 {
-    if (space->width <= 0 || space->height <= 0)
-        return svg_fail(
-            r,
-            "%s: %g%% of a page whose size is not known: give <svg> a viewBox, or width and height",
-            name, *value);
-    *value /= 100;
-    switch (side) {
-    case SVG_ACROSS:   *value *= space->width;                                       break;
-    case SVG_ALONG_Y:  *value *= space->height;                                      break;
-    case SVG_DIAGONAL: *value *= hypot(space->width, space->height) / sqrt(2);       break;
+    if (space->width <= 0 || space->height <= 0) {
+        svg_lose(r, SVG_WARN_SIZE,
+                 "%s: %g%% of a page whose size is not known, such shapes are not drawn: give "
+                 "<svg> a viewBox, or width and height",
+                 name, value);
+        return 0;
     }
-    return true;
+    switch (side) {
+    case SVG_ACROSS:  return value / 100 * space->width;
+    case SVG_ALONG_Y: return value / 100 * space->height;
+    default:          return value / 100 * (hypot(space->width, space->height) / sqrt(2));
+    }
 }
 
 /* One length at *at, on to what follows it. `text` is the whole value, for messages. */
@@ -202,53 +236,69 @@ static bool one_length(const svg_reader *r, const svg_space *space, const char *
     }
     if (good && unit > 0)
         *out *= unit;
-    else if (percent)
-        good = percent_of_viewport(r, space, name, side, out);
+    else if (good && percent)
+        *out = percent_of_viewport(r, space, name, side, *out);
     else
-        good = svg_fail(r, "%s=\"%.40s\": give a number with px mm cm in pt pc Q or %%", name,
-                        text);
-    return good && (isfinite(*out) ||
-                    svg_fail(r, "%s=\"%.40s\" is too large to compute with: give a smaller number",
-                             name, text));
+        good = false;
+    if (!good)
+        svg_warn(r, SVG_WARN_LENGTH,
+                 "%s=\"%.40s\" is not used: give a number with px mm cm in pt pc Q or %%", name,
+                 text);
+    else if (!isfinite(*out))
+        svg_warn(r, SVG_WARN_LENGTH,
+                 "%s=\"%.40s\" is not used, it is too large to compute with: give a smaller number",
+                 name, text);
+    return good && isfinite(*out);
 }
 
-bool svg_length(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
-                double absent, double *out)
+double svg_length(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
+                  double absent)
 {
-    char *text = svg_attribute(r->node, name);
+    char *text     = svg_attribute(r->node, name);
     const char *at = text;
+    double out     = absent;
 
-    *out = absent;
     if (text == NULL)
-        return true;
+        return absent;
     scan_space(&at);
-    bool good = *at == '\0' || strcmp(at, "auto") == 0;
-    if (!good) {
-        good = one_length(r, space, name, text, side, &at, out);
-        if (good && *at != '\0')
-            good = svg_fail(r, "%s=\"%.40s\": give one length", name, text);
+    bool good = *at != '\0' && strcmp(at, "auto") != 0 &&
+                one_length(r, space, name, text, side, &at, &out);
+    if (good && *at != '\0') {
+        svg_warn(r, SVG_WARN_LENGTH, "%s=\"%.40s\" is not used: give one length", name, text);
+        good = false;
     }
     xmlFree(text);
-    return good;
+    return good ? out : absent;
 }
 
-bool svg_lengths(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
-                 double out[], size_t room, size_t *count)
+double svg_size(const svg_reader *r, const svg_space *space, const char *name, enum svg_side side,
+                double absent)
 {
-    char *text = svg_attribute(r->node, name);
-    const char *at = text;
-    bool good = true;
+    const double out = svg_length(r, space, name, side, absent);
 
-    *count = 0;
+    if (out >= 0 || out == absent)
+        return out;
+    svg_warn(r, SVG_WARN_LENGTH, "%s=%g is not used: a size cannot be negative", name, out);
+    return absent;
+}
+
+size_t svg_lengths(const svg_reader *r, const svg_space *space, const char *name,
+                   enum svg_side side, double out[], size_t room)
+{
+    char *text     = svg_attribute(r->node, name);
+    const char *at = text;
+    size_t count   = 0;
+    bool good      = true;
+
     if (text != NULL)
         scan_space(&at);
-    while (good && text != NULL && *at != '\0' && *count < room) {
-        good = one_length(r, space, name, text, side, &at, &out[*count]);
-        *count += good;
+    while (good && text != NULL && *at != '\0' && count < room) {
+        good = one_length(r, space, name, text, side, &at, &out[count]);
+        count += good;
         scan_comma(&at);
     }
     xmlFree(text);
-    return good;
+    return good ? count : 0;
 }
 
 /* One side of an origin: a length, or a word for a part of the viewport, which also says the side.
@@ -274,13 +324,13 @@ static bool one_origin(const svg_reader *r, const svg_space *space, const char *
             *at += length;
             scan_space(at);
             *side = words[k].side < 0 ? *side : (enum svg_side)words[k].side;
-            *out = words[k].part;
-            return percent_of_viewport(r, space, name, *side, out);
+            *out  = percent_of_viewport(r, space, name, *side, words[k].part);
+            return true;
         }
     return one_length(r, space, name, text, *side, at, out);
 }
 
-bool svg_origin(const svg_reader *r, const svg_space *space, const char *text, double out[2])
+void svg_origin(const svg_reader *r, const svg_space *space, const char *text, double out[2])
 {
     const char *at = text;
     enum svg_side first = SVG_ACROSS, second = SVG_ALONG_Y;
@@ -288,52 +338,47 @@ bool svg_origin(const svg_reader *r, const svg_space *space, const char *text, d
 
     scan_space(&at);
     if (!one_origin(r, space, text, &at, &first, &one))
-        return false;
+        return;
     second = first == SVG_ALONG_Y ? SVG_ACROSS : SVG_ALONG_Y;
     const enum svg_side asked = second;
-    if (*at != '\0' ? !one_origin(r, space, text, &at, &second, &other)
-                    : !percent_of_viewport(r, space, "transform-origin", second, &other))
-        return false;
+    if (*at == '\0')
+        other = percent_of_viewport(r, space, "transform-origin", second, other);
+    else if (!one_origin(r, space, text, &at, &second, &other))
+        return;
     if (second != asked && first == second)     /* "center left": the word for a side leads */
         first = second == SVG_ACROSS ? SVG_ALONG_Y : SVG_ACROSS;
     out[first == SVG_ACROSS ? 0 : 1] = one;
     out[second == SVG_ACROSS ? 0 : 1] = other;
-    return true;
 }
 
 
 // Viewports
 // ---------
 
-bool svg_view_box(const svg_reader *r, double box[4], bool *given)
+bool svg_view_box(const svg_reader *r, double box[4])
 {
-    char *text = svg_attribute(r->node, "viewBox");
+    char *text     = svg_attribute(r->node, "viewBox");
     const char *at = text;
-    int count = 0;
+    int count      = 0;
 
-    *given = false;
     if (text == NULL)
-        return true;
+        return false;
     scan_space(&at);
-    if (strcmp(at, "none") == 0) {
-        xmlFree(text);
-        return true;
-    }
+    const bool none = strcmp(at, "none") == 0;
     while (count < 4 && scan_number(&at, &box[count])) {
         count++;
         scan_comma(&at);
     }
-    *given = count == 4 && *at == '\0' && box[2] >= 0 && box[3] >= 0;
-    if (!*given)
-        svg_fail(
-            r, "viewBox=\"%.60s\": give four numbers: x y width height, none of the sizes negative",
-            text);
-    for (int i = 0; *given && i < 4; i++)
-        if (!isfinite(box[i]))
-            *given = svg_fail(
-                r, "viewBox=\"%.60s\" is too large to compute with: give smaller numbers", text);
+    bool good = count == 4 && *at == '\0' && box[2] >= 0 && box[3] >= 0;
+    for (int i = 0; i < 4 && good; i++)
+        good = isfinite(box[i]);
+    if (!good && !none)
+        svg_warn(r, SVG_WARN_VIEW,
+                 "viewBox=\"%.60s\" is not used: give four numbers: x y width height, none of the "
+                 "sizes negative",
+                 text);
     xmlFree(text);
-    return *given;
+    return good;
 }
 
 /* 0, 1/2, 1 for Min, Mid, Max at `text`; -1 for anything else. */
@@ -345,7 +390,7 @@ static double read_alignment(const char *text)
                                           : -1;
 }
 
-static bool read_aspect(const svg_reader *r, bool *stretch, bool *slice, double align[2])
+static void read_aspect(const svg_reader *r, bool *stretch, bool *slice, double align[2])
 {
     char *text = svg_attribute(r->node, "preserveAspectRatio");
     const char *at = text;
@@ -354,7 +399,7 @@ static bool read_aspect(const svg_reader *r, bool *stretch, bool *slice, double 
     *stretch = *slice = false;
     align[0] = align[1] = 0.5;
     if (text == NULL)
-        return true;
+        return;
     scan_space(&at);
     if (strncmp(at, "none", 4) == 0) {
         *stretch = true;
@@ -373,34 +418,39 @@ static bool read_aspect(const svg_reader *r, bool *stretch, bool *slice, double 
     at += *slice ? 5 : strncmp(at, "meet", 4) == 0 ? 4 : 0;
     good = good && (at == behind || *behind == '\0' || strchr(" \t\r\n\f", *behind) != NULL);
     scan_space(&at);
-    if (!good || *at != '\0')
-        good = svg_fail(
-            r,
-            "preserveAspectRatio=\"%.40s\": give none or xMidYMid and the like, with meet or slice",
-            text);
+    if (!good || *at != '\0') {
+        svg_warn(r, SVG_WARN_VIEW,
+                 "preserveAspectRatio=\"%.40s\" is not used: give none or xMidYMid and the like, "
+                 "with meet or slice",
+                 text);
+        *stretch = *slice = false;
+        align[0] = align[1] = 0.5;
+    }
     xmlFree(text);
-    return good;
 }
 
-bool svg_fit(const svg_reader *r, const double box[4], double width, double height, svg_matrix *out)
+svg_matrix svg_fit(const svg_reader *r, const double box[4], double width, double height)
 {
     double sx = width / box[2], sy = height / box[3], align[2];
     bool stretch, slice;
 
-    if (!read_aspect(r, &stretch, &slice, align))
-        return false;
+    read_aspect(r, &stretch, &slice, align);
     if (!stretch)
         sx = sy = slice ? fmax(sx, sy) : fmin(sx, sy);
-    *out = (svg_matrix){ sx,
-                         0,
-                         0,
-                         sy,
-                         (width  - sx * box[2]) * align[0] - sx * box[0],
-                         (height - sy * box[3]) * align[1] - sy * box[1] };
+    svg_matrix out = { sx,
+                       0,
+                       0,
+                       sy,
+                       (width  - sx * box[2]) * align[0] - sx * box[0],
+                       (height - sy * box[3]) * align[1] - sy * box[1] };
     if (stretch) {
-        out->e = -sx * box[0];
-        out->f = -sy * box[1];
+        out.e = -sx * box[0];
+        out.f = -sy * box[1];
     }
-    return is_finite(*out) || svg_fail(r, "a viewBox of %g x %g is too small to fill %g x %g px",
-                                       box[2], box[3], width, height);
+    if (is_finite(out))
+        return out;
+    svg_warn(r, SVG_WARN_VIEW,
+             "a viewBox of %g x %g is too small to fill %g x %g px: nothing of it is drawn", box[2],
+             box[3], width, height);
+    return (svg_matrix){ 0, 0, 0, 0, 0, 0 };
 }

@@ -132,7 +132,7 @@ typedef struct {
     size_t count[5];
 } lists;
 
-static bool read_lists(svg_reader *r, const svg_space *space, lists *l)
+static void read_lists(svg_reader *r, const svg_space *space, lists *l)
 {
     static const char *const names[]     = { "x", "y", "dx", "dy", "rotate" };
     static const enum svg_side sides[]   = { SVG_ACROSS, SVG_ALONG_Y, SVG_ACROSS, SVG_ALONG_Y,
@@ -146,10 +146,8 @@ static bool read_lists(svg_reader *r, const svg_space *space, lists *l)
         if (room == 0)
             continue;
         l->value[k] = tool_grow(NULL, room * sizeof *l->value[k]);
-        if (!svg_lengths(r, space, names[k], sides[k], l->value[k], room, &l->count[k]))
-            return false;
+        l->count[k] = svg_lengths(r, space, names[k], sides[k], l->value[k], room);
     }
-    return true;
 }
 
 static void free_lists(lists *l)
@@ -181,7 +179,7 @@ static bool collect(collection *c, const xmlNode *node, const svg_space *space,
                     const stretch *like);
 
 /* What a <textPath> follows, and where it begins there. */
-static bool read_path(collection *c, const svg_space *space, stretch *out)
+static void read_path(collection *c, const svg_space *space, stretch *out)
 {
     char *href = svg_reference(c->r->node);
 
@@ -195,7 +193,8 @@ static bool read_path(collection *c, const svg_space *space, stretch *out)
     if (out->part)
         out->offset = strtod(text, NULL) / 100;
     xmlFree(text);
-    return out->part || svg_length(c->r, space, "startOffset", SVG_DIAGONAL, 0, &out->offset);
+    if (!out->part)
+        out->offset = svg_length(c->r, space, "startOffset", SVG_DIAGONAL, 0);
 }
 
 static bool collect_child(collection *c, const xmlNode *node, svg_space space, const stretch *like)
@@ -207,7 +206,7 @@ static bool collect_child(collection *c, const xmlNode *node, svg_space space, c
     c->r->node = node;
     bool good  = svg_enter(c->r, &space, &scope, &shown);
     if (good && shown && svg_is(node, "textPath"))
-        good = read_path(c, &space, &own);
+        read_path(c, &space, &own);
     if (good && shown && !(svg_is(node, "textPath") && own.path == NULL))
         good = collect(c, node, &space, &own);
     svg_scope_close(&scope);
@@ -221,7 +220,8 @@ static bool collect(collection *c, const xmlNode *node, const svg_space *space, 
     lists l;
 
     c->r->node = node;
-    bool good  = read_lists(c->r, space, &l);
+    bool good  = true;
+    read_lists(c->r, space, &l);
     if (++c->r->depth > SVG_DEPTH_MAX)
         good = good &&
                svg_fail(c->r, "more than %d nested elements: draw with fewer", SVG_DEPTH_MAX);
@@ -519,14 +519,18 @@ bool svg_text(svg_reader *r, const svg_space *space)
     collection c        = { .r = r, .blank = true };
     layout l            = { .c = &c };
     const stretch plain = { .path = NULL };
+    const size_t before = r->d->count;
     bool good           = true;
 
     if (r->d->text != NULL && strcmp(r->d->text, "none") == 0)
         return true;
+    r->notes->lost     = false;
     good = collect(&c, node, space, &plain);
     if (good)
         trim_end(&c);
     good = good && make_runs(&l) && draw_chunks(&l);
+    if (r->notes->lost)
+        r->d->count = before;
     for (size_t k = 0; k < l.count; k++)
         svg_shaped_free(&l.all[k].shaped);
     free(l.all);

@@ -5,26 +5,19 @@
 
 #define UNCLIPPED 0.01          /* mm; a smaller excess over a viewport is not reported */
 
-bool svg_enter_viewport(const svg_reader *r, svg_space *space, double width, double height,
-                        bool *empty)
+bool svg_enter_viewport(const svg_reader *r, svg_space *space, double width, double height)
 {
     double box[4];
-    bool given;
-    svg_matrix fit;
+    const bool given = svg_view_box(r, box);
 
-    if (!svg_view_box(r, box, &given))
-        return false;
     if (given && (width < 0 || height < 0)) {
         width  = box[2];
         height = box[3];
     }
-    *empty = width == 0 || height == 0 || (given && (box[2] == 0 || box[3] == 0));
-    if (*empty)
-        return true;
+    if (width == 0 || height == 0 || (given && (box[2] == 0 || box[3] == 0)))
+        return false;
     if (given) {
-        if (!svg_fit(r, box, width, height, &fit))
-            return false;
-        space->to_mm = svg_multiply(space->to_mm, fit);
+        space->to_mm = svg_multiply(space->to_mm, svg_fit(r, box, width, height));
         width  = box[2];
         height = box[3];
     }
@@ -33,27 +26,18 @@ bool svg_enter_viewport(const svg_reader *r, svg_space *space, double width, dou
     return true;
 }
 
-bool svg_sizes(const svg_reader *r, const svg_space *space, double *width, double *height)
+void svg_sizes(const svg_reader *r, const svg_space *space, double *width, double *height)
 {
-    const double across = *width, along = *height;
-
-    if (!svg_length(r, space, "width", SVG_ACROSS, across, width) ||
-        !svg_length(r, space, "height", SVG_ALONG_Y, along, height))
-        return false;
-    if ((*width < 0 && *width != across) || (*height < 0 && *height != along))
-        return svg_fail(r, "width and height cannot be negative");
-    return true;
+    *width  = svg_size(r, space, "width", SVG_ACROSS, *width);
+    *height = svg_size(r, space, "height", SVG_ALONG_Y, *height);
 }
 
-bool svg_move_origin(const svg_reader *r, svg_space *space)
+void svg_move_origin(const svg_reader *r, svg_space *space)
 {
-    double x, y;
+    const double x = svg_length(r, space, "x", SVG_ACROSS, 0),
+                 y = svg_length(r, space, "y", SVG_ALONG_Y, 0);
 
-    if (!svg_length(r, space, "x", SVG_ACROSS, 0, &x) ||
-        !svg_length(r, space, "y", SVG_ALONG_Y, 0, &y))
-        return false;
     space->to_mm = svg_multiply(space->to_mm, (svg_matrix){ 1, 0, 0, 1, x, y });
-    return true;
 }
 
 /* Does a curve from the first'th on leave width x height? */

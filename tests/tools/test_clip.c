@@ -81,6 +81,86 @@ static void clip_paths_cut(arb *a)
           "M 2 3 L 6 3");               /* one that clips itself */
 }
 
+#define RING "<path d='M0 0h9v9h-9zM2 2h4v4h-4z'/>"
+#define LINE "<path clip-path='url(#c)' d='M-1 3H12'/>"
+
+/* The style of a clip path is that of the place where it stands. */
+static void clip_paths_inherit_from_where_they_stand(arb *a)
+{
+    (void)a;
+    DRAWS("<g clip-rule='evenodd'><clipPath id='c'>" RING "</clipPath></g>" LINE,
+          "M 0 3 L 2 3 M 6 3 L 9 3");
+    DRAWS("<g style='clip-rule:evenodd'><defs><clipPath id='c'>" RING "</clipPath></defs></g>" LINE,
+          "M 0 3 L 2 3 M 6 3 L 9 3");
+    DRAWS("<clipPath id='c' clip-rule='evenodd'>" RING "</clipPath>" LINE,
+          "M 0 3 L 2 3 M 6 3 L 9 3");
+    DRAWS("<svg clip-rule='evenodd'><clipPath id='c'>" RING "</clipPath>" LINE "</svg>",
+          "M 0 3 L 2 3 M 6 3 L 9 3");
+    DRAWS("<g clip-rule='evenodd'><clipPath id='c'><g/><path clip-rule='nonzero' "
+          "d='M0 0h9v9h-9zM2 2h4v4h-4z'/></clipPath></g>" LINE,
+          "M 0 3 L 9 3");
+    DRAWS("<clipPath id='c'>" RING "</clipPath><g clip-rule='evenodd'>" LINE "</g>", "M 0 3 L 9 3");
+}
+
+/* What hides or paints elsewhere does not matter in a clip path; `visibility` and `display` of its
+ * children do. */
+static void clip_paths_are_of_geometry(arb *a)
+{
+    (void)a;
+    CUT("<rect x='2' y='2' width='4' height='4' opacity='0'/>", LINE, "M 2 3 L 6 3");
+    CUT("<rect x='2' y='2' width='4' height='4' style='fill:none;fill-opacity:0'/>", LINE,
+        "M 2 3 L 6 3");
+    DRAWS("<clipPath id='c' style='display:none'>" BOX "</clipPath>" LINE, "M 2 3 L 6 3");
+    DRAWS("<clipPath id='c' opacity='0'>" BOX "</clipPath>" LINE, "M 2 3 L 6 3");
+    DRAWS("<defs display='none'><clipPath id='c'>" BOX "</clipPath></defs>" LINE, "M 2 3 L 6 3");
+    CUT("<rect x='2' y='2' width='4' height='4' display='none'/>", LINE, "");
+    CUT("<rect x='2' y='2' width='4' height='4' visibility='hidden'/>", LINE, "");
+    CUT("<g>" BOX "</g><rect x='7' y='2' width='1' height='4'/>", LINE, "M 7 3 L 8 3");
+}
+
+static void clip_paths_are_clipped(arb *a)
+{
+    (void)a;
+    DRAWS("<clipPath id='d'><rect x='4' width='9' height='9'/></clipPath>"
+          "<clipPath id='c' clip-path='url(#d)'>" BOX "</clipPath>" LINE,
+          "M 4 3 L 6 3");
+    DRAWS("<clipPath id='d'><rect x='4' width='9' height='9'/></clipPath><clipPath id='c'>"
+          "<rect clip-path='url(#d)' x='2' y='2' width='4' height='4'/>"
+          "<rect x='8' width='1' height='9'/></clipPath>" LINE,
+          "M 4 3 L 6 3 M 8 3 L 9 3");
+    DRAWS("<clipPath id='e'><rect width='5' height='9'/></clipPath>"
+          "<clipPath id='d' clip-path='url(#e)'><rect x='4' width='9' height='9'/></clipPath>"
+          "<clipPath id='c'><rect clip-path='url(#d)' x='2' y='2' width='4' "
+          "height='4'/></clipPath>" LINE,
+          "M 4 3 L 5 3");
+    DRAWS("<clipPath id='d' clip-path='url(#c)'>" BOX "</clipPath>"
+          "<clipPath id='c' clip-path='url(#d)'><rect x='3' width='9' height='9'/></clipPath>" LINE,
+          "M 3 3 L 6 3");
+}
+
+/* The box is that of the geometry, whatever is seen of it. */
+static void boxes_count_what_is_hidden(arb *a)
+{
+#define HALF(attributes)                                                                           \
+    "<clipPath id='c' clipPathUnits='objectBoundingBox' " attributes                               \
+    "><rect width='.5' height='1'/></clipPath>"
+    (void)a;
+    DRAWS(HALF("") "<g clip-path='url(#c)'><path d='M0 3H12M0 5h1'/>"
+                   "<rect visibility='hidden' width='16' height='9'/></g>",
+          "M 0 3 L 8 3 M 0 5 L 1 5");
+    DRAWS(HALF("") "<g clip-path='url(#c)'><path d='M0 3H12M0 5h1'/>"
+                   "<rect fill='none' width='16' height='9'/></g>",
+          "M 0 3 L 8 3 M 0 5 L 1 5");
+    DRAWS(HALF("") "<path stroke='red' stroke-dasharray='1 9' d='M0 3H16M0 5h1' "
+                   "clip-path='url(#c)'/>",
+          "M 0 3 L 1 3 M 0 5 L 1 5");
+    DRAWS(HALF("transform='translate(4)'") "<path d='M0 3H8M0 5H8' clip-path='url(#c)'/>",
+          "M 4 3 L 8 3 M 4 5 L 8 5");
+    DRAWS("<mask id='m' width='.5' height='2' fill='white'><rect width='99' height='99'/></mask>"
+          "<path d='M0 3H8M0 5H8' mask='url(#m)'/>",
+          "M 0 3 L 3.2 3 M 0 5 L 3.2 5");
+}
+
 static void add_numbers(arb *a, char *to, int count)
 {
     for (int k = 0; k < count; k++)
@@ -163,6 +243,10 @@ int main(void)
 {
     PROPERTY(clip_paths_cut, 1);
     PROPERTY(white_masks_cut, 1);
+    PROPERTY(clip_paths_inherit_from_where_they_stand, 1);
+    PROPERTY(clip_paths_are_of_geometry, 1);
+    PROPERTY(clip_paths_are_clipped, 1);
+    PROPERTY(boxes_count_what_is_hidden, 1);
     PROPERTY(what_is_inside_stays, 200);
     return check_failures();
 }

@@ -9,6 +9,22 @@
 // Path data
 // ---------
 
+/* Other programs draw the rest; so does this one, and reports once what is missing. */
+#define TELLS(inner, wanted, words) check_tells(PAGE(inner), wanted, words, __FILE__, __LINE__)
+static void check_tells(const char *text, const char *wanted, const char *words, const char *file,
+                        int line)
+{
+    check_draws(text, 100, wanted, file, line);
+    if (caught_lines != (words[0] != '\0') || strstr(caught, words) == NULL) {
+        printf("%s:%d: %u lines: %s\n  wanted: %s\n", file, line, caught_lines, caught, words);
+        check_bad = true;
+    }
+}
+
+/* What cannot be read is as if it were not given: the rest is drawn. */
+#define LACKS(inner, words) TELLS(inner "<path d='M2 2h1'/>", "M 2 2 L 3 2", words)
+
+
 static void lines_absolute_and_relative(arb *a)
 {
     (void)a;
@@ -112,12 +128,17 @@ static void path_data_is_drawn_up_to_its_first_error(arb *a)
     DRAWS_UNTIL("M1 1H2Linf 2",                "M 1 1 L 2 1", "\"inf 2\"");
 }
 
-static void points_that_no_machine_reaches_are_refused(arb *a)
+static void points_that_no_machine_reaches_are_left_out(arb *a)
 {
     (void)a;
-    REFUSES_PATH("M1 1L1e9 2",                  "beyond +-16000 mm");
-    REFUSES_PATH("M1 1L1e999 2",                "beyond +-16000 mm");
-    REFUSES_PATH("M1 1a1e300 1 0 1 1 5 5",      "radius");
+    LACKS("<path d='M1 1L1e9 2'/>",
+          "<path> is not drawn, a point at 3.33333e+08 mm is beyond +-16000");
+    LACKS("<path d='M1 1L1e999 2'/>", "beyond +-16000 mm");
+    LACKS("<polyline points='1 1 17000 2 1 5'/><rect x='16000' width='1' height='1'/>", "beyond");
+    LACKS("<path d='M1 1a1e300 1 0 1 1 5 5'/>", "radius");
+    TELLS("<clipPath id='c'><rect x='-1e5' y='-1e5' width='2e5' height='2e5'/></clipPath>"
+          "<path clip-path='url(#c)' d='M2 2h1'/>",
+          "M 2 2 L 3 2", "");
 }
 
 
@@ -180,14 +201,22 @@ static void rounded_corners(arb *a)
     }
 }
 
-static void broken_shapes_are_refused(arb *a)
+static void broken_shapes_are_drawn_without_their_faults(arb *a)
 {
     (void)a;
-    REFUSES("<rect width='-1' height='1'/>",        "cannot be negative");
-    REFUSES("<circle r='-1'/>",                     "cannot be negative");
-    REFUSES("<rect width='5zz' height='1'/>",       "width=\"5zz\": give a number with px mm");
-    REFUSES("<rect width='5 5' height='1'/>",       "width=\"5 5\"");
-    REFUSES("<line x1='a'/>",                       "x1=\"a\"");
+    LACKS("<rect width='-1' height='1'/>",    "width=-1 is not used: a size cannot be negative");
+    LACKS("<circle r='-1'/>",                 "r=-1 is not used");
+    LACKS("\n<rect width='5zz' height='1'/>",
+          "test.svg:2: width=\"5zz\" is not used: give a number with px mm");
+    LACKS("<rect width='5 5' height='1'/>",   "width=\"5 5\" is not used: give one length");
+    LACKS("<rect width='NaN' height='1'/>",   "width=\"NaN\"");
+    LACKS("<rect width='10vw' height='1'/>",  "width=\"10vw\"");
+    TELLS("<line x1='a' y1='2' x2='3' y2='2'/>", "M 0 2 L 3 2", "x1=\"a\"");
+    TELLS("<rect x='1' y='2' width='3' height='4' rx='-2'/>", "M 1 2 L 4 2 L 4 6 L 1 6 L 1 2",
+          "rx=-2");
+    TELLS("<ellipse rx='3' ry='-2'/>",        "M 3 0 " ROUND_3, "ry=-2");
+    TELLS("<line x2='3' stroke-width='x' stroke='red'/><line x1='b' x2='4'/>",
+          "M 0 0 L 3 0 M 0 0 L 4 0", "x1=\"b\"");
     DRAWS("<polygon points='1 2 3 4 5'/>",          "M 1 2 L 3 4 L 1 2");
     CHECK(caught_lines == 1 && strstr(caught, "5 numbers: give x and y"));
     DRAWS("<polyline points='1 2 3 4 b'/>",         "M 1 2 L 3 4");
@@ -246,44 +275,50 @@ static void transforms_are_about_their_origin(arb *a)
     DRAWS("<path transform='scale(2)' style='transform-box: fill-box' d='M1 2L3 5'/>",
           "M 2 4 L 6 10");
     CHECK(strstr(caught, "transform-box: fill-box is read as view-box") != NULL);
-    REFUSES("<path transform='scale(2)' transform-origin='3 x' d='M1 2'/>",
-            "transform-origin=\"3 x\": give a number");
+    TELLS("<path transform='scale(2)' transform-origin='3 x' d='M1 2L3 5'/>", "M 2 4 L 6 10",
+          "transform-origin=\"3 x\" is not used: give a number");
 }
 
-static void broken_transforms_are_refused(arb *a)
+#define MISSES(transform, words)                                                                  \
+    TELLS("<g transform='" transform "'><path d='M2 2h1'/></g>", "M 2 2 L 3 2", words)
+
+static void broken_transforms_transform_nothing(arb *a)
 {
     (void)a;
-    REFUSES("<g transform='rotat(3)'/>",            "transform: \"rotat(3)\" is not one of");
-    REFUSES("<g transform='scale(1 2 3)'/>",        "is not one of");
-    REFUSES("<g transform='scale(1'/>",             "is not one of");
-    REFUSES("<g transform='scale()'/>",             "is not one of");
-    REFUSES("<g transform='rotate(1,2)'/>",         "is not one of");
-    REFUSES("<g transform='scale(2px)'/>",          "is not one of");
-    REFUSES("<g transform='matrix(1 2 3 4 5)'/>",   "is not one of");
+    MISSES("translate(9) rotate(10deg)", "\"rotate(10deg)\" is not one of");
+    DRAWS("<g style='transform:translateY(2px) rotate(.25turn) scaleX(3)'><path d='M2 0h1'/></g>",
+          "M 0 8 L 0 11");
+    MISSES("rotat(3)", "transform: \"rotat(3)\" is not one of");
+    MISSES("scale(1 2 3)", "is not one of");
+    MISSES("scale(1", "is not one of");
+    MISSES("scale()", "is not one of");
+    MISSES("rotate(1,2)", "is not one of");
+    MISSES("scale(2px)", "is not one of");
+    MISSES("matrix(1 2 3 4 5)", "is not one of");
 }
 
 /* 1e999 is read as infinite, and two large factors become infinite: one line names the
  * transform. */
-static void numbers_beyond_arithmetic_are_refused(arb *a)
+static void numbers_beyond_arithmetic_do_no_harm(arb *a)
 {
     (void)a;
-    REFUSES("\n<g transform='rotate(1e999)'/>",
-            "test.svg:2: <g>: transform: \"rotate(1e999)\" is too large");
-    REFUSES("<g transform='rotate(-1e999)'/>",      "\"rotate(-1e999)\" is too large");
-    REFUSES("<g transform='rotate(1e999 1 1)'/>",   "is too large");
-    REFUSES("<g transform='rotate(1 1e999 1)'/>",   "is too large");
-    REFUSES("<g transform='translate(1e999)'/>",    "is too large");
-    REFUSES("<g transform='scale(1,1e999)'/>",      "is too large");
-    REFUSES("<g transform='skewX(1e999)'/>",        "is too large");
-    REFUSES("<g transform='skewY(-1e999)'/>",       "is too large");
-    REFUSES("<g transform='matrix(1 0 0 1 0 1e999)'/>", "is too large");
-    REFUSES("<g style='transform:rotate(1e999deg)'/>",  "is too large");
-    REFUSES("<g transform='scale(1e200)'><g transform='translate(3) scale(1e200)'/></g>",
-            "transform: \"scale(1e200)\" is too large");
-    REFUSES("<rect width='1e999' height='1'/>",     "width=\"1e999\" is too large");
-    REFUSES("<line x1='1e308in'/>",                 "x1=\"1e308in\" is too large");
-    REFUSES("<svg viewBox='0 0 1e999 1'/>",         "viewBox=\"0 0 1e999 1\" is too large");
-    REFUSES("<svg viewBox='0 0 1e-320 1' preserveAspectRatio='none'/>", "too small to fill");
+    LACKS("\n<g transform='rotate(1e999)'/>",
+          "test.svg:2: transform: \"rotate(1e999)\" is too large");
+    LACKS("<g transform='rotate(-1e999)'/>",      "\"rotate(-1e999)\" is too large");
+    LACKS("<g transform='rotate(1e999 1 1)'/>",   "is too large");
+    LACKS("<g transform='rotate(1 1e999 1)'/>",   "is too large");
+    LACKS("<g transform='translate(1e999)'/>",    "is too large");
+    LACKS("<g transform='scale(1,1e999)'/>",      "is too large");
+    LACKS("<g transform='skewX(1e999)'/>",        "is too large");
+    LACKS("<g transform='skewY(-1e999)'/>",       "is too large");
+    LACKS("<g transform='matrix(1 0 0 1 0 1e999)'/>", "is too large");
+    LACKS("<g style='transform:rotate(1e999deg)'><path d='M1 1h1'/></g>",  "is too large");
+    LACKS("<g transform='scale(1e200)'><g transform='translate(3) scale(1e200)'/></g>",
+          "transform: \"scale(1e200)\" is too large");
+    LACKS("<rect width='1e999' height='1'/>",     "width=\"1e999\" is not used, it is too large");
+    LACKS("<line x1='1e308in'/>",                 "x1=\"1e308in\" is not used, it is too large");
+    LACKS("<svg viewBox='0 0 1e999 1'/>",         "viewBox=\"0 0 1e999 1\" is not used");
+    LACKS("<svg viewBox='0 0 1e-320 1' preserveAspectRatio='none'/>", "too small to fill");
 }
 
 #define SIZED(attributes, inner)                                                                   \
@@ -318,8 +353,8 @@ static void pages_of_unknown_size(arb *a)
              "M 10 5 L 20 5");
     DRAWS_ON(25.4, SIZED("", "<path d='M96 96h96v96'/>"), "M 0 0 L 25.4 0 L 25.4 25.4");
     drawing d;
-    CHECK(read_svg(&d, SIZED("", "<rect width='50%' height='1'/>")) == EX_DATAERR &&
-          strstr(caught, "size is not known") != NULL);
+    CHECK(read_svg(&d, SIZED("", "<rect width='50%' height='1'/><line x2='1'/>")) == 0 &&
+          d.count == 1 && strstr(caught, "size is not known") != NULL);
     drawing_free(&d);
     CHECK(read_svg(&d, SIZED("viewBox='0 0 192 96' width='20mm'", "<line x2='96'/>")) == 0);
     CHECK_NEAR(d.width, 20, 1e-12);
@@ -355,11 +390,11 @@ static void every_aspect_ratio(arb *a)
              "M 0 0 L 20 20");
     DRAWS_ON(20, SIZED("width='40mm' height='20mm' viewBox='0,0,10,10'", "<path d='M0 0L5 10'/>"),
              "M 10 0 L 20 20");
-    REFUSES("<svg viewBox='0 0 1 1' preserveAspectRatio='xMidYmid'/>",
-            "preserveAspectRatio=\"xMidYmid\"");
-    REFUSES("<svg viewBox='0 0 1 1' preserveAspectRatio='xMidYMidmeet'/>", "preserveAspectRatio");
-    REFUSES("<svg viewBox='0 0 1'/>", "viewBox=\"0 0 1\"");
-    REFUSES("<svg viewBox='0 0 -1 1'/>", "viewBox");
+    LACKS("<svg viewBox='0 0 1 1' preserveAspectRatio='xMidYmid'/>",
+          "preserveAspectRatio=\"xMidYmid\"");
+    LACKS("<svg viewBox='0 0 1 1' preserveAspectRatio='xMidYMidmeet'/>", "preserveAspectRatio");
+    LACKS("<svg viewBox='0 0 1'/>", "viewBox=\"0 0 1\"");
+    LACKS("<svg viewBox='0 0 -1 1'/>", "viewBox");
 }
 
 static void viewports_within_the_page(arb *a)
@@ -373,7 +408,7 @@ static void viewports_within_the_page(arb *a)
     DRAWS("<svg viewBox='0 0 10 10'><line x2='50%' y2='50%'/></svg>", "M 0 0 L 50 50");
     DRAWS("<svg width='0'><path d='M1 2h5'/></svg><path d='M0 0h1'/>", "M 0 0 L 1 0");
     DRAWS("<svg viewBox='0 0 0 5'><path d='M1 2h5'/></svg><path d='M0 0h1'/>", "M 0 0 L 1 0");
-    REFUSES("<svg width='-5'/>", "cannot be negative");
+    TELLS("<svg width='-5'><path d='M1 2h5'/></svg>", "M 1 2 L 6 2", "cannot be negative");
 }
 
 
@@ -415,12 +450,12 @@ static void symbols_are_drawn_by_use_alone(arb *a)
           "M 2 4 L 8 4 M 4 8 L 16 8");
 }
 
-static void circular_uses_are_refused(arb *a)
+static void circular_uses_draw_nothing(arb *a)
 {
     (void)a;
-    REFUSES("<g id='a'><use href='#a'/></g>", "\"#a\" uses itself");
-    REFUSES("<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>",     "uses itself");
-    REFUSES("<use id='a' href='#a'/>",                                          "uses itself");
+    LACKS("<g id='a'><use href='#a'/></g>", "<use> of \"#a\" is not drawn, it uses itself");
+    LACKS("<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>",     "uses itself");
+    LACKS("<use id='a' href='#a'/>",                                          "uses itself");
 }
 
 /* Ten uses of ten uses of .. : few bytes that would draw for years. */
@@ -488,18 +523,6 @@ static void switch_draws_the_first_that_applies(arb *a)
     DRAWS("<switch><path systemLanguage='de' d='M1 1h1'/><path systemLanguage='fr, en-GB' d='M2 "
           "2h1'/></switch>",
           "M 2 2 L 3 2");
-}
-
-/* Other programs draw the rest; so does this one, and reports once what is missing. */
-#define TELLS(inner, wanted, words) check_tells(PAGE(inner), wanted, words, __FILE__, __LINE__)
-static void check_tells(const char *text, const char *wanted, const char *words, const char *file,
-                        int line)
-{
-    check_draws(text, 100, wanted, file, line);
-    if (caught_lines != (words[0] != '\0') || strstr(caught, words) == NULL) {
-        printf("%s:%d: %u lines: %s\n  wanted: %s\n", file, line, caught_lines, caught, words);
-        check_bad = true;
-    }
 }
 
 static void missing_targets_are_told_and_the_rest_is_drawn(arb *a)
@@ -740,7 +763,7 @@ static void every_curve_knows_its_line(arb *a)
     if (d.count == 3)
         CHECK(d.curve[1].line == 4 && d.curve[2].line == 5);
     drawing_free(&d);
-    REFUSES("\n<g>\n<path\n  id='p'\n d='M1 1h1e9'\n/></g>", "test.svg:3: <path>");
+    LACKS("\n<g>\n<path\n  id='p'\n d='M1 1h1e9'\n/></g>", "test.svg:3: <path> is not drawn");
     CHECK(read_svg(&d, "<!DOCTYPE svg [\n\n<!ENTITY e '<line x2=\"1\"/>'>]>\n" PAGE(
                            "<g>\n&e;</g>\n<g\n>\n&e;<line\nx2='1'/></g>")) == 0);
     CHECK(d.count == 3 && d.curve[0].line == 4 && d.curve[1].line == 6 && d.curve[2].line == 8);
@@ -1090,22 +1113,22 @@ int main(void)
     PROPERTY(numbers_without_separators, 1);
     PROPERTY(arcs_that_are_lines_or_nothing, 1);
     PROPERTY(what_has_no_length_is_dropped, 1);
-    PROPERTY(points_that_no_machine_reaches_are_refused, 1);
+    PROPERTY(points_that_no_machine_reaches_are_left_out, 1);
     PROPERTY(path_data_is_drawn_up_to_its_first_error, 1);
     PROPERTY(shapes, 1);
     PROPERTY(rounded_corners, 1);
-    PROPERTY(broken_shapes_are_refused, 1);
+    PROPERTY(broken_shapes_are_drawn_without_their_faults, 1);
     PROPERTY(every_transform, 1);
     PROPERTY(transforms_are_about_their_origin, 1);
-    PROPERTY(broken_transforms_are_refused, 1);
-    PROPERTY(numbers_beyond_arithmetic_are_refused, 1);
+    PROPERTY(broken_transforms_transform_nothing, 1);
+    PROPERTY(numbers_beyond_arithmetic_do_no_harm, 1);
     PROPERTY(every_unit, 1);
     PROPERTY(pages_of_unknown_size, 1);
     PROPERTY(every_aspect_ratio, 1);
     PROPERTY(viewports_within_the_page, 1);
     PROPERTY(use_draws_again, 1);
     PROPERTY(symbols_are_drawn_by_use_alone, 1);
-    PROPERTY(circular_uses_are_refused, 1);
+    PROPERTY(circular_uses_draw_nothing, 1);
     PROPERTY(missing_targets_are_told_and_the_rest_is_drawn, 1);
     PROPERTY(what_leaves_a_viewport_is_cut, 1);
     PROPERTY(a_flood_of_uses_is_stopped, 1);
