@@ -10,6 +10,7 @@
  *     svg_space.c  transforms, lengths with units, viewBox
  *     svg_style.c  properties from attributes, style="" and style sheets; var()
  *     svg_sheet.c  the rules of style sheets
+ *     svg_selector.c  which elements they are for
  *     svg_layer.c  layers of Inkscape
  *     svg_mask.c   clip paths and masks of elements    -> outlines
  *     svg_clip.c   cuts curves at an outline
@@ -71,6 +72,12 @@ typedef struct {
     bool lost;                  /* a part of the current shape cannot be drawn: none of it is */
 } svg_notes;
 
+/* The number of an element among its siblings. */
+typedef struct {
+    const xmlNode *node;
+    unsigned place;
+} svg_place;
+
 /* One reading of one file. */
 typedef struct {
     drawing *d;
@@ -78,6 +85,7 @@ typedef struct {
     const xmlNode *node;        /* the current element: its attributes, and for messages */
     svg_sheet *sheet;
     unsigned long long effort;  /* rules tried on elements, and custom properties looked up */
+    svg_place place[4];         /* the last that were asked, see svg_selector.c */
     svg_named *named;           /* sorted; of equal ids, only the first in the file */
     size_t named_count;
     unsigned visited, depth;    /* drawn elements, to stop a flood of <use>; nesting */
@@ -256,7 +264,8 @@ enum svg_warning {
     SVG_WARN_SIZE,
     SVG_WARN_TRANSFORM,
     SVG_WARN_VIEW,
-    SVG_WARN_FAR
+    SVG_WARN_FAR,
+    SVG_WARN_MEDIA
 };
 
 /* The same, but the reading continues; only the first warning of each kind is printed. */
@@ -360,6 +369,22 @@ void svg_scope_close(svg_scope *scope);
 /* The value of a property with all var() substituted, or "unset" if one of them is not set;
  * otherwise the attribute; or NULL. *css tells whether it comes from a style. Free with xmlFree. */
 char *svg_property(svg_reader *r, const svg_style *style, enum svg_property which, bool *css);
+
+typedef struct svg_selector svg_selector;
+
+/* Read one selector; NULL if it is not understood. Its rank, see svg_value, is below 2^24. */
+svg_selector *svg_selector_read(const char *text, size_t length);
+void svg_selector_free(svg_selector *s);
+unsigned svg_selector_rank(const svg_selector *s);
+bool svg_selector_matches(svg_reader *r, const svg_selector *s, const xmlNode *node);
+
+/* A name that an element needs to match, and its kind: "." "#" ":" ""; NULL: there are no more. */
+const char *svg_selector_name(const svg_selector *s, unsigned which, const char **kind);
+
+/* The length up to one of the characters `stops`, or to the end; those in strings and parentheses
+ * do not count. And what is in comments becomes blank. */
+size_t svg_css_span(const char *text, const char *stops);
+void svg_blank_comments(char *text);
 
 void svg_sheet_apply(svg_reader *r, svg_style *style, svg_scope *scope);
 void svg_sheet_read(svg_reader *r, const xmlNode *style);

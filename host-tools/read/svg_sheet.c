@@ -2,17 +2,15 @@
  * element
  * SPDX-License-Identifier: MIT
  *
- * Selectors are lists of simple ones, such as `g`, `.st0`, `#title`, `path.a.b`, `*`, `:root`.
- * Others are skipped, with a warning if they would hide or move something. A rule is in the list of
- * one of the names in its selector, the one with the shortest list. So an element checks only the
- * lists of its own names.
+ * A rule is in the list of one of the names that its selector asks an element for, the one with the
+ * shortest list. So an element checks only the lists of its own names.
  */
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
-#include "base/scan.h"       /* scan_number */
-#include "read/svg.h"
 #include "base/tool.h"       /* tool_grow */
+#include "read/svg.h"
 
 /* A property that a rule sets; also custom ones, whose names belong to the sheet. */
 typedef struct {
@@ -28,7 +26,7 @@ typedef struct {
 /* The declarations for one selector. */
 typedef struct rule {
     struct rule *next;              /* in the same list */
-    char *selector;
+    svg_selector *selector;
     setting *settings;
     naming *namings;
     size_t setting_count, naming_count;
@@ -48,98 +46,9 @@ struct svg_sheet {
     unsigned order;                 /* of the blocks */
 };
 
+#define AT_DEPTH 8      /* nested @media */
+
 static const char blank[] = " \t\r\n\f";
-
-
-// Selectors
-// ---------
-
-/* One part of a selector: `.a` is the class "a". */
-typedef struct {
-    char kind[2];
-    const char *word;
-    size_t length;
-} part;
-
-static bool next_part(const char **at, part *out)
-{
-    const char *s = *at;
-    const bool marked = *s == '.' || *s == '#' || *s == ':';
-
-    if (*s == '\0')
-        return false;
-    *out = (part){ { marked ? *s : '\0', '\0' }, s + marked, strcspn(s + marked, ".#:") };
-    *at = out->word + out->length;
-    return true;
-}
-
-static bool is_universal(const part *p)
-{
-    return p->kind[0] == '\0' && p->length == 1 && *p->word == '*';
-}
-
-/* Is `word` one of `words`? */
-static bool has_word(const char *words, size_t size, const char *word, size_t length)
-{
-    if (size == 0 || length == 0)
-        return false;
-    const char *end = words + size;
-    for (const char *at = words; at < end; at += length) {
-        at = memmem(at, (size_t)(end - at), word, length);
-        if (at == NULL)
-            return false;
-        if ((at == words || strchr(blank, at[-1])) &&
-            (at + length == end || strchr(blank, at[length])))
-            return true;
-    }
-    return false;
-}
-
-/* The names of an element that selectors can match. */
-typedef struct {
-    const xmlNode *node;
-    char *class, *id;
-    size_t class_length;
-    unsigned effort;            /* for one selector: all words of a long list are compared */
-} asked;
-
-static bool is_word(const char *text, const part *p)
-{
-    return text != NULL && strlen(text) == p->length && strncmp(text, p->word, p->length) == 0;
-}
-
-static bool is_root(const xmlNode *node)
-{
-    return node->parent == NULL || node->parent->type != XML_ELEMENT_NODE;
-}
-
-static bool selector_matches(const char *selector, const asked *a)
-{
-    bool good = true;
-    part p;
-
-    while (good && next_part(&selector, &p))
-        switch (p.kind[0]) {
-        case '.': good = has_word(a->class, a->class_length, p.word, p.length);     break;
-        case '#': good = is_word(a->id, &p);                                        break;
-        case ':': good = is_root(a->node);                                          break;
-        default:  good = is_universal(&p) || is_word((const char *)a->node->name, &p);    break;
-        }
-    return good;
-}
-
-/* Ids rank above classes, classes above types. */
-static unsigned long long specificity(const char *selector)
-{
-    unsigned count[3] = { 0 };
-    part p;
-
-    while (next_part(&selector, &p)) {
-        const int i = p.kind[0] == '#' ? 0 : p.kind[0] != '\0' ? 1 : 2;
-        count[i] += !is_universal(&p) && count[i] < 255;
-    }
-    return (unsigned long long)(count[0] << 16 | count[1] << 8 | count[2]) << 32;
-}
 
 
 // Rules
@@ -163,31 +72,33 @@ static list *list_of(const svg_sheet *sheet, const char *word, size_t length, co
 
 static void enlist_rule(svg_sheet *sheet, rule *u)
 {
-    const char *at = u->selector;
-    part p, best = { "", "*", 1 };
+    const char *best = "*", *best_kind = "", *kind = "", *name;
     size_t least = SIZE_MAX;
 
-    while (next_part(&at, &p)) {
-        const list *l = list_of(sheet, p.word, p.length, p.kind, false);
-        const size_t count = is_universal(&p) ? SIZE_MAX : l ? l->count : 0;
+    for (unsigned i = 0; (name = svg_selector_name(u->selector, i, &kind)) != NULL; i++) {
+        const list *l = list_of(sheet, name, strlen(name), kind, false);
+        const size_t count = l ? l->count : 0;
         if (count < least) {
-            least = count;
-            best = p;
+            least     = count;
+            best      = name;
+            best_kind = kind;
         }
     }
-    list *l = list_of(sheet, best.word, best.length, best.kind, true);
+    list *l = list_of(sheet, best, strlen(best), best_kind, true);
     u->next = l->first;
     l->first = u;
     l->count++;
 }
 
+/* The rule of a selector; NULL if it is not understood. */
 static rule *rule_of(svg_sheet *sheet, const char *selector)
 {
     rule *u = xmlHashLookup(sheet->rules, (const xmlChar *)selector);
+    svg_selector *parsed = u ? NULL : svg_selector_read(selector, strlen(selector));
 
-    if (u == NULL) {
+    if (u == NULL && parsed != NULL) {
         u = tool_grow(NULL, sizeof *u);
-        *u = (rule){ .selector = (char *)xmlStrdup((const xmlChar *)selector) };
+        *u = (rule){ .selector = parsed };
         xmlHashAddEntry(sheet->rules, (const xmlChar *)selector, u);
         enlist_rule(sheet, u);
     }
@@ -211,28 +122,14 @@ static void *room_for_one(void *old, size_t count, size_t size)
     return (count & (count - 1)) == 0 ? tool_grow(old, (count ? 2 * count : 1) * size) : old;
 }
 
-static bool is_zero(const svg_value *value)
+/* Does it set anything that is read? */
+static bool sets_something(const svg_block *b)
 {
-    const char *at = value->text;
-    double x;
+    bool some = b->names != NULL;
 
-    return at != NULL && scan_number(&at, &x) && x <= 0;
-}
-
-static bool hides_or_moves(const svg_block *b)
-{
-    return b->value[SVG_DISPLAY].text || b->value[SVG_VISIBILITY].text ||
-           b->value[SVG_TRANSFORM].text || is_zero(&b->value[SVG_OPACITY]) ||
-           is_zero(&b->value[SVG_FILL_OPACITY]) || is_zero(&b->value[SVG_STROKE_OPACITY]) ||
-           is_zero(&b->value[SVG_STROKE_WIDTH]);
-}
-
-static bool is_understood(const char *selector)
-{
-    const char *colon = strchr(selector, ':');
-
-    return strpbrk(selector, " \t\r\n\f>+~[|") == NULL &&
-           (colon == NULL || strcmp(colon, ":root") == 0);
+    for (int i = 0; i < SVG_PROPERTIES; i++)
+        some = some || b->value[i].text != NULL;
+    return some;
 }
 
 /* Store the declarations of `block` for one selector. */
@@ -245,9 +142,10 @@ static void add_rule(svg_reader *r, const char *text, size_t length, const svg_b
     if (length == 0)
         return;
     char *selector = (char *)xmlStrndup((const xmlChar *)text, (int)length);
-    if (is_understood(selector)) {
-        rule *u = rule_of(sheet, selector);
-        const unsigned long long rank = specificity(selector) + sheet->order;
+    rule *u = sets_something(block) ? rule_of(sheet, selector) : NULL;
+    if (u != NULL) {
+        const unsigned long long rank = ((unsigned long long)svg_selector_rank(u->selector) << 32) +
+                                        sheet->order;
         for (int i = 0; i < SVG_PROPERTIES; i++) {
             svg_value value = block->value[i];
             value.rank += rank;
@@ -258,9 +156,9 @@ static void add_rule(svg_reader *r, const char *text, size_t length, const svg_b
             u->namings = room_for_one(u->namings, u->naming_count, sizeof *u->namings);
             u->namings[u->naming_count++] = (naming){ block->names, rank };
         }
-    } else if (hides_or_moves(block)) {
+    } else if (sets_something(block)) {
         svg_warn(r, SVG_WARN_SELECTOR,
-                 "the style sheet's selector \"%.40s\" is not understood: "
+                 "the style sheet's selector \"%.40s\" is not understood, its rule is not used: "
                  "use a class, an id or style=\"\"",
                  selector);
     }
@@ -285,7 +183,7 @@ static void add_rules(svg_reader *r, const char *text, const char *open, char *e
         text += strspn(text, " \t\r\n\f,");
         if (text >= open)
             break;
-        const size_t length = strcspn(text, ",{");
+        const size_t length = svg_css_span(text, ",{");
         add_rule(r, text, length, &block);
         text += length;
     }
@@ -295,38 +193,99 @@ static void add_rules(svg_reader *r, const char *text, const char *open, char *e
 // Style sheets
 // ------------
 
-static void blank_comments(char *text)
+/* Does a query of media apply to a drawing that is shown? `known`: it is understood. */
+static bool query_applies(const char *text, size_t length, bool *known)
 {
-    for (char *start = strstr(text, "/*"); start != NULL; start = strstr(start, "/*")) {
-        const char *end = strstr(start + 2, "*/");
-        const size_t size = end ? (size_t)(end + 2 - start) : strlen(start);
-        memset(start, ' ', size);
+    static const char *const yes[] = { "all", "screen", "(prefers-color-scheme: light)" },
+                      *const no[]  = { "print", "speech", "(prefers-color-scheme: dark)" };
+    char query[60];
+    size_t n = 0;
+
+    if (length > 5 && strncasecmp(text, "only ", 5) == 0) {
+        text += 5;
+        length -= 5;
     }
+    for (size_t i = 0; i < length && n + 2 < sizeof query; i++)
+        if (strchr(blank, text[i]) == NULL) {
+            query[n++] = text[i];
+            if (text[i] == ':')
+                query[n++] = ' ';
+        }
+    query[n] = '\0';
+    for (size_t i = 0; i < 3; i++)
+        if (strcasecmp(query, yes[i]) == 0)
+            return true;
+    bool refused = false;
+    for (size_t i = 0; i < 3; i++)
+        refused = refused || strcasecmp(query, no[i]) == 0;
+    *known = *known && refused;
+    return false;
 }
 
-/* The end of the block or statement that starts at `s`: after its matching brace or its
- * semicolon. */
-static char *behind_at_rule(char *s)
+/* Does one of the queries apply? One that is not understood is told, and does not. */
+static bool media_apply(svg_reader *r, const char *text, size_t size)
 {
-    int depth = 0;
+    bool applies = size == 0, known = true;
 
-    for (; *s != '\0'; s++) {
-        depth += (*s == '{') - (*s == '}');
-        if (depth == 0 && (*s == '}' || *s == ';'))
-            return s + 1;
+    for (size_t i = 0; i < size && !applies;) {
+        while (i < size && strchr(" \t\r\n\f,", text[i]))
+            i++;
+        size_t length = 0;
+        while (i + length < size && text[i + length] != ',')
+            length++;
+        applies = length == 0 || query_applies(text + i, length, &known);
+        i += length + 1;
     }
-    return s;
+    if (!applies && !known)
+        svg_warn(r, SVG_WARN_MEDIA,
+                 "the style sheet's rules for \"%.40s\" are not used: write them for all media",
+                 text);
+    return applies;
 }
 
-static void read_rules(svg_reader *r, char *s)
+static void read_rules(svg_reader *r, char *s, int depth);
+
+/* A rule that begins with @. Returns what is behind it. */
+static char *read_at_rule(svg_reader *r, char *s, int depth)
 {
-    blank_comments(s);
+    static const char *const passed[] = { "charset", "namespace", "font-face",
+                                          "page",    "keyframes", "-webkit-keyframes" };
+    const size_t name = strcspn(s + 1, " \t\r\n\f;{\"'(");
+    char *open        = s + svg_css_span(s, ";{");
+    bool quiet        = false;
+
+    for (size_t i = 0; i < sizeof passed / sizeof passed[0]; i++)
+        quiet = quiet || (strlen(passed[i]) == name && strncasecmp(passed[i], s + 1, name) == 0);
+    const bool media = name == 5 && strncasecmp(s + 1, "media", 5) == 0;
+    if (!media && !quiet)
+        svg_warn(r, SVG_WARN_MEDIA,
+                 "the style sheet's \"%.*s\" is not used: write its rules without",
+                 (int)(name < 40 ? name + 1 : 40), s);
+    if (*open != '{')
+        return open + (*open != '\0');
+    char *end = open + 1;
+    for (int inner = 1; *(end += svg_css_span(end, "{}")) != '\0'; end++) {
+        inner += *end == '{' ? 1 : -1;
+        if (inner == 0)
+            break;
+    }
+    const bool last = *end == '\0';
+    *open = *end = '\0';
+    s += 6;
+    s += strspn(s, blank);
+    if (media && depth < AT_DEPTH && media_apply(r, s, strlen(s)))
+        read_rules(r, open + 1, depth + 1);
+    return last ? end : end + 1;
+}
+
+static void read_rules(svg_reader *r, char *s, int depth)
+{
     while (*(s += strspn(s, blank)) != '\0') {
         if (*s == '@') {
-            s = behind_at_rule(s);
+            s = read_at_rule(r, s, depth);
             continue;
         }
-        char *open = s + strcspn(s, "{"), *end = open + strcspn(open, "}");
+        char *open = s + svg_css_span(s, "{"), *end = open + svg_css_span(open, "}");
         const bool last = *end == '\0';
         if (*open == '\0')
             break;
@@ -335,11 +294,24 @@ static void read_rules(svg_reader *r, char *s)
     }
 }
 
+/* A sheet of another language, or of other media, is not read. */
+static bool sheet_applies(svg_reader *r, const xmlNode *style)
+{
+    char *type = svg_attribute(style, "type"), *media = svg_attribute(style, "media");
+    const bool css = type == NULL || *type == '\0' || strcasecmp(type, "text/css") == 0;
+    const bool good = css && (media == NULL || media_apply(r, media, strlen(media)));
+
+    xmlFree(type);
+    xmlFree(media);
+    return good;
+}
+
 /* Values point into the text, which the sheet keeps. */
 void svg_sheet_read(svg_reader *r, const xmlNode *style)
 {
+    if (!sheet_applies(r, style))
+        return;
     xmlBufferPtr text = xmlBufferCreate();
-
     xmlBufferSetAllocationScheme(text, XML_BUFFER_ALLOC_DOUBLEIT);
     for (const xmlNode *child = style->children; child != NULL; child = child->next)
         if (child->type == XML_TEXT_NODE || child->type == XML_CDATA_SECTION_NODE)
@@ -351,8 +323,10 @@ void svg_sheet_read(svg_reader *r, const xmlNode *style)
     svg_sheet *sheet = r->sheet;
     sheet->texts = room_for_one(sheet->texts, sheet->text_count, sizeof *sheet->texts);
     sheet->texts[sheet->text_count++] = text;
-    if (xmlBufferLength(text) > 0)
-        read_rules(r, (char *)(size_t)xmlBufferContent(text));
+    if (xmlBufferLength(text) == 0)
+        return;
+    svg_blank_comments((char *)(size_t)xmlBufferContent(text));
+    read_rules(r, (char *)(size_t)xmlBufferContent(text), 0);
 }
 
 static void free_rule(void *payload, const xmlChar *name)
@@ -360,7 +334,7 @@ static void free_rule(void *payload, const xmlChar *name)
     rule *u = payload;
 
     (void)name;
-    xmlFree(u->selector);
+    svg_selector_free(u->selector);
     free(u->settings);
     free(u->namings);
     free(u);
@@ -398,15 +372,14 @@ void svg_scope_add(svg_scope *scope, xmlHashTablePtr names, unsigned long long r
     scope->list[scope->count++].rank = rank;
 }
 
-static void apply_list(svg_reader *r, const asked *a, const char *word, size_t length,
-                       const char *kind, svg_style *style, svg_scope *scope)
+static void apply_list(svg_reader *r, const char *word, size_t length, const char *kind,
+                       svg_style *style, svg_scope *scope)
 {
     const list *l = list_of(r->sheet, word, length, kind, false);
 
     for (const rule *u = l ? l->first : NULL; u != NULL && r->effort <= SVG_EFFORT_MAX;
          u = u->next) {
-        r->effort += a->effort;
-        if (!selector_matches(u->selector, a))
+        if (!svg_selector_matches(r, u->selector, r->node))
             continue;
         for (size_t i = 0; i < u->setting_count; i++)
             svg_value_put(&style->value[u->settings[i].property], u->settings[i].value);
@@ -418,24 +391,20 @@ static void apply_list(svg_reader *r, const asked *a, const char *word, size_t l
 
 void svg_sheet_apply(svg_reader *r, svg_style *style, svg_scope *scope)
 {
+    const char *name = (const char *)r->node->name;
+
     if (r->sheet == NULL)
         return;
-    asked a = { .node = r->node,
-                .class = svg_attribute(r->node, "class"),
-                .id = svg_attribute(r->node, "id") };
-
-    a.class_length = a.class ? strlen(a.class) : 0;
-    a.effort = 1 + (unsigned)(a.class_length / 8);
-    for (const char *at = a.class; at != NULL && *(at += strspn(at, blank)) != '\0';
+    char *class = svg_attribute(r->node, "class"), *id = svg_attribute(r->node, "id");
+    for (const char *at = class; at != NULL && *(at += strspn(at, blank)) != '\0';
          at += strcspn(at, blank))
-        apply_list(r, &a, at, strcspn(at, blank), ".", style, scope);
-    if (a.id != NULL)
-        apply_list(r, &a, a.id, strlen(a.id), "#", style, scope);
-    if (is_root(r->node))
-        apply_list(r, &a, "root", 4, ":", style, scope);
-    apply_list(r, &a, (const char *)r->node->name, strlen((const char *)r->node->name), "", style,
-               scope);
-    apply_list(r, &a, "*", 1, "", style, scope);
-    xmlFree(a.class);
-    xmlFree(a.id);
+        apply_list(r, at, strcspn(at, blank), ".", style, scope);
+    if (id != NULL)
+        apply_list(r, id, strlen(id), "#", style, scope);
+    if (r->node->parent == NULL || r->node->parent->type != XML_ELEMENT_NODE)
+        apply_list(r, "root", 4, ":", style, scope);
+    apply_list(r, name, strlen(name), "", style, scope);
+    apply_list(r, "*", 1, "", style, scope);
+    xmlFree(class);
+    xmlFree(id);
 }

@@ -78,13 +78,47 @@ typedef struct {
     bool important;
 } declaration;
 
+size_t svg_css_span(const char *text, const char *stops)
+{
+    char quote = '\0';
+    int depth  = 0;
+    size_t n   = 0;
+
+    for (; text[n] != '\0'; n++) {
+        const char c = text[n];
+        if (c == '\\' && text[n + 1] != '\0') {
+            n++;
+        } else if (quote != '\0') {
+            quote = c == quote || c == '\n' ? '\0' : quote;
+        } else if (c == '"' || c == '\'') {
+            quote = c;
+        } else if (depth == 0 && strchr(stops, c) != NULL) {
+            break;
+        } else if (c == '(' || c == '[') {
+            depth++;
+        } else if (depth > 0 && (c == ')' || c == ']')) {
+            depth--;
+        }
+    }
+    return n;
+}
+
+void svg_blank_comments(char *text)
+{
+    for (char *start = strstr(text, "/*"); start != NULL; start = strstr(start, "/*")) {
+        const char *end = strstr(start + 2, "*/");
+        const size_t size = end ? (size_t)(end + 2 - start) : strlen(start);
+        memset(start, ' ', size);
+    }
+}
+
 /* The next declaration of `a: b; c: d`. Returns false at the end. */
 static bool next_declaration(const char **at, declaration *out)
 {
     for (;;) {
         *at += strspn(*at, " \t\r\n\f;");
         const char *text = *at;
-        const size_t all = strcspn(text, ";"), colon = strcspn(text, ":;");
+        const size_t all = svg_css_span(text, ";"), colon = strcspn(text, ":;");
 
         if (*text == '\0')
             return false;
@@ -254,6 +288,7 @@ void svg_style_open(svg_reader *r, svg_style *style, svg_scope *scope, const svg
     svg_sheet_apply(r, style, scope);
     if (style->text != NULL) {
         svg_block block;
+        svg_blank_comments(style->text);
         svg_block_read(&block, style->text, SVG_RANK_OWN);
         for (int i = 0; i < SVG_PROPERTIES; i++)
             if (block.value[i].text != NULL)
