@@ -4,6 +4,7 @@
  * The grammar is that of NIST RS274/NGC version 3 (section 3.3), with the comments of LinuxCNC and
  * grbl (from ; to the end of the line) and named parameters.
  */
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -22,11 +23,29 @@ int gcode_wrong(const gcode_block *b, const char *what, const char *remedy)
 // Words
 // -----
 
+/* The ) that closes a comment with comments in it, as Marlin takes it, or NULL. */
+static const char *outer_end(const gcode_scanner *s)
+{
+    int depth = 1;
+
+    for (const char *at = s->at; at < s->end; at++) {
+        depth += *at == '(' ? 1 : *at == ')' ? -1 : 0;
+        if (depth == 0)
+            return at;
+    }
+    return NULL;
+}
+
 /* `(MSG,text)` is said; all other comments are left out. */
 static void skip_comment(gcode_scanner *s)
 {
     const char *from = s->at, *close = memchr(from, ')', (size_t)(s->end - from));
+    const char *inner = close ? memchr(from, '(', (size_t)(close - from)) : NULL;
 
+    if (inner != NULL && s->b->printer)
+        close = outer_end(s);
+    else if (inner != NULL)
+        gcode_scan_fail(s, "( in a comment", "comments do not nest: write [ ] within");
     if (close == NULL) {
         gcode_scan_fail(s, "( without )", "close the comment");
         s->at = s->end;
@@ -88,7 +107,7 @@ static void add_code(gcode_scanner *s, char letter, double value)
     char what[64];
 
     if (!(fabs(10 * value - tenths) <= 10 * CODE_TOL) || tenths < 0 || tenths > 9999 ||
-        (letter == 'M' && fmod(tenths, 10) > 0)) {
+        (letter == 'M' && fmod(tenths, 10) > 0 && !s->b->printer)) {
         snprintf(what, sizeof what, "%c%.6g: no such code", letter, value);
         gcode_scan_fail(s, what, "leave it out, or correct it");
     } else if (*count == GCODE_CODES) {
@@ -111,10 +130,7 @@ static void read_word(gcode_scanner *s, char letter)
         return;
     }
     if (gcode_has(s->b, letter)) {
-        snprintf(what, sizeof what, "%c twice in a line",
-                 letter == GCODE_RADIUS  ? '@'
-                 : letter == GCODE_ANGLE ? '^'
-                                         : letter);
+        snprintf(what, sizeof what, "%c twice in a line", GCODE_SHOWN(letter));
         gcode_scan_fail(s, what, "leave one of them out");
         return;
     }
@@ -122,15 +138,18 @@ static void read_word(gcode_scanner *s, char letter)
     s->b->value[letter - 'A'] = value;
 }
 
-/* The rest of such a line is text for the printer's display, or the name of a file. */
+/* M words of a printer whose numbers this reader uses. The rest of a line with any other M word has
+ * no meaning here: text for the display, the name of a file or of a part. */
 static bool takes_text(const gcode_block *b)
 {
-    static const short codes[] = { 230, 280, 320, 1170, 1180, 9280 };
+    static const short codes[] = { 0, 10, 30, 40, 50, 60, 70, 80, 90 };
 
-    for (size_t i = 0; b->printer && b->ms > 0 && i < sizeof codes / sizeof codes[0]; i++)
+    if (!b->printer || b->ms == 0)
+        return false;
+    for (size_t i = 0; i < sizeof codes / sizeof codes[0]; i++)
         if (b->m[b->ms - 1] == codes[i])
-            return true;
-    return false;
+            return false;
+    return true;
 }
 
 static bool at_line_end(gcode_scanner *s, char c)
@@ -138,12 +157,52 @@ static bool at_line_end(gcode_scanner *s, char c)
     return c == '\0' || c == ';' || (c == '*' && s->b->printer) || takes_text(s->b);
 }
 
+/* Behind M0 and M1 of a printer: P or S with numbers, then text for the display. */
+static bool is_message(gcode_scanner *s, char letter)
+{
+    const gcode_block *b = s->b;
+    const char next = s->at < s->end ? *s->at : '\0';
+
+    return b->printer && b->ms > 0 && b->m[b->ms - 1] <= 10 &&
+           !((letter == 'P' || letter == 'S') && next != '\0' && strchr("0123456789.", next));
+}
+
+static void take_message(gcode_scanner *s)
+{
+    const char *from = --s->at, *end = from;
+
+    while (end < s->end && *end != ';' && *end != '\r')
+        end++;
+    s->b->say        = from;
+    s->b->say_length = (size_t)(end - from);
+    s->at = s->end;
+}
+
+/* Commands of a printer's firmware that are words, as Klipper's: they are left out, and told. */
+static bool takes_command(gcode_scanner *s)
+{
+    gcode_block *b  = s->b;
+    size_t n        = 0;
+    const char *at  = s->at;
+    const char next = at + 1 < s->end ? at[1] : '\0';
+
+    if (!b->printer || b->gs + b->ms > 0 || (b->has & ~GCODE_BIT('N')) != 0 ||
+        !((next >= 'A' && next <= 'Z') || (next >= 'a' && next <= 'z') || next == '_'))
+        return false;
+    while (at < s->end && n < sizeof b->unknown - 1 && (isalnum((unsigned char)*at) || *at == '_'))
+        b->unknown[n++] = *at++;
+    b->unknown[n] = '\0';
+    s->at = s->end;
+    return true;
+}
+
 /* A printer takes letters without numbers, as G28 X: they are 0. */
 static bool stands_alone(gcode_scanner *s)
 {
     const char c = gcode_peek(s);
 
-    return s->b->printer && (c == '\0' || c == ';' || c == '(' || (c >= 'A' && c <= 'Z'));
+    return s->b->printer &&
+           (c == '\0' || c == ';' || c == '(' || c == '*' || (c >= 'A' && c <= 'Z'));
 }
 
 static void add_bare(gcode_block *b, char letter)
@@ -188,9 +247,13 @@ static void refuse_character(gcode_scanner *s, unsigned char c)
 static void read_words(gcode_scanner *s)
 {
     for (char c = gcode_peek(s); s->code == 0 && !at_line_end(s, c); c = gcode_peek(s)) {
+        if (c >= 'A' && c <= 'Z' && takes_command(s))
+            return;
         s->at++;
         if (c == '(')
             skip_comment(s);
+        else if (c >= 'A' && c <= 'Z' && is_message(s, c))
+            take_message(s);
         else if (c == '#')
             read_setting(s);
         else if (c == 'O' && !names_program(s))
@@ -217,6 +280,7 @@ int gcode_block_read(gcode_block *b, const char *text, size_t length)
     b->gs = b->ms = 0;
     b->say = NULL;
     b->percent = false;
+    b->unknown[0] = '\0';
     if (length > GCODE_LINE_MAX)
         return gcode_wrong(b, "a line of more than 65536 characters", "is this G-code?");
     const char first = gcode_peek(&s);

@@ -36,9 +36,10 @@ typedef struct {
 typedef struct {
     const char *file;
     unsigned line;
-    bool printer;               /* of a 3-D printer: M117 takes text, a checksum may follow * */
+    bool printer;               /* of a 3-D printer: many M words take text, a checksum may follow * */
     bool skip;                  /* leave out lines that begin with / */
     gcode_parameters *at;
+    uint32_t *used;             /* bits as of `has`: letters whose numbers were asked for */
     /* ---- */
     uint32_t has;               /* bit n: the letter 'A' + n, except G and M; GCODE_RADIUS .. */
     double value[28];
@@ -47,8 +48,10 @@ typedef struct {
     const char *say;            /* (MSG,text), or NULL, and its length */
     size_t say_length;
     bool percent;               /* the line is % */
+    char unknown[24];           /* of a printer: a command that is no letter with a number, or "" */
 } gcode_block;
 
+#define GCODE_SHOWN(letter) ((letter) == GCODE_RADIUS ? '@' : (letter) == GCODE_ANGLE ? '^' : (letter))
 #define GCODE_BIT(letter) (1u << ((letter) - 'A'))
 
 static inline bool gcode_has(const gcode_block *b, char letter)
@@ -56,8 +59,10 @@ static inline bool gcode_has(const gcode_block *b, char letter)
     return (b->has & GCODE_BIT(letter)) != 0;
 }
 
+/* The number of a letter, which thereby has a use in the line. */
 static inline double gcode_value(const gcode_block *b, char letter)
 {
+    *b->used |= GCODE_BIT(letter);
     return b->value[letter - 'A'];
 }
 

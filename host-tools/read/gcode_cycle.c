@@ -66,17 +66,22 @@ static int turn_at_top(gcode_program *g)
     return c == 740 || c == 840 || c == 860 || c == 880 ? spin(g, g->spindle) : 0;
 }
 
+static bool waits_at_bottom(int code)
+{
+    return code == 820 || code == 860 || code == 880 || code == 890 || code == 840 || code == 740;
+}
+
 /* One hole, from R down and up to `clear`. */
 static int drill_hole(gcode_program *g, double r, double bottom, double clear)
 {
     const int c     = g->cycle.code;
-    const bool taps = c == 840 || c == 740, waits = c == 820 || c == 860 || c == 880 || c == 890;
+    const bool taps = c == 840 || c == 740, waits = waits_at_bottom(c);
     int code = c == 830 || c == 730 ? peck(g, r, bottom, g->cycle.q, c == 830)
                                     : plunge(g, GCODE_LINE, bottom);
 
     if (code == 0 && taps)
         code = turn_at_bottom(g);
-    if (code == 0 && (waits || (taps && g->cycle.p > 0)))
+    if (code == 0 && waits && (!taps || g->cycle.p > 0))
         code = gcode_wait(g, g->cycle.p);
     if (code == 0 && !taps)
         code = turn_at_bottom(g);
@@ -175,9 +180,9 @@ static int take_words(gcode_program *g)
         g->cycle.r = gcode_value(b, 'R');
     if (gcode_has(b, up))
         g->cycle.z = gcode_value(b, up);
-    if (gcode_has(b, 'P'))
+    if (gcode_has(b, 'P') && waits_at_bottom(g->motion))
         g->cycle.p = gcode_value(b, 'P');
-    if (gcode_has(b, 'Q'))
+    if (gcode_has(b, 'Q') && (g->motion == 830 || g->motion == 730))
         g->cycle.q = gcode_value(b, 'Q');
     g->cycle.code = g->motion;
     return g->motion == 870 ? take_sides(g, first) : 0;

@@ -6,6 +6,7 @@
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -260,12 +261,12 @@ int drawing_read_gcode(drawing *d, const char *file, const char *text, size_t si
 /* Call `is` for the first lines, without what is not code. */
 static bool some_line(const char *text, bool (*is)(const char *line))
 {
-    for (int line = 0; line < LINES_LOOKED && *text != '\0'; line++) {
-        text += strspn(text, " \t\r");
+    for (int line = 0; line < LINES_LOOKED && *text != '\0'; line += *text != ';') {
+        text += strspn(text, " \t\r\n");
         if (is(text))
             return true;
-        text += strcspn(text, "\n");
-        text += *text == '\n';
+        text += strcspn(text, "\r\n");
+        text += strspn(text, "\r\n");
     }
     return false;
 }
@@ -277,17 +278,33 @@ static bool begins_with_code(const char *line)
            isdigit((unsigned char)line[1 + strspn(line + 1, " ")]);
 }
 
-/* Codes of heaters and extruders. */
+/* A motion with an extruder: G1 X1 E2. */
+static bool extrudes(const char *line)
+{
+    const size_t end = strcspn(line, "\r\n;(");
+
+    if (!begins_with_code(line) || toupper((unsigned char)*line) != 'G')
+        return false;
+    for (size_t i = 1; i + 1 < end; i++)
+        if (toupper((unsigned char)line[i]) == 'E' && strchr("-.0123456789", line[i + 1]) != NULL)
+            return true;
+    return false;
+}
+
+/* Codes of heaters, extruders, fans and displays; all above M199, which are no controller's. */
 static bool is_of_printer(const char *line)
 {
-    static const char *const codes[] = { "M104", "M109", "M140", "M190", "M82", "M83", ";FLAVOR" };
+    static const int codes[] = { 82, 83, 84, 104, 105, 106, 107, 109, 117, 118, 140, 190 };
 
-    for (size_t i = 0; i < sizeof codes / sizeof codes[0]; i++) {
-        const size_t n = strlen(codes[i]);
-        if (strncmp(line, codes[i], n) == 0 && !isdigit((unsigned char)line[n]))
+    if (strncmp(line, ";FLAVOR", 7) == 0 || extrudes(line))
+        return true;
+    if (toupper((unsigned char)*line) != 'M' || !begins_with_code(line))
+        return false;
+    const long m = strtol(line + 1, NULL, 10);
+    for (size_t i = 0; i < sizeof codes / sizeof codes[0]; i++)
+        if (codes[i] == m)
             return true;
-    }
-    return false;
+    return m > 199;
 }
 
 static bool named(const char *file, const char *text)

@@ -2,14 +2,16 @@
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
+#include <string.h>
 
 #include "base/tool.h"       /* tool_error */
 #include "read/gcode_state.h"
 
-void gcode_leave_out(gcode_program *g, char letter, int code)
+static void leave_out(gcode_program *g, char letter, int code, const char *name)
 {
     for (unsigned i = 0; i < g->lefts; i++)
-        if (g->left[i].letter == letter && g->left[i].code == code) {
+        if (g->left[i].letter == letter && g->left[i].code == code &&
+            strcmp(g->left[i].name, name) == 0) {
             g->left[i].count++;
             return;
         }
@@ -17,9 +19,14 @@ void gcode_leave_out(gcode_program *g, char letter, int code)
         g->left[g->lefts].letter  = letter;
         g->left[g->lefts].code    = code;
         g->left[g->lefts].line    = g->b.line;
+        snprintf(g->left[g->lefts].name, sizeof g->left[0].name, "%s", name);
         g->left[g->lefts++].count = 1;
     }
 }
+
+void gcode_leave_out(gcode_program *g, char letter, int code) { leave_out(g, letter, code, ""); }
+
+void gcode_leave_name(gcode_program *g, const char *name) { leave_out(g, ' ', 0, name); }
 
 static const char *reason_of(char letter, int code)
 {
@@ -39,8 +46,10 @@ static const char *reason_of(char letter, int code)
 void gcode_tell_left(gcode_program *g)
 {
     for (unsigned i = 0; i < g->lefts; i++) {
-        char word[16] = "", times[32] = "";
-        if (g->left[i].letter == '$' || g->left[i].letter == 'E')
+        char word[32] = "", times[32] = "";
+        if (g->left[i].letter == ' ')
+            snprintf(word, sizeof word, "%s", g->left[i].name);
+        else if (g->left[i].letter == '$' || g->left[i].letter == 'E')
             snprintf(word, sizeof word, "%c", g->left[i].letter);
         else
             snprintf(word, sizeof word, "%c%g", g->left[i].letter, g->left[i].code / 10.0);

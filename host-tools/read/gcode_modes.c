@@ -57,6 +57,7 @@ static int bring_back(gcode_program *g)
     (void)gcode_use_units(g, to->unit);
     g->feed_mode = to->feed_mode;
     g->feed = to->feed;
+    g->fed  = to->feed > 0;
     g->plane = to->plane;
     g->incremental = to->incremental;
     g->centre_absolute = to->centre_absolute;

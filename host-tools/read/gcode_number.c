@@ -58,6 +58,12 @@ bool gcode_take_word(gcode_scanner *s, const char *word)
 static const double powers[] = { 1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                  1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15 };
 
+/* Blanks count nowhere, but end the numbers of a printer: M117 100 is a text. */
+static char next_digit(gcode_scanner *s)
+{
+    return !s->b->printer ? gcode_peek(s) : s->at < s->end ? *s->at : '\0';
+}
+
 /* Digits with at most one point. Up to 15 digits are an exact integer over an exact power of ten,
  * so the quotient is rounded once. */
 static double read_digits(gcode_scanner *s)
@@ -68,7 +74,7 @@ static double read_digits(gcode_scanner *s)
     bool point = false;
 
     for (char c = gcode_peek(s); (c >= '0' && c <= '9') || (c == '.' && !point);
-         c = gcode_peek(s)) {
+         c = next_digit(s)) {
         if (length == DIGITS) {
             gcode_scan_fail(s, "a number of more than 60 digits", "write fewer");
             return 0;

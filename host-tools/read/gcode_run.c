@@ -152,11 +152,16 @@ static int set_feed(gcode_program *g, int mode)
     if (mode != GCODE_NONE && mode != g->feed_mode) {
         g->feed_mode = mode;
         g->feed      = 0;
+        g->fed       = false;
     }
     if (gcode_has(&g->b, 'F')) {
-        if (!(gcode_value(&g->b, 'F') >= 0))
+        const double said = gcode_value(&g->b, 'F');
+        if (!(said >= 0) && !g->printer)
             return gcode_fails(g, "F below 0", "give a feed above 0");
-        g->feed = gcode_value(&g->b, 'F');
+        if (said > 0 || !g->printer) {          /* a printer goes on with the feed before */
+            g->feed = said;
+            g->fed  = true;
+        }
     }
     if (gcode_has(&g->b, 'S')) {
         if (!(gcode_value(&g->b, 'S') >= 0))
@@ -164,6 +169,65 @@ static int set_feed(gcode_program *g, int mode)
         g->speed = gcode_value(&g->b, 'S');
         g->timed = true;
     }
+    return 0;
+}
+
+/* M words of which a line may hold one, as rs274 groups them; 0: any number of them. */
+static int group_of_m(int m)
+{
+    static const short first[][3] = { { 0, 2, 1 },   { 30, 30, 1 }, { 60, 60, 1 }, { 99, 99, 1 },
+                                      { 3, 5, 2 },   { 19, 19, 2 }, { 70, 73, 2 }, { 6, 6, 3 },
+                                      { 61, 61, 3 }, { 7, 9, 4 },   { 48, 53, 5 }, { 62, 68, 6 },
+                                      { 98, 98, 7 }, { 100, 199, 8 } };
+
+    for (size_t i = 0; i < sizeof first / sizeof first[0]; i++)
+        if (m >= first[i][0] && m <= first[i][1])
+            return first[i][2];
+    return 0;
+}
+
+static int check_m_words(const gcode_program *g)
+{
+    unsigned seen = 0;
+
+    for (unsigned i = 0; i < g->b.ms && !g->printer; i++) {
+        const int group = group_of_m(g->b.m[i] / 10);
+        if (group > 0 && (seen & 1u << group))
+            return wrong_code(g, 'M', g->b.m[i], "a second word of its kind in the line",
+                              "split the line");
+        seen |= 1u << group;
+    }
+    return 0;
+}
+
+/* The numbers of a word that is left out are left out with it. */
+static void leave_out_m(gcode_program *g, int code)
+{
+    static const struct {
+        short first, last;
+        const char *letters;
+    } numbers[] = { { 19, 19, "PQR" }, { 50, 53, "P" },  { 62, 65, "P" },
+                    { 66, 66, "PELQ" }, { 67, 68, "EQ" }, { 100, 199, "PQ" } };
+
+    gcode_leave_out(g, 'M', code);
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
+        if (code / 10 >= numbers[i].first && code / 10 <= numbers[i].last)
+            for (const char *at = numbers[i].letters; *at != '\0'; at++)
+                (void)gcode_value(&g->b, *at);
+}
+
+/* All letters of the line had a use. A printer's firmware does not look at those that it has none
+ * for. */
+static int check_used(const gcode_program *g)
+{
+    const uint32_t idle = g->b.has & ~g->used & ~GCODE_BIT('N');
+    char what[64];
+
+    for (char c = 'A'; c <= GCODE_ANGLE && !g->printer; c++)
+        if (idle & GCODE_BIT(c)) {
+            snprintf(what, sizeof what, "%c: no word of the line uses it", GCODE_SHOWN(c));
+            return gcode_fails(g, what, "leave it out, or give the word that it belongs to");
+        }
     return 0;
 }
 
@@ -204,7 +268,7 @@ static int run_outputs(gcode_program *g)
         case 66:
         case 67:
         case 68:
-        case 73: gcode_leave_out(g, 'M', g->b.m[i]); break;
+        case 73: leave_out_m(g, g->b.m[i]); break;
         case 98:
         case 99:
             return wrong_code(g, 'M', g->b.m[i], "subroutines are not run",
@@ -214,7 +278,7 @@ static int run_outputs(gcode_program *g)
                 return wrong_code(
                     g, 'M', g->b.m[i], "is not known here",
                     "leave it out, or for a 3-D printer's file give --dialect marlin");
-            gcode_leave_out(g, 'M', g->b.m[i]);
+            leave_out_m(g, g->b.m[i]);
         }
     }
     return 0;
@@ -255,13 +319,24 @@ static int run_tools(gcode_program *g)
     return code;
 }
 
+/* Of a printer: S in seconds, P in their thousandths. */
+static double wait_of(const gcode_program *g)
+{
+    const double p = gcode_value(&g->b, 'P'), s = gcode_value(&g->b, 'S');
+
+    return gcode_has(&g->b, 'S') ? s : gcode_has(&g->b, 'P') ? p / 1000 : 0;
+}
+
 static int run_stops(gcode_program *g)
 {
     int code = 0;
 
     for (unsigned i = 0; i < g->b.ms && code == 0; i++) {
         const int m = g->b.m[i] / 10;
-        if (m == 0 || m == 1 || m == 60)
+        const double most = g->printer && m <= 1 ? wait_of(g) : 0;
+        if (most > 0)
+            code = gcode_wait(g, most);
+        else if (m == 0 || m == 1 || m == 60)
             code = gcode_simple(g, GCODE_STOP);
         else if ((m == 2 || m == 30) && !g->printer)
             g->ended = true;
@@ -273,13 +348,12 @@ static int run_wait(gcode_program *g)
 {
     const gcode_block *b = &g->b;
 
-    if (g->printer)
-        return gcode_wait(g, gcode_has(b, 'S')   ? gcode_value(b, 'S')
-                             : gcode_has(b, 'P') ? gcode_value(b, 'P') / 1000
-                                                 : 0);
-    if (!gcode_has(b, 'P') || gcode_value(b, 'P') < 0)
+    if (!gcode_has(b, 'P') && !g->printer)
         return gcode_fails(g, "G4 without P", "give the seconds to wait, as G4 P0.5");
-    return gcode_wait(g, gcode_value(b, 'P'));
+    const double seconds = g->printer ? wait_of(g) : gcode_value(b, 'P');
+    if (seconds < 0)
+        return gcode_fails(g, "G4 waits less than nothing", "give a time of 0 or more");
+    return gcode_wait(g, seconds);
 }
 
 /* G61 and G61.1 stop at corners; G64 P leaves the path by as much as P. */
@@ -289,6 +363,8 @@ static int use_path(gcode_program *g, int code)
 
     if (!(p >= 0))
         return gcode_fails(g, "G64 with P below 0", "give the tolerance in units of the program");
+    if (code == 640)
+        (void)gcode_value(&g->b, 'Q');  /* how short lines are joined: a plan keeps P for all */
     g->exact  = code != 640;
     g->within = p * g->frame.unit;
     return 0;
@@ -313,6 +389,10 @@ static int set_modes(gcode_program *g, const int of[GROUPS])
                                 of[SYSTEM] < 591 ? (of[SYSTEM] - 530) / 10 : 6 + of[SYSTEM] - 590);
     if (code == 0 && of[LATHE] == 70)
         code = wrong_code(g, 'G', 70, "diameters of a lathe are not known here", "give radii (G8)");
+    if (of[SPINDLE] == 960) {           /* the speed is that of the cut, of a lathe */
+        gcode_leave_out(g, 'G', 960);
+        (void)gcode_value(&g->b, 'D');
+    }
     if (of[DISTANCE] != GCODE_NONE)
         g->incremental = of[DISTANCE] == 910;
     if (of[CENTRE] != GCODE_NONE)
@@ -388,6 +468,8 @@ static int run_block(gcode_program *g)
     if (code == 0)
         code = check_words(g);
     if (code == 0)
+        code = check_m_words(g);
+    if (code == 0)
         code = check_radius(g, of);
     if (code == 0)
         code = set_feed(g, of[FEED_MODE]);
@@ -405,6 +487,8 @@ static int run_block(gcode_program *g)
         code = set_modes(g, of);
     if (code == 0)
         code = run_motion(g, of);
+    if (code == 0)
+        code = check_used(g);
     return code == 0 ? run_stops(g) : code;
 }
 
@@ -422,7 +506,7 @@ gcode_program *gcode_open(const char *file, enum gcode_dialect d, gcode_sink *si
     g->printer = d == GCODE_MARLIN;
     g->sink    = sink;
     g->context = context;
-    g->b = (gcode_block){ .file = file, .printer = g->printer, .at = &g->all };
+    g->b = (gcode_block){ .file = file, .printer = g->printer, .at = &g->all, .used = &g->used };
     g->frame.unit = 1;
     g->motion     = d == GCODE_LINUXCNC || d == GCODE_ANY ? GCODE_CANCEL : 0;
     g->plane      = 2;
@@ -463,7 +547,10 @@ int gcode_line(gcode_program *g, const char *text, size_t length)
         gcode_leave_out(g, '$', 0);
         return 0;
     }
+    g->used = 0;
     code = gcode_block_read(&g->b, text, length);
+    if (code == 0 && g->b.unknown[0] != '\0')
+        gcode_leave_name(g, g->b.unknown);
     if (code == 0 && g->b.percent)
         return run_percent(g);
     if (code == 0 && g->b.say != NULL)
@@ -503,6 +590,16 @@ int gcode_finish(gcode_program *g)
 
 void gcode_close(gcode_program *g) { free(g); }
 
+/* A line ends with LF, CR LF or CR. */
+static const char *line_end(const char *text, const char *end)
+{
+    const char *stop = memchr(text, '\n', (size_t)(end - text));
+
+    stop = stop ? stop : end;
+    const char *back = memchr(text, '\r', (size_t)(stop - text));
+    return back ? back : stop;
+}
+
 int gcode_lines(gcode_program *g, const char *text, size_t size)
 {
     const char *end = text + size;
@@ -511,10 +608,9 @@ int gcode_lines(gcode_program *g, const char *text, size_t size)
     if (g->b.line == 0 && size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0)
         text += 3;
     while (text < end && code == 0 && !g->ended) {
-        const char *stop = memchr(text, '\n', (size_t)(end - text));
-        stop = stop ? stop : end;
+        const char *stop = line_end(text, end);
         code = gcode_line(g, text, (size_t)(stop - text));
-        text = stop + 1;
+        text = stop + 1 + (stop + 1 < end && stop[0] == '\r' && stop[1] == '\n');
     }
     return code;
 }

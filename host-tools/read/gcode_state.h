@@ -35,7 +35,8 @@ struct gcode_program {
     bool printer, ended, begun;
     unsigned percents;
     gcode_parameters all;
-    gcode_block b;              /* the line under way */
+    gcode_block b;              /* the line under way, */
+    uint32_t used;              /* and its letters that something used */
 
     double at[3];
     unsigned char loose;        /* bit i: axis i counts from where the machine stands; */
@@ -48,6 +49,7 @@ struct gcode_program {
     bool incremental, centre_absolute;
     int feed_mode;              /* 930 940 950 */
     double feed;                /* units per minute, per turn; 1/minutes */
+    bool fed;                   /* was it given? */
     double speed;               /* S; 0, if it is not `timed` */
     bool timed;
     int spindle, coolant;       /* 3, 4 or 0; 1 or 0 */
@@ -89,7 +91,7 @@ struct gcode_program {
     unsigned pole_line;
 
     struct {                    /* words that this machine has no use for, said at the end */
-        char letter;
+        char letter, name[24];
         int code;
         unsigned line, count;
     } left[64];
@@ -122,6 +124,7 @@ unsigned char gcode_loose_there(const gcode_program *g);
 
 /* gcode_left.c: a word that this machine has no use for; and one line for each of them. */
 void gcode_leave_out(gcode_program *g, char letter, int code);
+void gcode_leave_name(gcode_program *g, const char *name);
 void gcode_tell_left(gcode_program *g);
 
 /* gcode_motion.c: the motion of the line. */

@@ -307,6 +307,76 @@ static void other_words_of_printers_are_left_out(arb *a)
     CHECK(strcmp(s.text, "L 5 0 0 A 9 0 7 0 -1 0") == 0);
 }
 
+/* Each word of a line has a use in it, or the line is refused, as by LinuxCNC. */
+static void words_without_a_use_are_refused(arb *a)
+{
+    static const char *const idle[] = { "G54 P7\n",
+                                        "G1 X20 R3 F9\n",
+                                        "G1 X1 P1 F9\n",
+                                        "G0 X1 I1\n",
+                                        "G0 X1 H1\n",
+                                        "G0 X1 Q2\n",
+                                        "G2 X5 I2.5 R3 F9\n",
+                                        "G3 X5 I2.5 K1 F9\n",
+                                        "G80 X1\n",
+                                        "D1\n",
+                                        "L3\n",
+                                        "G49 H1\n",
+                                        "G40 D1\n",
+                                        "G81 X1 Z-1 R1 P2 F9\n",
+                                        "G82 X1 Z-1 R1 P2 Q1 F9\n",
+                                        "G5.1 X1 I1 P1 F9\n",
+                                        "G64 R1\n",
+                                        "M3 P1\n",
+                                        "G4 P1 L2\n",
+                                        "G1 X1 F9 J1\n",
+                                        "G17 K2\n",
+                                        "G28 P1\n" };
+    static const char *const twice[] = { "M3 M5\n",     "M3 M3\n",   "M7 M8\n",   "M0 M2\n",
+                                         "M6 M61 Q1\n", "M48 M50\n", "M62 M64\n", "M70 M5\n" };
+    (void)a;
+    for (size_t i = 0; i < sizeof idle / sizeof idle[0]; i++)
+        FAILS(idle[i], ": no word of the line uses it: leave it out");
+    for (size_t i = 0; i < sizeof twice / sizeof twice[0]; i++)
+        FAILS(twice[i], "part.nc:1: M");
+    FAILS("G1 X1 F0\n", "part.nc:1: F0: this motion would never end: give a feed above 0");
+    FAILS("F0\nG0 X1\nG2 X2 I0.5\n", "part.nc:3: F0: this motion would never end");
+    MOVES("F0\nG0 X1\n", "R 1 0 0");
+    MOVES("M62 P1\nM66 P0 L3 Q2\nM68 E1 Q2\nM110 P1 Q2\nG64 P0.1 Q0.2\nG0 X1\n", "R 1 0 0");
+    MOVES("M3 M8 S5 G0 X1\n", "P 3 5 O 1 R 1 0 0");
+}
+
+/* Text for the display is no code: it ends a line of a printer, and may hold anything. */
+static void texts_of_printers_are_no_words(arb *a)
+{
+    seen s;
+    (void)a;
+    CHECK(
+        run(&s, GCODE_MARLIN,
+            "M862.3 P \"MK3S\" ; model\nM117 100% done (\nM118 E1 hello O1 sub\nM0 Click to go on\n"
+            "M1 P2500 Wait (a\nM486 A\"part: 1*2\"\nG1 X1 (a (b) c) Y2 F0\n"
+            "START_PRINT BED=60\nnonsense %\nG4 S1.5\nG92 E0\nG1 X2*71\n") == 0);
+    CHECK(strcmp(s.text, "! S ! W 2.5 L 1 2 0 W 1.5 L 2 2 0") == 0);
+    CHECK(strstr(caught, "part.nc:8: START_PRINT: has no meaning") != NULL &&
+          strstr(caught, "part.nc:9: nonsense: ") != NULL &&
+          strstr(caught, "part.nc:1: M862.3: ") != NULL);
+    CHECK(run(&s, GCODE_MARLIN, "G4 P-1\n") == EX_DATAERR &&
+          strstr(caught, "part.nc:1: G4 waits less than nothing: ") != NULL);
+    CHECK(gcode_is_printer("M117 Hello\nG28\n") && gcode_is_printer("G28\ng1 x1 e0.5\n") &&
+          gcode_is_printer("M862.3 P \"MK3S\"\n") && gcode_is_printer("G21\rM106 S255\rG1 X1\r"));
+    CHECK(!gcode_is_printer("M67 E0 Q1\nM100 P1\n(M117)\n") && !gcode_is_printer("G1 X1 (E1)\n"));
+}
+
+/* LF, CR LF and CR end a line. */
+static void lines_end_in_three_ways(arb *a)
+{
+    (void)a;
+    MOVES("G0 X1\rX2\r\nX3\n\rX4\r", "R 1 0 0 R 2 0 0 R 3 0 0 R 4 0 0");
+    FAILS("G0 X1\rX2\r\nX3\n\rX\r", "part.nc:5: a number is missing: ");
+    FAILS("G0 X1 (a (b) c)\n", "part.nc:1: ( in a comment: comments do not nest");
+    FAILS("G4 P-1\n", "part.nc:1: G4 waits less than nothing: ");
+}
+
 /* A printer's file: heaters and extruder are left out, once told; G28 goes to 0; G0 has a feed. */
 static void printers_are_understood(arb *a)
 {
@@ -486,6 +556,9 @@ int main(void)
     PROPERTY(names_of_programs_are_skipped, 1);
     PROPERTY(what_is_wrong_has_its_line, 1);
     PROPERTY(hostile_lines_end, 1);
+    PROPERTY(words_without_a_use_are_refused, 1);
+    PROPERTY(lines_end_in_three_ways, 1);
+    PROPERTY(texts_of_printers_are_no_words, 1);
     PROPERTY(printers_are_understood, 1);
     PROPERTY(other_words_of_printers_are_left_out, 1);
     PROPERTY(a_program_is_a_drawing, 1);
