@@ -100,20 +100,6 @@
 #  endif
 #endif
 
-/* May a machine that plans take patches, which it cuts by lines of a ball by itself? 1: those that
- * are given memory for it do (lib/machine/patches.h). It takes three axes. Cost: the code of
- * lib/toolpath/lines in the firmware, whether memory is given or not. */
-#ifndef LOFT_MACHINE_PATCHES
-#  if LOFT_AXES < 3
-#    define LOFT_MACHINE_PATCHES 0
-#  else
-#    define LOFT_MACHINE_PATCHES LOFT_MACHINE_PLANS
-#  endif
-#endif
-#if LOFT_MACHINE_PATCHES && (LOFT_AXES < 3 || !LOFT_MACHINE_PLANS)
-#  error "LOFT_MACHINE_PATCHES: patches are for machines that plan, with three axes or more"
-#endif
-
 /* The longest frame on the wire in bytes, delimiter included, 64..254 (one COBS block). Cost: that
  * much RAM for receiving and again for sending. The machine announces its own; the host keeps to
  * the smaller of both. */

@@ -18,6 +18,11 @@
  *                  tangent                               second derivatives, curvature with weights
  *                  offset, shape, join                   tool paths, cusps, curvature, C0 to G2
  *                  drawing                               a table of curves in flash
+ *   kinematics/  motors and tool: CoreXY, delta, polar
+ *   motion/      time: plan (look-ahead), span (a cubic in time), scurve (one axis to a target),
+ *                  waypoints (through points)
+ *   wire/        bytes: frames, codec, messages, sessions (WIRE.md)
+ *   machine/     the controller: queue, pace (hold and resume), step (pulses)
  *   surface/     two parameters
  *                  tensor/                               patches over a square; grid, area; coons
  *                  ... nurbs_surface, ruled, revolve, skin   B-splines; made from curves
@@ -27,16 +32,11 @@
  *                  differential, deficit                 normals and curvatures
  *                  surface, contour                      any surface as a function, waterlines
  *   polygon/     n sides
- *   toolpath/    surfaces as the path of a tool
  *                  domain, partition                     polygons and their convex parts
  *                  wachspress, meanvalue, harmonic       coordinates in them
  *                  spatch, toric, basepoint, zheng_ball, gb   Bezier patches over them
  *                  disk                                  such a patch as one surface
- *   kinematics/  motors and tool: CoreXY, delta, polar
- *   motion/      time: plan (look-ahead), span (a cubic in time), scurve (one axis to a target),
- *                  waypoints (through points)
- *   wire/        bytes: frames, codec, messages, sessions (WIRE.md)
- *   machine/     the controller: queue, pace (hold and resume), step (pulses)
+ *   toolpath/    surfaces as the path of a tool
  *
  * A file includes its own room and rooms above it. RECIPES.md names the functions for a task,
  * CATALOGUE.md what exists for which curve and patch. DESIGN.md gives the reasons.
@@ -118,6 +118,21 @@
 #include "curve/spline.h"
 #include "curve/tangent.h"
 #include "curve/tcb.h"
+#include "kinematics/kinematics.h"
+#include "motion/plan.h"
+#include "motion/scurve.h"
+#include "motion/span.h"
+#include "motion/waypoints.h"
+#include "machine/pace.h"
+#include "machine/step.h"
+#include "wire/frame.h"
+#include "wire/codec.h"
+#include "wire/patch_code.h"
+#include "wire/message.h"
+#include "wire/session.h"
+#include "machine/latch.h"
+#include "machine/settings.h"
+#include "machine/machine.h"
 #include "surface/barycentric.h"
 #include "surface/tensor/bicubic.h"
 #include "surface/contour.h"
@@ -195,20 +210,6 @@
 #include "toolpath/sector.h"
 #include "toolpath/waterline.h"
 #include "toolpath/sheet.h"
-#include "motion/plan.h"
-#include "kinematics/kinematics.h"
-#include "motion/scurve.h"
-#include "motion/span.h"
-#include "motion/waypoints.h"
-#include "machine/pace.h"
-#include "machine/step.h"
-#include "wire/frame.h"
-#include "wire/codec.h"
-#include "wire/patch_code.h"
-#include "wire/message.h"
-#include "wire/session.h"
-#include "machine/latch.h"
-#include "machine/settings.h"
-#include "machine/machine.h"
+#include "toolpath/patches.h"
 
 #endif

@@ -595,8 +595,6 @@
 #define loft_patch_item            LOFT_NAME(loft_patch_item)
 #define loft_patch_points          LOFT_NAME(loft_patch_points)
 #define loft_patches_init          LOFT_NAME(loft_patches_init)
-#define loft_patches_next          LOFT_NAME(loft_patches_next)
-#define loft_patches_take          LOFT_NAME(loft_patches_take)
 #define loft_path_begin            LOFT_NAME(loft_path_begin)
 #define loft_path_between          LOFT_NAME(loft_path_between)
 #define loft_path_cubic_of         LOFT_NAME(loft_path_cubic_of)

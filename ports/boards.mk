@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: MIT
 
 MACHINE_SRC  = $(wildcard $(patsubst %,lib/%/*.c,num geom kinematics path motion wire machine))
-# what LOFT_MACHINE_PATCHES takes of other rooms
-PATCHES_SRC  = lib/toolpath/lines.c lib/toolpath/lines_check.c lib/surface/tensor/grid.c \
-               lib/surface/tensor/tensor.c lib/curve/bezier.c lib/basis/bernstein.c
+# what patches take of other rooms
+PATCHES_SRC  = lib/toolpath/patches.c lib/toolpath/lines.c lib/toolpath/lines_check.c \
+               lib/surface/tensor/grid.c lib/surface/tensor/tensor.c lib/curve/bezier.c \
+               lib/basis/bernstein.c
 FIRMWARE_SRC = ports/firmware.c ports/bare/memory.c $(MACHINE_SRC) $(PATCHES_SRC)
 FIRMWARE_FLAGS = -std=c99 -O2 -ffreestanding -ffunction-sections -fdata-sections \
                  $(WARN) $(DEPS) -Ilib -Iports $(call num_flag,q16)

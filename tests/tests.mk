@@ -119,7 +119,7 @@ test-axes: $(AXES_EACH)
 	@for t in $(AXES_EACH); do echo "echo '-- $$t'; $$t"; done | bash tests/house/beside.sh
 
 # --- the planner with the effort of a chip: its bounds on times are wider ------------------------
-CHIP_FLAGS := -DLOFT_NUM=LOFT_Q16 -DLOFT_PLAN_EFFORT=1 -DLOFT_MACHINE_PATCHES=0
+CHIP_FLAGS := -DLOFT_NUM=LOFT_Q16 -DLOFT_PLAN_EFFORT=1
 CHIP_TESTS := plan planner timing any
 CHIP_ROOMS := num geom basis curve kinematics path motion wire machine
 CHIP_SRC   := $(foreach r,$(CHIP_ROOMS),$(sort $(wildcard lib/$(r)/*.c)))
@@ -325,7 +325,8 @@ fuzz: lib/names.h
 	@mkdir -p build/fuzz/wire
 	clang $(INCLUDE) -Itests -O1 -g $(STD) -fsanitize=fuzzer,address,undefined \
 	    -fno-sanitize-recover=all $(call num_flag,q16) \
-	    tests/lib/wire/fuzz_wire.c $(wildcard lib/wire/*.c) \
+	    tests/lib/wire/fuzz_wire.c $(sort $(foreach r,$(CHIP_ROOMS),$(wildcard lib/$(r)/*.c)) \
+	    $(PATCHES_SRC)) lib/surface/tensor/coons.c \
 	    -o build/fuzz/wire_fuzz
 	build/fuzz/wire_fuzz -max_len=1200 -max_total_time=$(FUZZ_SECONDS) -print_final_stats=1 \
 	    build/fuzz/wire

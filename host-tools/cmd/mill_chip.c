@@ -102,7 +102,7 @@ static int check_machine(mill_chip *c, const talk *t)
     if (!(m->kinds & 1u << LOFT_CURVES) || m->curves == 0 || m->columns == 0)
         return tool_error(EX_CONFIG,
                           "%s: this machine does not cut patches by itself: leave out --plan chip, "
-                          "or build its firmware with LOFT_MACHINE_PATCHES",
+                          "or build its firmware with LOFT_PORT_PATCHES=1",
                           c->port);
     c->o.columns = m->columns;
     c->o.lines   = m->num == LOFT_F32   ? engine_lines_f32

@@ -4,7 +4,7 @@
  */
 #include <stdlib.h>
 
-#include "machine/patches.h"    /* loft_patches_way, loft_lines */
+#include "toolpath/patches.h"   /* loft_patches_way, loft_lines */
 
 #include "base/tool.h"          /* tool_grow */
 #include "engine/engine_num.h"

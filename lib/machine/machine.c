@@ -40,9 +40,7 @@ static enum loft_status init_planner(loft_machine *m, loft_machine_config *confi
         return LOFT_OK;
     config->info.kinds = (uint8_t)(config->info.kinds | 1u << LOFT_CURVES);
     config->info.curves = config->plan.move_room;
-#if LOFT_MACHINE_PATCHES
-    config->info.columns = config->plan.patches ? config->plan.columns : 0;
-#endif
+    config->info.columns = config->plan.patches ? config->plan.patches->columns : 0;
     return loft_planner_init(m->planner, &config->plan, config->cells);
 }
 

@@ -6,42 +6,25 @@
 // Patches
 // -------
 
-static loft_patches *patches_of(const loft_planner *p)
-{
-#if LOFT_MACHINE_PATCHES
-    return p->memory.patches;
-#else
-    (void)p;
-    return NULL;
-#endif
-}
-
 static enum loft_patch_state patch_state(const loft_planner *p)
 {
-    return LOFT_MACHINE_PATCHES && patches_of(p) ? (enum loft_patch_state)patches_of(p)->state
-                                                 : LOFT_PATCH_NONE;
+    const loft_patch_source *source = p->memory.patches;
+
+    return source ? (enum loft_patch_state)source->state : LOFT_PATCH_NONE;
 }
 
 static enum loft_refusal take_part(loft_planner *p, const loft_item *item)
 {
-    if (!LOFT_MACHINE_PATCHES || !patches_of(p))
+    loft_patch_source *source = p->memory.patches;
+
+    if (!source)
         return LOFT_REFUSAL_KIND;
-    const enum loft_refusal refusal = loft_patches_take(patches_of(p), item, &p->at);
+    const enum loft_refusal refusal = source->take(source, item, &p->at);
     if (refusal == LOFT_REFUSAL_NONE) {
         p->parts++;
         p->taken++;
     }
     return refusal;
-}
-
-static void init_patches(loft_planner *p)
-{
-#if LOFT_MACHINE_PATCHES
-    if (p->memory.patches)
-        loft_patches_init(p->memory.patches, p->memory.row, p->memory.columns);
-#else
-    (void)p;
-#endif
 }
 
 
@@ -59,7 +42,6 @@ enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *m
     p->mark   = 0;
     p->closed = p->ended = p->rests = true;
     p->busy   = p->failed = false;
-    init_patches(p);
     return LOFT_OK;
 }
 
@@ -88,8 +70,8 @@ enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *ma
     p->taken = p->told = p->spans = p->parts = 0;
     p->mark  = 0;
     p->closed = p->ended = p->rests = p->busy = p->failed = false;
-    if (LOFT_MACHINE_PATCHES && patches_of(p))
-        loft_patches_begin(patches_of(p));
+    if (p->memory.patches)
+        p->memory.patches->state = LOFT_PATCH_NONE;
     return loft_plan_init(&p->plan, &limits, p->memory.moves, p->memory.move_room, p->memory.knots,
                           p->memory.knot_room);
 }
@@ -149,12 +131,13 @@ enum loft_refusal loft_planner_end(loft_planner *p)
 /* Push the next curve of a patch. Returns true if there was room, so that more may follow. */
 static bool cut_patch(loft_planner *p)
 {
+    loft_patch_source *source = p->memory.patches;
     loft_move move;
     uint16_t feed;
 
-    if (!LOFT_MACHINE_PATCHES || patch_state(p) != LOFT_PATCH_CUT || loft_plan_room(&p->plan) == 0)
+    if (patch_state(p) != LOFT_PATCH_CUT || loft_plan_room(&p->plan) == 0)
         return false;
-    if (loft_patches_next(patches_of(p), &move.curve, &feed)) {
+    if (source->next(source, &move.curve, &feed)) {
         move.feed = feed_of(feed);
         p->failed = p->failed || push_move(p, &move) != LOFT_OK;
         return !p->failed;

@@ -13,7 +13,6 @@
 #ifndef LOFT_MACHINE_PLANNER_H
 #define LOFT_MACHINE_PLANNER_H
 
-#include "machine/patches.h"    /* loft_patches */
 #include "motion/plan.h"    /* loft_plan                                            */
 #include "wire/receiver.h"  /* loft_machine_info, loft_item, loft_job_limits              */
 
@@ -27,6 +26,31 @@ LOFT_BEGIN_C
  * first tick is prepared. */
 #define LOFT_PLANNER_AHEAD 3
 
+enum loft_patch_state {
+    LOFT_PATCH_NONE,            /* the job has none so far */
+    LOFT_PATCH_GATHERED,        /* parts are missing */
+    LOFT_PATCH_CUT,             /* it has curves to give */
+    LOFT_PATCH_OVER             /* all are given, or it was refused */
+};
+
+/* What makes curves of a patch, whose parts are the last items of a job (toolpath/patches.h). */
+typedef struct loft_patch_source loft_patch_source;
+struct loft_patch_source {
+    /* Take the next part of a patch that begins and ends at `at`.
+     *
+     *   shape   LOFT_REFUSAL_NONE: taken, and cut from now on if it was the last one
+     *   range   LOFT_REFUSAL_ITEM: it is no part that may come now; LOFT_REFUSAL_PATCH: it cannot
+     *           be cut so, or has more columns than there is memory for
+     *   cost    of the last part that of loft_lines_init */
+    enum loft_refusal (*take)(loft_patch_source *source, const loft_item *part, const loft_vec *at);
+    /* Give the next curve and its feed, mm/min. Returns false when there is none.
+     *
+     *   cost    that of loft_lines_next */
+    bool (*next)(loft_patch_source *source, loft_cubic *out, uint16_t *feed);
+    uint16_t columns;           /* curves of a line, at most */
+    uint8_t  state;             /* enum loft_patch_state; a job begins with LOFT_PATCH_NONE */
+};
+
 /* Memory of the caller. Half of the moves should be longer than the braking distance; otherwise the
  * speed is reduced. */
 typedef struct {
@@ -34,11 +58,7 @@ typedef struct {
     loft_knot *knots;                   /* all but 52 of them look ahead, a period each */
     uint16_t  *passed;                  /* cells of the queue + LOFT_PLANNER_AHEAD      */
     uint16_t   move_room, knot_room;
-#if LOFT_MACHINE_PATCHES
-    uint16_t   columns;                 /* curves of a line of a patch */
-    loft_tip  *row;                     /* columns + 1 places */
-    loft_patches *patches;              /* NULL: it takes none */
-#endif
+    loft_patch_source *patches;         /* NULL: it takes none */
 } loft_planner_memory;
 
 /* The struct is complete so that it can be static; the fields may change without notice. */
@@ -71,7 +91,7 @@ enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *ma
 /* Append a curve, or a part of a patch: the patch is the last in its job.
  *
  *   shape   LOFT_REFUSAL_NONE: taken
- *   range   as loft_plan_push and loft_patches_take, and loft_planner_room is not 0; otherwise
+ *   range   as loft_plan_push and take of the patches, and loft_planner_room is not 0; otherwise
  *           LOFT_REFUSAL_ITEM, LOFT_REFUSAL_PATCH, or LOFT_REFUSAL_KIND: it takes no patches
  *   cost    as these */
 enum loft_refusal loft_planner_push(loft_planner *p, const loft_item *item) LOFT_CHECKED;
@@ -87,7 +107,7 @@ enum loft_refusal loft_planner_end(loft_planner *p) LOFT_CHECKED;
  *           told of a quarter at a time). In that case the plan stops where the known curves end.
  *           A patch gives the ring one curve with each call
  *   error   rounded to 2^-16 mm, see lib/wire/codec.h
- *   cost    as loft_plan_part and loft_patches_next */
+ *   cost    as loft_plan_part and next of the patches */
 bool loft_planner_next(loft_planner *p, bool hurry, loft_item *span);
 
 /* Are all curves planned, and do no more follow? */

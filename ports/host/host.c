@@ -30,6 +30,7 @@
 #include "host/world.h"         /* walls and switches   */
 #include "machine/machine.h"    /* loft_machine         */
 #include "switches.h"           /* loft_switches        */
+#include "toolpath/patches.h"   /* loft_patches         */
 
 #define QUIET_MS    300
 /* a planning sender on a busy computer may not run for a second */
@@ -52,6 +53,7 @@ struct host {
     loft_planner planner;
     loft_planner_memory plan;
     loft_patches patches;
+    loft_tip *row;                          /* of a line of a patch */
     struct host_line line;
     struct host_record record;
     struct host_world world;                /* without a board                     */
@@ -124,14 +126,13 @@ static bool give_memory(struct host *h, loft_machine_config *c)
     h->plan.move_room  = (uint16_t)(moves <= 4096 ? moves : 0);
     h->plan.knot_room = KNOTS;
     if (h->o->columns > 0) {
-        h->plan.patches = &h->patches;
-        h->plan.row     = calloc(h->o->columns + 1u, sizeof *h->plan.row);
-        h->plan.columns = (uint16_t)h->o->columns;
+        h->row = calloc(h->o->columns + 1u, sizeof *h->row);
+        h->plan.patches = loft_patches_init(&h->patches, h->row, (uint16_t)h->o->columns);
     }
     c->planner = &h->planner;
     c->plan    = h->plan;
     return h->cell && h->plan.moves && h->plan.knots && h->plan.passed &&
-           (h->o->columns == 0 || h->plan.row);
+           (h->o->columns == 0 || h->row);
 }
 
 static struct host *only;       /* the one whose settings go back to the options */
@@ -615,6 +616,6 @@ int loft_host_simulate(const struct loft_host_options *o)
     free(h.plan.moves);
     free(h.plan.knots);
     free(h.plan.passed);
-    free(h.plan.row);
+    free(h.row);
     return code ? code : end;
 }

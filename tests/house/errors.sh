@@ -4,7 +4,7 @@
 # A row is a comment with a line ` *   error  ..` and the functions below it, up to an empty line.
 # Without a function it holds for its section, or for the whole header.
 set -eu
-rooms="num geom basis curve surface polygon toolpath kinematics path motion wire machine"
+rooms="num geom basis curve kinematics path motion wire machine surface polygon toolpath"
 cat <<'HEAD'
 # What each function may err by
 

@@ -57,7 +57,7 @@ wrong_arrows() {        # wrong_arrows TOP ROOM..: includes of a later room
         esac
     done
 }
-{ wrong_arrows lib num geom basis curve surface polygon toolpath kinematics path motion wire machine
+{ wrong_arrows lib num geom basis curve kinematics path motion wire machine surface polygon toolpath
   grep -nE '#[[:space:]]*include.*(ports|host-tools|loft\.h|port\.h)' $sources
 } | rule "arrows of lib/ point one way"
 { wrong_arrows host-tools base engine read plan send draw study cmd

@@ -13,8 +13,8 @@ import os
 import re
 import sys
 
-ROOMS = ['num', 'geom', 'basis', 'curve', 'surface', 'polygon', 'toolpath', 'kinematics', 'path',
-         'motion', 'wire', 'machine']
+ROOMS = ['num', 'geom', 'basis', 'curve', 'kinematics', 'path', 'motion', 'wire', 'machine',
+         'surface', 'polygon', 'toolpath']
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"[^\n]*\n', re.M)
 SYSTEM = re.compile(r'^[ \t]*#[ \t]*include[ \t]*<([^>]+)>[^\n]*\n', re.M)
 WORD = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|/\*.*?\*/|//[^\n]*|[A-Za-z_]\w*'

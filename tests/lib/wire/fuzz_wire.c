@@ -9,7 +9,7 @@
  */
 #include <string.h>
 
-#include "machine/patches.h"
+#include "toolpath/patches.h"
 #include "support/fuzz.h"
 #include "wire/session.h"
 
@@ -260,8 +260,6 @@ static void fuzz_sender(const uint8_t *data, size_t size, bool raw)
 // A patch: it is refused, or cut from its place and back to it
 // ------------------------------------------------------------
 
-#if LOFT_MACHINE_PATCHES
-
 static uint8_t fuzz_byte(const uint8_t **data, size_t *size)
 {
     if (*size == 0)
@@ -316,36 +314,26 @@ static void fuzz_patch(const uint8_t *data, size_t size)
     uint16_t feed;
     unsigned given = 0;
 
-    loft_patches_init(&p, row, 32);
-    loft_patches_begin(&p);
+    loft_patch_source *source = loft_patches_init(&p, row, 32);
     for (unsigned n = 0; n < 1 + LOFT_PATCH_PARTS; n++) {
         fuzz_part(&data, &size, n == 0, &part);
-        const uint8_t before             = p.state;
-        const enum loft_refusal refusal = loft_patches_take(&p, &part, &place);
+        const uint8_t before             = source->state;
+        const enum loft_refusal refusal = source->take(source, &part, &place);
         MUST(refusal == LOFT_REFUSAL_NONE || refusal == LOFT_REFUSAL_ITEM ||
              refusal == LOFT_REFUSAL_PATCH);
-        MUST(refusal != LOFT_REFUSAL_ITEM || p.state == before);
-        MUST(refusal != LOFT_REFUSAL_NONE || p.state == LOFT_PATCH_GATHERED ||
-             p.state == LOFT_PATCH_CUT);
-        if (p.state >= LOFT_PATCH_CUT)
+        MUST(refusal != LOFT_REFUSAL_ITEM || source->state == before);
+        MUST(refusal != LOFT_REFUSAL_NONE || source->state == LOFT_PATCH_GATHERED ||
+             source->state == LOFT_PATCH_CUT);
+        if (source->state >= LOFT_PATCH_CUT)
             break;
     }
-    for (; loft_patches_next(&p, &curve, &feed) && given < 8 * 40; given++) {
+    for (; source->next(source, &curve, &feed) && given < 8 * 40; given++) {
         MUST(loft_vec_equal(curve.p[0], at) && feed > 0);
         MUST(loft_vec_within(curve.p[3], LOFT_REAL(LOFT_LINES_REACH + LOFT_LINES_RADIUS)));
         at = curve.p[3];
     }
     MUST(given < 8 * 40 && loft_vec_equal(at, place));
 }
-#else
-
-static void fuzz_patch(const uint8_t *data, size_t size)
-{
-    (void)data;
-    (void)size;
-}
-
-#endif
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {

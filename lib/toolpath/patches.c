@@ -1,15 +1,12 @@
-/* lib/machine/patches.c
+/* lib/toolpath/patches.c
  * SPDX-License-Identifier: MIT
  */
-#include "machine/patches.h"
+#include "toolpath/patches.h"
 
-#if LOFT_MACHINE_PATCHES            /* a chip that does not cut is built without toolpath/lines.c */
-
-void loft_patches_init(loft_patches *p, loft_tip row[], uint16_t columns)
+/* The source is the first member. */
+static loft_patches *patches_of(loft_patch_source *source)
 {
-    p->row = row;
-    p->columns = columns;
-    p->state = LOFT_PATCH_NONE;
+    return (loft_patches *)(void *)source;
 }
 
 static loft_vec point_of(const int32_t raw[LOFT_AXES])
@@ -32,10 +29,10 @@ static enum loft_refusal take_head(loft_patches *p, const loft_item *part)
 {
     if (loft_item_patch(part, &p->head) != LOFT_OK)
         return LOFT_REFUSAL_ITEM;
-    if (p->head.columns > p->columns)
+    if (p->head.columns > p->source.columns)
         return LOFT_REFUSAL_PATCH;
     p->parts = 1;
-    p->state = LOFT_PATCH_GATHERED;
+    p->source.state = LOFT_PATCH_GATHERED;
     return LOFT_REFUSAL_NONE;
 }
 
@@ -46,19 +43,23 @@ static enum loft_refusal begin_lines(loft_patches *p, const loft_vec *at)
     const loft_lines_way way = loft_patches_way(h);
     loft_tensor patch;
 
-    p->state = LOFT_PATCH_OVER;
+    p->source.state = LOFT_PATCH_OVER;
     if (loft_tensor_init(&patch, p->net, h->m, h->n) != LOFT_OK ||
-        loft_lines_init(&p->lines, &patch, &way, at, p->row, p->columns + (size_t)1) != LOFT_OK)
+        loft_lines_init(&p->lines, &patch, &way, at, p->row, p->source.columns + (size_t)1) !=
+            LOFT_OK)
         return LOFT_REFUSAL_PATCH;
-    p->state = LOFT_PATCH_CUT;
+    p->source.state = LOFT_PATCH_CUT;
     return LOFT_REFUSAL_NONE;
 }
 
-enum loft_refusal loft_patches_take(loft_patches *p, const loft_item *part, const loft_vec *at)
+static enum loft_refusal take_part(loft_patch_source *source, const loft_item *part,
+                                   const loft_vec *at)
 {
-    if (p->state > LOFT_PATCH_GATHERED || !ends_there(part, at))
+    loft_patches *p = patches_of(source);
+
+    if (p->source.state > LOFT_PATCH_GATHERED || !ends_there(part, at))
         return LOFT_REFUSAL_ITEM;
-    if (p->state == LOFT_PATCH_NONE)
+    if (p->source.state == LOFT_PATCH_NONE)
         return take_head(p, part);
     const unsigned count = (p->head.m + 1u) * (p->head.n + 1u);
     for (unsigned k = 0; k < 2 && 2 * (p->parts - 1u) + k < count; k++)
@@ -67,18 +68,24 @@ enum loft_refusal loft_patches_take(loft_patches *p, const loft_item *part, cons
     return p->parts == loft_patch_parts(&p->head) ? begin_lines(p, at) : LOFT_REFUSAL_NONE;
 }
 
-bool loft_patches_next(loft_patches *p, loft_cubic *out, uint16_t *feed)
+static bool next_curve(loft_patch_source *source, loft_cubic *out, uint16_t *feed)
 {
+    loft_patches *p = patches_of(source);
     bool cuts;
 
-    if (p->state != LOFT_PATCH_CUT)
+    if (p->source.state != LOFT_PATCH_CUT)
         return false;
     if (!loft_lines_next(&p->lines, out, &cuts)) {
-        p->state = LOFT_PATCH_OVER;
+        p->source.state = LOFT_PATCH_OVER;
         return false;
     }
     *feed = cuts ? p->head.feed : p->head.rapid;
     return true;
 }
 
-#endif
+loft_patch_source *loft_patches_init(loft_patches *p, loft_tip row[], uint16_t columns)
+{
+    p->source = (loft_patch_source){ take_part, next_curve, columns, LOFT_PATCH_NONE };
+    p->row = row;
+    return &p->source;
+}

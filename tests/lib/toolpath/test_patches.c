@@ -1,4 +1,4 @@
-/* tests/lib/machine/test_patches.c -- properties of lib/machine/patches.h and of
+/* tests/lib/toolpath/test_patches.c -- properties of lib/toolpath/patches.h and of
  * lib/wire/patch_code.h: a patch on the line becomes the path of a ball on the machine
  * SPDX-License-Identifier: MIT
  */
@@ -9,8 +9,9 @@
 #include "support/motion_chains.h"  /* chain, limits */
 #include "support/motion_oracle.h"  /* path, path_distance */
 #include "support/planned.h"        /* w, turn_on, go_on, finish */
+#include "toolpath/patches.h"
 
-#if LOFT_MACHINE_PATCHES
+#if LOFT_AXES >= 3
 
 #define RING    64          /* curves of the plan */
 #define KNOTS   176
@@ -136,12 +137,11 @@ static bool arb_job(arb *a)
 
 static void switch_on(arb *a, uint16_t columns)
 {
+    loft_patch_source *source = loft_patches_init(&patches, row, columns);
     const loft_planner_memory plan = { .moves = moves,
                                        .knots = knots,
                                        .passed = passed,
-                                       .patches = columns > 0 ? &patches : NULL,
-                                       .row = row,
-                                       .columns = columns,
+                                       .patches = columns > 0 ? source : NULL,
                                        .move_room = (uint16_t)(8 + arb_below(a, RING - 7)),
                                        .knot_room = KNOTS };
 
@@ -217,20 +217,19 @@ static void the_curves_are_those_of_the_lines(arb *a)
     if (!arb_job(a))
         return;
     const loft_vec place = vec_of(j.place);
-    loft_patches_init(&patches, row, COLUMNS);
-    loft_patches_begin(&patches);
+    loft_patch_source *source = loft_patches_init(&patches, row, COLUMNS);
     for (uint32_t k = j.before; k < j.count; k++) {
-        CHECK(patches.state == (k > j.before ? LOFT_PATCH_GATHERED : LOFT_PATCH_NONE));
-        CHECK(!loft_patches_next(&patches, &c, &feed));
-        CHECK(loft_patches_take(&patches, &j.item[k], &place) == LOFT_REFUSAL_NONE);
+        CHECK(source->state == (k > j.before ? LOFT_PATCH_GATHERED : LOFT_PATCH_NONE));
+        CHECK(!source->next(source, &c, &feed));
+        CHECK(source->take(source, &j.item[k], &place) == LOFT_REFUSAL_NONE);
     }
-    for (n = j.before; loft_patches_next(&patches, &c, &feed) && n < curves; n++) {
+    for (n = j.before; source->next(source, &c, &feed) && n < curves; n++) {
         CHECK(feed == j.head.feed || feed == j.head.rapid);
         for (int k = 0; k < 4; k++)
             CHECK(loft_vec_equal(c.p[k], chain[n].curve.p[k]));
     }
-    CHECK(n == curves && patches.state == LOFT_PATCH_OVER);
-    CHECK(loft_patches_take(&patches, &j.item[j.before], &place) == LOFT_REFUSAL_ITEM);
+    CHECK(n == curves && source->state == LOFT_PATCH_OVER);
+    CHECK(source->take(source, &j.item[j.before], &place) == LOFT_REFUSAL_ITEM);
 }
 
 static void heads_come_back(arb *a)
