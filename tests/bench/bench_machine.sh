@@ -16,6 +16,7 @@ elf=$1 loft=$2 bin=$3
 TRIALS=${TRIALS:-2000} CUTS=${CUTS:-500} FRAMES=${FRAMES:-100000000}
 drawing=tests/drawings/outline12.csv
 tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
+export XDG_STATE_HOME=$tmp/state       # where it is noted that a job began
 result=$tmp/result; : > "$result"
 . tests/target/rows.sh
 

@@ -11,6 +11,7 @@ set -u
 elf=$1 loft=$2 chip=$3/chip rate=$3/rate pty=$4
 all='home stop laser servo settings'
 tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
+export XDG_STATE_HOME=$tmp/state       # where it is noted that a job began
 result=$tmp/result; : >"$result"
 . tests/target/rows.sh
 

@@ -7,6 +7,7 @@ set -u
 elf=$1 loft=$2 chip=$3/chip rate=$3/rate
 drawing=tests/drawings/outline12.csv feed=50
 tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
+export XDG_STATE_HOME=$tmp/state       # where it is noted that a job began
 result=$tmp/result
 . tests/target/rows.sh
 ram() { echo $(($(avr-size "$elf" | awk 'NR == 2 { print $2 + $3 }') + $(value stack))); }

@@ -11,6 +11,7 @@ set -u
 cache=$1 guest=$2 loft=$3
 drawing=tests/drawings/outline12.csv feed=50
 tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
+export XDG_STATE_HOME=$tmp/state       # where it is noted that a job began
 result=$tmp/result
 . tests/target/rows.sh
 

@@ -12,6 +12,7 @@ set -u
 firmware=$1 loft=$2 plugin=$3 bad_line=$4 arm_chip=$5
 drawing=tests/drawings/outline12.csv feed=50
 tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
+export XDG_STATE_HOME=$tmp/state       # where it is noted that a job began
 
 . tests/target/rows.sh
 result=/dev/null          # each lane writes its own

@@ -7,6 +7,7 @@ set -u
 firmware=$1 loft=$2 helpers=$3
 drawing=tests/drawings/outline12.csv feed=50
 tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
+export XDG_STATE_HOME=$tmp/state       # where it is noted that a job began
 result=$tmp/result
 . tests/target/rows.sh
 

@@ -5,6 +5,7 @@
 # The chip has one switch, so section 7, homing, is run on the simulated machine (e2e.sh).
 set -u
 tmp=$(mktemp -d); trap 'rm -rf "$tmp"' EXIT
+export XDG_STATE_HOME=$tmp/state       # where it is noted that a job began
 result=$tmp/result
 . tests/target/rows.sh
 sh tests/e2e/page.sh 4 7 "$2" "$tmp/port" >"$tmp/page.sh"
