@@ -171,7 +171,7 @@ static loft_real signed_quotient(uint32_t q, bool minus, bool above, bool tie)
 loft_real loft_acc_project(loft_acc x, loft_acc w)
 {
     const uint64_t d = (uint64_t)w;
-    uint64_t rest = (uint64_t)(x < 0 ? -x : x);
+    uint64_t rest = loft_acc_size(x);
     uint32_t q = 0;
 
     for (int round = 0; round < 32; round++) {
@@ -200,7 +200,7 @@ loft_acc loft_acc_weigh(loft_acc w, loft_real a)
  * integers, so e is compared with the integer part of 2^15 h / 2^32. */
 bool loft_acc_rate(loft_acc x, loft_acc h, loft_real *out)
 {
-    const loft_acc w = h * LOFT_PROJECT, beyond = (x < 0 ? -x : x) - w;
+    const loft_acc w = h * LOFT_PROJECT, beyond = (loft_acc)(loft_acc_size(x) - (uint64_t)w);
 
     if (x < 0 ? beyond > loft_acc_high(w) : beyond >= -(loft_acc)loft_acc_high(w))
         return false;

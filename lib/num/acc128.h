@@ -35,7 +35,7 @@ typedef double loft_acc128;
 
 /* The coordinate LOFT_PROJECT * x / w.
  *
- *   range   w > 0, |x| <= w + 2^-17 w
+ *   range   w > 0; q16: -1 - 2^-32 <= x / w < 1 - 2^-32   f32, f64: |x| <= w + 2^-17 w
  *   error   q16: 1/2 LSB   f32: 1/2 ulp   f64: 1 ulp
  *   cost    q16: 32 rounds of a comparison and a subtraction of 64 bits; safe in an ISR
  */

@@ -22,7 +22,7 @@ static loft_fine quarter_rest(loft_acc a, int32_t *quarters);  /* |r| <= pi/4, a
  * from 0. */
 static int64_t multiply_fine(int64_t a, int64_t b)
 {
-    const uint64_t x = (uint64_t)(a < 0 ? -a : a), y = (uint64_t)(b < 0 ? -b : b);
+    const uint64_t x = loft_acc_size(a), y = loft_acc_size(b);
     const uint64_t x1 = x >> 32, x0 = x & 0xffffffffu, y1 = y >> 32, y0 = y & 0xffffffffu;
     const uint64_t middle = x1 * y0 + (x0 * y0 >> 32);             /* below 2^31 2^32 + 2^32 */
     const uint64_t cross = x0 * y1 + (middle & 0xffffffffu);
@@ -61,14 +61,14 @@ static uint64_t fraction_bits(uint64_t x, uint64_t y, int bits)
 
 loft_acc loft_fine_quot(loft_fine x, loft_fine y)
 {
-    const uint64_t n = (uint64_t)(x < 0 ? -x : x), d = (uint64_t)(y < 0 ? -y : y);
+    const uint64_t n = loft_acc_size(x), d = loft_acc_size(y);
     const int64_t q = (int64_t)((n / d << 32) + fraction_bits(n % d, d, 32));
     return (x < 0) != (y < 0) ? -q : q;
 }
 
 loft_fine loft_fine_ratio(loft_acc x, loft_acc y)
 {
-    const uint64_t n = (uint64_t)(x < 0 ? -x : x), d = (uint64_t)(y < 0 ? -y : y);
+    const uint64_t n = loft_acc_size(x), d = loft_acc_size(y);
     const loft_fine q = (loft_fine)((n / d << 60) + fraction_bits(n % d, d, 60));
     return (x < 0) != (y < 0) ? -q : q;
 }
@@ -228,15 +228,16 @@ loft_fine loft_fine_angle(loft_acc a)
  * is 0.12, 5e-6 and 1e-27. */
 loft_fine loft_fine_atan2(loft_acc y, loft_acc x)
 {
-    const bool behind = x < 0 && -x > (y < 0 ? -y : y),
-               beside = !behind && !(x >= (y < 0 ? -y : y));
-    loft_fine angle = behind   ? (y < 0 ? -LOFT_FINE_PI : LOFT_FINE_PI)
-                      : beside ? (y < 0 ? -HALF_PI : HALF_PI)
-                               : 0;
+    const bool below = y < 0;
 
     if (!(x < 0) && !(x > 0) && !(y < 0) && !(y > 0))
         return 0;
     normalise_vector(&x, &y);
+    const loft_acc size = loft_acc_abs(y);
+    loft_fine angle = x < 0 && -x > size ? (below ? -LOFT_FINE_PI : LOFT_FINE_PI)
+                      : x >= size        ? 0
+                                         : (below ? -HALF_PI : HALF_PI);
+
     for (int round = 0; round < 3; round++) {
         const loft_fine c = loft_fine_cos(angle), s = loft_fine_sin(angle);
         const loft_fine q = loft_fine_ratio(loft_fine_scale(y, c) - loft_fine_scale(x, s),

@@ -122,12 +122,13 @@ loft_sci loft_sci_exp(loft_sci x)
 {
     loft_acc ratio = 0;
 
-    if (loft_sci_less(x, loft_sci_from_int(-693)) || !loft_sci_to_acc(loft_sci_div(x, LN2), &ratio))
+    if (loft_sci_less(x, loft_sci_from_int(-694)) || !loft_sci_to_acc(loft_sci_div(x, LN2), &ratio))
         return loft_sci_zero();
     const int32_t n = loft_acc_int(ratio);
     const loft_fine r = loft_sci_to_fine(ln2_rest(x, n));
     loft_fine sum = LOFT_FINE_1;
     for (int k = 16; k > 0; k--)
         sum = LOFT_FINE_1 + loft_fine_mul(r, sum) / k;
-    return times_power_of_two(loft_sci_from_fine(sum), n);
+    const loft_sci power = times_power_of_two(loft_sci_from_fine(sum), n);
+    return loft_sci_less(power, loft_sci_power2(-1000)) ? loft_sci_zero() : power;
 }

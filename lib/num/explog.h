@@ -26,7 +26,7 @@ loft_fine loft_sci_to_fine(loft_sci x);
  */
 loft_sci  loft_sci_log(loft_sci x);
 
-/* e^x; 0 if that is below 2^-1000.
+/* e^x; 0 if that is below 2^-1000: from x = -693.147 on.
  *
  *   range   x < 690
  *   error   of the result, q16: 2^-56 + |x| 2^-60   f32, f64: 2^-51

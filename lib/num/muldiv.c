@@ -9,7 +9,6 @@ typedef struct {
     uint64_t high, low;
 } twice;
 
-static uint64_t magnitude(loft_acc x)     { return x < 0 ? 0 - (uint64_t)x : (uint64_t)x; }
 static uint64_t upper(uint64_t x)       { return (uint32_t)loft_acc_high((int64_t)x); }
 static uint64_t lower(uint64_t x)       { return loft_acc_low((int64_t)x); }
 
@@ -38,7 +37,7 @@ static twice wide_product(uint64_t x, uint64_t y)
  * quotient is lost. */
 loft_acc loft_acc_muldiv(loft_acc x, loft_acc y, loft_acc z)
 {
-    const twice p = wide_product(magnitude(x), magnitude(y));
+    const twice p = wide_product(loft_acc_size(x), loft_acc_size(y));
     const uint64_t d = (uint64_t)z;
     uint64_t rest = p.high, q = p.low;
 
@@ -98,14 +97,14 @@ loft_acc loft_acc_length(const loft_acc x[], int n, uint8_t *shift)
 
     *shift = 0;
     for (int i = 0; i < n; i++)
-        if (magnitude(x[i]) > largest)
-            largest = magnitude(x[i]);
+        if (loft_acc_size(x[i]) > largest)
+            largest = loft_acc_size(x[i]);
     if (largest == 0)
         return 0;
     for (; !(largest >> 58); largest += largest)
         ++*shift;
     for (int i = 0; i < n; i++) {
-        const uint64_t size = magnitude(x[i]) << *shift;
+        const uint64_t size = loft_acc_size(x[i]) << *shift;
         squares = sum(squares, wide_product(size, size));
     }
     return (loft_acc)root_of(squares);

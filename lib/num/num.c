@@ -129,7 +129,7 @@ static uint8_t bits_above(uint64_t x, uint8_t bits)
  * loses low bits: 2^-37 of y each. */
 loft_unit loft_unit_ratio(loft_acc x, loft_acc y)
 {
-    uint64_t n = (uint64_t)(x < 0 ? -x : x), d = (uint64_t)y;
+    uint64_t n = loft_acc_size(x), d = (uint64_t)y;
     const uint8_t down = bits_above(d, 6);
 
     n >>= down;
@@ -141,7 +141,7 @@ loft_unit loft_unit_ratio(loft_acc x, loft_acc y)
 /* Both are halved until x < 2^47. Then y >= 2^31, and the bits lost are less than 2^-30 of it. */
 loft_real loft_acc_quot(loft_acc x, loft_acc y)
 {
-    uint64_t n = (uint64_t)(x < 0 ? -x : x), d = (uint64_t)y;
+    uint64_t n = loft_acc_size(x), d = (uint64_t)y;
     const uint8_t down = bits_above(n, 15);
 
     n >>= down;
@@ -190,13 +190,13 @@ loft_acc loft_acc_hypot(const loft_acc x[], int n)
     uint64_t all = 0, sum = 0;
 
     for (int i = 0; i < n; i++)
-        all |= (uint64_t)(x[i] < 0 ? -x[i] : x[i]);
+        all |= loft_acc_size(x[i]);
     if (all == 0)
         return 0;
     const int8_t down = (int8_t)(bits_of(all) - 30);
 
     for (int i = 0; i < n; i++) {
-        const int32_t size = (int32_t)shift((uint64_t)(x[i] < 0 ? -x[i] : x[i]), down);
+        const int32_t size = (int32_t)shift(loft_acc_size(x[i]), down);
         sum += (uint64_t)loft_prod(size, size);
     }
     return (loft_acc)shift(loft_root_nearest(sum), (int8_t)-down);

@@ -123,6 +123,9 @@ static inline loft_acc loft_real_ulp(loft_acc size)
     return 65536;
 }
 
+/* error none; |x|, of any x */
+static inline uint64_t loft_acc_size(int64_t x) { return x < 0 ? 0 - (uint64_t)x : (uint64_t)x; }
+
 /* An upper bound of the error of loft_acc_hypot for that result. */
 static inline loft_acc loft_hypot_ulp(loft_acc length)    { return length / 268435456 + 1; }
 
@@ -217,8 +220,11 @@ static inline loft_acc loft_acc_lerp_at(loft_acc x, loft_acc y, uint32_t j, uint
     return x + quotient * j + (2*r >= d ? q + 1 : 2*r < -d ? q - 1 : q);
 }
 
-/* error none; |a| < 2^15 */
-static inline loft_real loft_real_abs(loft_real a)           { return a < 0 ? -a : a; }
+/* error none; the largest real, 1 LSB less, of the most negative one */
+static inline loft_real loft_real_abs(loft_real a)
+{
+    return a >= 0 ? a : a < -LOFT_REAL_MAX ? LOFT_REAL_MAX : -a;
+}
 
 #if !defined(__AVR__)
 /* error none; |x| < 2^31 */

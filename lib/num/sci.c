@@ -34,12 +34,10 @@ static loft_sci normal_form(uint64_t m, uint32_t below, int e, bool minus)
     return r;
 }
 
-static uint64_t magnitude(int64_t x) { return x < 0 ? 0 - (uint64_t)x : (uint64_t)x; }
-
-loft_sci loft_sci_of(loft_acc x)            { return normal_form(magnitude(x), 0, -32, x < 0); }
-loft_sci loft_sci_from_real(loft_real a)    { return normal_form(magnitude(a), 0, -16, a < 0); }
-loft_sci loft_sci_from_unit(loft_unit t)    { return normal_form(magnitude(t), 0, -24, t < 0); }
-loft_sci loft_sci_from_int(int32_t i)       { return normal_form(magnitude(i), 0, 0, i < 0); }
+loft_sci loft_sci_of(loft_acc x)            { return normal_form(loft_acc_size(x), 0, -32, x < 0); }
+loft_sci loft_sci_from_real(loft_real a)    { return normal_form(loft_acc_size(a), 0, -16, a < 0); }
+loft_sci loft_sci_from_unit(loft_unit t)    { return normal_form(loft_acc_size(t), 0, -24, t < 0); }
+loft_sci loft_sci_from_int(int32_t i)       { return normal_form(loft_acc_size(i), 0, 0, i < 0); }
 
 /* The highest nonzero limb and the two below it hold at least 65 bits, or all bits of x. */
 loft_sci loft_sci_from_acc128(loft_acc128 x)
@@ -163,8 +161,8 @@ bool loft_sci_is_unit(loft_sci x, loft_unit *t)
 /* Each difference has 32 bits and a sign, each product 64, and the difference of products 65. */
 static loft_acc128 signed_product(int64_t x, int64_t y)
 {
-    const loft_acc128 size = loft_acc128_times(loft_acc128_of((int64_t)magnitude(x)),
-                                               (uint32_t)magnitude(y)),
+    const loft_acc128 size = loft_acc128_times(loft_acc128_of((int64_t)loft_acc_size(x)),
+                                               (uint32_t)loft_acc_size(y)),
                       zero = { { 0 } };
     return (x < 0) != (y < 0) ? loft_acc128_sub(zero, size) : size;
 }

@@ -162,6 +162,8 @@ static void wrong_orders_are_refused(arb *a)
     CHECK(loft_drop_init(&d, &h.sheet, 0, &c, LOFT_REAL(0.1), 0) == LOFT_ERR_ARG);
     CHECK(loft_drop_init(&d, &h.sheet, 1, &c, 0, 0) == LOFT_ERR_ARG);
     CHECK(loft_drop_init(&d, &h.sheet, 1, &c, loft_drop_tol(), LOFT_REAL(5000)) == LOFT_ERR_ARG);
+    CHECK(loft_drop_init(&d, &h.sheet, 1, &c, loft_drop_tol(),
+                         BY_NUM(INT32_MIN, -FLT_MAX, (loft_real)-DBL_MAX)) == LOFT_ERR_ARG);
     CHECK(loft_drop_init(&d, &h.sheet, 1, &c, loft_drop_tol(), 0) == LOFT_OK);
 }
 

@@ -171,6 +171,8 @@ static void wrong_lines_are_refused(arb *a)
     CHECK(loft_drop_init(&d, &h.sheet, 1, &ball, LOFT_REAL(TOL), 0) == LOFT_OK);
     CHECK(loft_waterline_init(&w, &d, &empty, 0) == LOFT_ERR_ARG);
     CHECK(loft_waterline_init(&w, &d, &table, LOFT_REAL(5000)) == LOFT_ERR_ARG);
+    CHECK(loft_waterline_init(&w, &d, &table, BY_NUM(INT32_MIN, -FLT_MAX, (loft_real)-DBL_MAX)) ==
+          LOFT_ERR_ARG);
     CHECK(loft_waterline_init(&w, &d, &table, LOFT_REAL(20)) == LOFT_OK);
     CHECK(!loft_waterline_next(&w, &h.p[0]));
     CHECK(loft_waterline_begin(&w, &out, &out) == LOFT_ERR_ARG);
