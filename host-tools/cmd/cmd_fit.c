@@ -19,6 +19,7 @@
 #include "plan/scatter_fit.h"
 
 #define GRID_MOST 1000  /* rows, columns */
+#define TOL_MOST  1000
 #define FIT_WRONG "give more points than --degree, and --tol above 0"
 
 typedef struct {
@@ -92,13 +93,26 @@ static int add_row(fitting *x)
     return 0;
 }
 
-/* Too far from the points: why, and what to do. */
-static int refuse_off(const fitting *x, double off)
+/* The tolerance rounded up to two digits: one that suffices. */
+static double rounded_up(double tol)
 {
-    return tool_error(EX_DATAERR,
-                      "%s: the surface of %s stays %.3g from a point, --tol is %g: give a larger "
-                      "--tol, more points, or --num f64",
-                      x->file, x->p.e->name, off, x->o.tol);
+    const double unit = pow(10, floor(log10(tol)) - 1);
+
+    return ceil(tol / unit) * unit;
+}
+
+/* No net that the points tell comes within --tol. */
+static int refuse_net(const fitting *x, const unsigned points[2], double enough)
+{
+    if (!(enough < INFINITY))
+        return tool_error(EX_DATAERR,
+                          "%s: the points are noisier than --tol %g, or too few: give more points",
+                          x->file, x->o.tol);
+    return tool_error(
+        EX_DATAERR,
+        "%s: the points are noisier than --tol %g, or too few, or have a crease: %u x "
+        "%u control points come within %.3g: give --tol %.3g, or more points",
+        x->file, x->o.tol, points[0], points[1], enough, rounded_up(enough));
 }
 
 static void print_net(fitting *x, const unsigned degree[2], const unsigned points[2],
@@ -137,15 +151,14 @@ static int fit_scattered(fitting *x)
                           x->file, f.loose, f.points[0] * f.points[1]);
     else if (status != 0)
         code = tool_error(EX_DATAERR, "%s: %s", x->file, engine_status(status, FIT_WRONG));
-    else if (!(f.off <= x->o.tol) && f.loose > 0)
+    else if (!(f.enough <= x->o.tol) && f.loose > 0 && f.enough < INFINITY)
         code = tool_error(
             EX_DATAERR,
-            "%s: %u x %u control points stay %.3g from a point, and the points do not "
-            "tell %u of a finer net: give points all over the rectangle around them, "
-            "or a larger --tol",
-            x->file, f.points[0], f.points[1], f.off, f.loose);
-    else if (!(f.off <= x->o.tol))
-        code = refuse_off(x, f.off);
+            "%s: %u x %u control points come within %.3g of the points, which do not tell %u of a "
+            "finer net: give points all over the rectangle around them, or --tol %.3g",
+            x->file, f.best[0], f.best[1], f.enough, f.loose, rounded_up(f.enough));
+    else if (!(f.enough <= x->o.tol))
+        code = refuse_net(x, f.best, f.enough);
     if (code == 0) {
         print_net(x, f.degree, f.points, (const double(*)[ENGINE_AXES])f.net, f.knot);
         printf("# %u x %u control points for %zu points in no order, within %.3g\n", f.points[0],
@@ -167,12 +180,25 @@ static int fit_surface(fitting *x)
                           status == LOFT_SINGULAR ? "two rows or columns are one: give different "
                                                     "points"
                                                   : engine_status(status, FIT_WRONG));
-    if (!(g->off <= x->o.tol))
-        return refuse_off(x, g->off);
+    if (!(g->enough <= x->o.tol))
+        return refuse_net(x, g->best, g->enough);
     print_net(x, g->degree, g->points, (const double(*)[ENGINE_AXES])g->net, g->knot);
     printf("# %u x %u control points for %u x %u points, within %.3g\n", g->points[0], g->points[1],
            g->count[0], g->count[1], g->off);
     return 0;
+}
+
+/* A curve that comes within --tol would need a control point for almost every point. */
+static int refuse_noise(fitting *x)
+{
+    const double enough = point_fit_enough(&x->row, &x->o, TOL_MOST, &x->f);
+    char with[40] = "";
+
+    if (enough > 0)
+        snprintf(with, sizeof with, "--tol %g, or ", enough);
+    return tool_error(
+        EX_DATAERR, "%s:%u: the points are noisier than --tol %g, or too few: give %s%smore points",
+        x->file, x->line, x->o.tol, with, x->o.degree > 3 ? "a lower --degree, or " : "");
 }
 
 static int end_row(fitting *x)
@@ -190,7 +216,9 @@ static int end_row(fitting *x)
         r->count -= r->closed ? 1 : 0;
         r->closed = r->closed || (x->close && r->count > 2);
         code = point_fit(r, &x->o, &x->f, print_fit, x);
-        if (x->failed || code != 0)
+        if (code == POINT_FIT_NOISY)
+            code = refuse_noise(x);
+        else if (x->failed || code != 0)
             code = tool_error(EX_DATAERR,
                               "%s:%u: numbers of %s do not hold points within --tol %g: give a "
                               "larger --tol, or --num f64",
@@ -267,7 +295,7 @@ static int run_fit(const tool_command *self, int argc, char **argv)
     int code;
 
     const tool_option options[] = {
-        TOOL_NUMBER("tol", "MM", &tol, 1e-6, 1000, "no point is farther from its curve (0.01)"),
+        TOOL_NUMBER("tol", "MM", &tol, 1e-6, TOL_MOST, "no point is farther from its curve (0.01)"),
         TOOL_COUNT("degree", "N", &degree, 1, 9, "of the curves (3)"),
         TOOL_NUMBER("corner", "DEGREES", &corner, 0, 181,
                     "points that turn by more stay corners; 181: none does (50)"),
@@ -306,7 +334,8 @@ const tool_command command_fit = {
     "FILE has one point per line: x,y or x,y,z, also with blanks or semicolons; a first line of\n"
     "names and what follows # do not count. An empty line ends a row of points; a row whose last\n"
     "point is its first one is closed. Prints B-splines in the format of host-tools/LOFT.md, in\n"
-    "the order of the points: by least squares, with as many knots as the tolerance takes. They\n"
+    "the order of the points: by least squares, with as many knots as the tolerance takes. Points\n"
+    "that are noisier than --tol, or too few, are refused with a --tol that suffices. The curves\n"
     "begin and end in points and corners; closed rows without a corner have a smooth seam.\n"
     "With --surface the rows are a grid, v along them: prints the nurbs-surface near it. One row\n"
     "alone is points in no order, 4 to 20000, of a surface that a plane shows without folds.\n",

@@ -255,8 +255,9 @@ typedef struct {
     int (*fit_grid)(const engine_grid_fit *f, double out[][ENGINE_AXES], double *off);
     /* The B-splines at the parameters of all points, [0] along u, `axis` of them. */
     int (*fit_basis)(const engine_net_fit *f, int axis, engine_basis out[]);
-    /* The largest distance of a point from its place on the surface of this net. */
-    int (*fit_off)(const engine_net_fit *f, const double net[][ENGINE_AXES], double *off);
+    /* The places f->at on the surface of this net. */
+    int (*fit_places)(const engine_net_fit *f, const double net[][ENGINE_AXES],
+                      double out[][ENGINE_AXES]);
     /* The arc of an SVG path, at most about one turn, as cubics in the plane within tol of it.
      * turns is 1 from x to y, or -1. */
     int (*ellipse)(const double from[2], const double to[2], const double radii[2], double degrees,

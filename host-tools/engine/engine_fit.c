@@ -200,7 +200,8 @@ int ENGINE_OF(engine_fit_basis)(const engine_net_fit *f, int axis, engine_basis 
     return status;
 }
 
-int ENGINE_OF(engine_fit_off)(const engine_net_fit *f, const double net[][ENGINE_AXES], double *off)
+int ENGINE_OF(engine_fit_places)(const engine_net_fit *f, const double net[][ENGINE_AXES],
+                                 double out[][ENGINE_AXES])
 {
     const size_t points = (size_t)f->points[0] * f->points[1];
     loft_vec *const held = tool_grow(NULL, points * sizeof *held);
@@ -212,14 +213,17 @@ int ENGINE_OF(engine_fit_off)(const engine_net_fit *f, const double net[][ENGINE
         fits = hold_reals(f->knot[k], f->points[k] + f->degree[k] + 1, &knot[k]) && fits;
     for (size_t k = 0; k < points; k++)
         fits = vec_of(net[k], &held[k]) && fits;
-    *off = 0;
     int status = fits ? loft_bspline_surface_init(&s, held, f->points[0], f->points[1], knot[0],
                                                   f->degree[0], knot[1], f->degree[1])
                       : LOFT_ERR_RANGE;
-    for (size_t k = 0; k < f->count && status == LOFT_OK; k++)
+    for (size_t k = 0; k < f->count && status == LOFT_OK; k++) {
+        loft_vec p;
         status = real_of(f->at[k][0], &at[0]) && real_of(f->at[k][1], &at[1])
-                     ? take_distance(&s, at[0], at[1], f->p[k], off)
+                     ? loft_nurbs_surface_eval(&s, at[0], at[1], &p)
                      : LOFT_ERR_RANGE;
+        if (status == LOFT_OK)
+            point_of(p, out[k]);
+    }
     free(held);
     free(knot[0]);
     free(knot[1]);

@@ -9,7 +9,7 @@
 int ENGINE_OF(engine_fit_spline)(const engine_fit *f, double out[][ENGINE_AXES]);
 int ENGINE_OF(engine_fit_surface)(const engine_grid_fit *f, double out[][ENGINE_AXES], double *off);
 int ENGINE_OF(engine_fit_basis)(const engine_net_fit *f, int axis, engine_basis out[]);
-int ENGINE_OF(engine_fit_off)(const engine_net_fit *f, const double net[][ENGINE_AXES],
-                              double *off);
+int ENGINE_OF(engine_fit_places)(const engine_net_fit *f, const double net[][ENGINE_AXES],
+                                 double out[][ENGINE_AXES]);
 
 #endif

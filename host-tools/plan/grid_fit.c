@@ -3,16 +3,28 @@
  *
  * Parameters are the lengths of chords, in the mean of all rows or columns. A knot follows after
  * even shares of them, so that each span has points (The NURBS Book, 9.69).
+ *
+ * With as many control points as points the equations of (9.69) can be nearly singular, and the net
+ * meets all points with control points anywhere. So along each direction there are at most 2 control
+ * points for 3 points, but degree + 1. And the net must be no faster than the points: along each
+ * direction the derivative lies in the hull of degree (c_i+1 - c_i) / (t_i+degree+1 - t_i+1). Each is
+ * at most SPEED times the largest chord between neighbouring points over the step of their
+ * parameters, and SLACK tolerances over the step of knots more. This bounds the surface between the points as spline_fit.c says for curves.
  */
 #include "plan/grid_fit.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "num/status.h"         /* LOFT_OK */
 
 #include "base/space.h"         /* space_distance */
 #include "base/tool.h"          /* tool_grow */
+
+#define SPEED 2
+#define SLACK 4
+
 
 static const double *point_at(const grid_fit *g, int along, unsigned k, unsigned line)
 {
@@ -67,6 +79,51 @@ static int fit_once(grid_fit *g, const engine *e)
     return e->fit_grid(&f, g->net, &g->off);
 }
 
+/* Along one direction: the largest chord over the step of its parameters. */
+static double points_speed(const grid_fit *g, int along)
+{
+    double most = 0;
+
+    for (unsigned k = 1; k < g->count[along]; k++)
+        for (unsigned line = 0; line < g->count[1 - along]; line++)
+            most = fmax(
+                most, space_distance(point_at(g, along, k, line), point_at(g, along, k - 1, line)) /
+                          (g->at[along][k] - g->at[along][k - 1]));
+    return most;
+}
+
+/* The length by which a leg of the net is too long for SPEED. */
+static double net_excess(const grid_fit *g, int along)
+{
+    const unsigned n = g->degree[along], step = along == 0 ? g->points[1] : 1;
+    const double speed = SPEED * points_speed(g, along);
+    double most = 0;
+
+    for (unsigned i = 0; i + 1 < g->points[along]; i++)
+        for (unsigned line = 0; line < g->points[1 - along]; line++) {
+            const size_t from = along == 0 ? (size_t)i * step + line
+                                           : (size_t)line * g->points[1] + i;
+            const double time = g->knot[along][i + n + 1] - g->knot[along][i + 1];
+            most = fmax(most, n * space_distance(g->net[from], g->net[from + step]) - speed * time);
+        }
+    return most;
+}
+
+/* More spans along both; false if the points do not tell them. */
+static bool refine(grid_fit *g)
+{
+    bool more = false;
+
+    for (int k = 0; k < 2; k++) {
+        const unsigned spans = g->points[k] - g->degree[k],
+                       next = spans + (spans + 1) / 2 + g->degree[k], most = 2 * g->count[k] / 3,
+                       to = next < most ? next : most;
+        more = more || to > g->points[k];
+        g->points[k] = to > g->points[k] ? to : g->points[k];
+    }
+    return more;
+}
+
 int grid_fit_make(grid_fit *g, const engine *e, unsigned degree, double tol)
 {
     int status = LOFT_OK;
@@ -78,21 +135,18 @@ int grid_fit_make(grid_fit *g, const engine *e, unsigned degree, double tol)
         g->points[k] = g->degree[k] + 1;
         g->knot[k]   = tool_grow(NULL, (g->count[k] + degree + 1) * sizeof *g->knot[k]);
     }
-    for (;;) {
-        bool more = false;
+    g->enough = INFINITY;
+    do {
         status = fit_once(g, e);
-        if (status != LOFT_OK || g->off <= tol)
-            return status;
-        for (int k = 0; k < 2; k++) {
-            const unsigned spans = g->points[k] - g->degree[k],
-                           next = spans + (spans + 1) / 2 + g->degree[k];
-            const unsigned to = next < g->count[k] ? next : g->count[k];
-            more = more || to > g->points[k];
-            g->points[k] = to;
+        if (status != LOFT_OK)
+            break;
+        const double need = fmax(g->off, fmax(net_excess(g, 0), net_excess(g, 1)) / SLACK);
+        if (need < g->enough) {
+            g->enough = need;
+            memcpy(g->best, g->points, sizeof g->best);
         }
-        if (!more)
-            return status;
-    }
+    } while (!(g->enough <= tol) && refine(g));
+    return g->enough < INFINITY ? LOFT_OK : status;
 }
 
 void grid_fit_free(grid_fit *g)

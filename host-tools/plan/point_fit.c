@@ -8,6 +8,7 @@
 #include "base/tool.h"          /* tool_grow */
 #include "plan/point_fit.h"
 
+#define FEW   12        /* points of a polygon that may all be corners */
 #define REACH 10        /* tolerances: from there the turn at a point is seen */
 
 // Corners
@@ -92,12 +93,36 @@ static bool fit_part(const point_row *r, const point_fit_options *o, size_t from
     return spline_fit_within(f, o->tol, where);
 }
 
+/* Control points that are free: of the stretch between two corners, of the row. */
+typedef struct {
+    point_fit_sink *sink;
+    void *context;
+    size_t stretch, row;
+} taking;
+
+static int take_part(taking *t, const spline_fit *f)
+{
+    const size_t control = f->intervals + (f->closed ? 0 : f->degree - 1);
+
+    t->stretch += control;
+    t->row += control;
+    return t->sink(t->context, f);
+}
+
+/* A curve with as many control points as points follows their noise. */
+static int check_count(size_t control, size_t points, size_t few)
+{
+    return control <= few || 3 * control <= 2 * points ? 0 : POINT_FIT_NOISY;
+}
+
 /* The points from..to, cut further where they cannot be one curve. */
 static int fit_stretch(const point_row *r, const point_fit_options *o, size_t from, size_t to,
-                       spline_fit *f, point_fit_sink *sink, void *context)
+                       spline_fit *f, taking *t)
 {
+    const size_t points = to - from + 1;
     int code = 0;
 
+    t->stretch = 1;
     for (size_t stop = to; from < to && code == 0; stop = to) {
         size_t where;
         while (!fit_part(r, o, from, stop, f, &where)) {
@@ -105,14 +130,13 @@ static int fit_stretch(const point_row *r, const point_fit_options *o, size_t fr
                 return EX_DATAERR;
             stop = where > 0 && where < stop - from ? from + where : (from + stop) / 2;
         }
-        code = sink(context, f);
+        code = take_part(t, f);
         from = stop;
     }
-    return code;
+    return code != 0 ? code : check_count(t->stretch, points, o->degree + 1);
 }
 
-static int fit_closed(const point_row *r, const point_fit_options *o, spline_fit *f,
-                      point_fit_sink *sink, void *context)
+static int fit_closed(const point_row *r, const point_fit_options *o, spline_fit *f, taking *t)
 {
     size_t where;
 
@@ -120,20 +144,21 @@ static int fit_closed(const point_row *r, const point_fit_options *o, spline_fit
     f->degree = o->degree;
     take_points(r, 0, r->count, f);
     f->closed = true;
-    return spline_fit_within(f, o->tol, &where)
-               ? sink(context, f)
-               : fit_stretch(r, o, where, where + r->count, f, sink, context);
+    if (!spline_fit_within(f, o->tol, &where))
+        return fit_stretch(r, o, where, where + r->count, f, t);
+    return take_part(t, f);
 }
 
-int point_fit(const point_row *row, const point_fit_options *o, spline_fit *f, point_fit_sink *sink,
-              void *context)
+static int fit_row(const point_row *row, const point_fit_options *o, spline_fit *f,
+                   point_fit_sink *sink, void *context)
 {
+    taking t = { sink, context, 0, 0 };
     size_t *corner = tool_grow(NULL, (row->count + 2) * sizeof *corner);
     size_t count = find_corners(row, o, corner + 1);
     int code = 0;
 
     if (row->closed && count == 0) {
-        code = fit_closed(row, o, f, sink, context);
+        code = fit_closed(row, o, f, &t);
     } else {
         corner[0] = row->closed ? corner[count] : 0;
         if (!row->closed)
@@ -141,9 +166,40 @@ int point_fit(const point_row *row, const point_fit_options *o, spline_fit *f, p
         for (size_t k = 0; k < count && code == 0; k++) {
             const size_t from = row->closed && k == 0 ? corner[count] : corner[k];
             const size_t to = corner[k + 1] + (corner[k + 1] <= from ? row->count : 0);
-            code = fit_stretch(row, o, from, to, f, sink, context);
+            code = fit_stretch(row, o, from, to, f, &t);
         }
     }
     free(corner);
-    return code;
+    return code != 0 ? code : check_count(t.row, row->count, FEW);
+}
+
+static int drop_part(void *context, const spline_fit *f)
+{
+    (void)context;
+    (void)f;
+    return 0;
+}
+
+int point_fit(const point_row *row, const point_fit_options *o, spline_fit *f, point_fit_sink *sink,
+              void *context)
+{
+    const int code = fit_row(row, o, f, drop_part, NULL);
+
+    return code != 0 ? code : fit_row(row, o, f, sink, context);
+}
+
+double point_fit_enough(const point_row *row, const point_fit_options *o, double most,
+                        spline_fit *f)
+{
+    point_fit_options wider = *o;
+
+    for (;;) {
+        const double unit = pow(10, floor(log10(wider.tol) + 1e-9));
+        wider.tol = (floor(wider.tol / unit + 1e-9) + 1) * unit;
+        if (wider.tol > most)
+            break;
+        if (fit_row(row, &wider, f, drop_part, NULL) == 0)
+            return wider.tol;
+    }
+    return 0;
 }

@@ -4,10 +4,20 @@
  * Least squares with fixed parameters, then parameters for a fixed surface: each step lowers the
  * sum of squares (J. Hoschek, Intrinsic parametrization for approximation, CAGD 5, 1988). The
  * nearest place is found by Gauss and Newton's method, halved where it does not come nearer.
+ *
+ * A net that meets the points tells nothing of the surface between them. So it is judged by points
+ * that it has not seen: FOLDS times a share of the points is left out, a net is fitted to the
+ * others, and measured at those (cross-validation: M. Stone, JRSS B 36, 1974). A net that follows
+ * the noise, or that the points hardly determine, predicts badly. The root of the mean square must
+ * be within PREDICTED tolerances. There is at most one control point for two points. And the surface,
+ * seen at LOOKS places along each span, stays in the box of the points along the rectangle and the
+ * plane's normal, but for BEYOND of its diagonal and SLACK tolerances: corners that have no points
+ * are not told by others.
  */
 #include "plan/scatter_fit.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,6 +31,11 @@
 #define STEPS   4               /* to the nearest place, in a round */
 #define HALVES  6
 #define SHARE   1e-5L           /* of the first column: a shorter one has no points of its own */
+#define FOLDS   4
+#define PREDICTED 2
+#define SLACK   4
+#define LOOKS   4
+#define BEYOND  0.02
 #define TURNS   90              /* that are tried for the rectangle */
 
 typedef double point[ENGINE_AXES];
@@ -136,6 +151,8 @@ static bool set_parameters(scatter_fit *f)
         for (int i = 0; i < 3; i++)
             normal[i] = -normal[i];
     find_rectangle(f, normal, side);
+    memcpy(f->frame, side, sizeof side);
+    memcpy(f->frame[2], normal, sizeof normal);
     for (int axis = 0; axis < 2; axis++) {
         double low = INFINITY, high = -INFINITY;
         for (size_t k = 0; k < f->count; k++) {
@@ -158,7 +175,7 @@ static bool set_parameters(scatter_fit *f)
 typedef struct {
     const engine *e;
     engine_basis *basis[2];
-    point *net;
+    point *net, *place;         /* place[count] */
 } room;
 
 static engine_net_fit given(const scatter_fit *f)
@@ -180,8 +197,21 @@ static int find_basis(const scatter_fit *f, room *r)
     return status;
 }
 
-/* The control points for these parameters; how many of them no point determines. */
-static size_t solve(const scatter_fit *f, room *r)
+/* Whatever the order of the points. */
+static size_t fold_of(const double p[3])
+{
+    uint64_t mixed = 0, bits;
+
+    for (int axis = 0; axis < 3; axis++) {
+        memcpy(&bits, &p[axis], sizeof bits);
+        mixed = ((mixed ^ bits) * 0x9e3779b97f4a7c15u) ^ (mixed >> 29);
+    }
+    return (size_t)(mixed >> 61) % FOLDS;
+}
+
+/* The control points for these parameters, without the points of fold `left`; how many of them no
+ * point determines. */
+static size_t solve(const scatter_fit *f, room *r, size_t left)
 {
     const size_t rows = f->count, columns = (size_t)f->points[0] * f->points[1];
     long double *const a = least_room((columns + 3) * rows * sizeof *a);
@@ -190,6 +220,11 @@ static size_t solve(const scatter_fit *f, room *r)
     memset(a, 0, columns * rows * sizeof *a);
     for (size_t k = 0; k < rows; k++) {
         const engine_basis *u = &r->basis[0][k], *v = &r->basis[1][k];
+        if (fold_of(f->p[k]) == left) {     /* an equation 0 = 0 */
+            for (int axis = 0; axis < 3; axis++)
+                a[(columns + (size_t)axis) * rows + k] = 0;
+            continue;
+        }
         for (unsigned i = 0; i <= f->degree[0]; i++)
             for (unsigned j = 0; j <= f->degree[1]; j++)
                 a[((u->first + i) * f->points[1] + v->first + j) * rows + k] =
@@ -292,7 +327,7 @@ static void set_knots(scatter_fit *f)
 }
 
 /* The net with these numbers of points, and `off` of it. LOFT_SINGULAR: some are loose. */
-static int fit_once(scatter_fit *f, room *r, double tol)
+static int fit_once(scatter_fit *f, room *r)
 {
     const size_t bytes = (size_t)f->points[0] * f->points[1] * sizeof *f->net;
     int status = LOFT_OK;
@@ -304,14 +339,16 @@ static int fit_once(scatter_fit *f, room *r, double tol)
         double off = 0;
         status = find_basis(f, r);
         if (status == LOFT_OK) {
-            f->loose = (unsigned)solve(f, r);
+            f->loose = (unsigned)solve(f, r, FOLDS);
             status = f->loose > 0 ? LOFT_SINGULAR : project(f, r);
             if (f->loose > 0 && f->off < INFINITY)
                 return LOFT_OK;         /* the round before had none */
         }
         const engine_net_fit all = given(f);
         if (status == LOFT_OK)
-            status = r->e->fit_off(&all, (const double(*)[ENGINE_AXES])r->net, &off);
+            status = r->e->fit_places(&all, (const double(*)[ENGINE_AXES])r->net, r->place);
+        for (size_t k = 0; k < f->count && status == LOFT_OK; k++)
+            off = fmax(off, space_distance(r->place[k], f->p[k]));
         if (status != LOFT_OK)
             return status;
         const bool better = off < f->off, pays = off < 0.95 * f->off;
@@ -320,10 +357,64 @@ static int fit_once(scatter_fit *f, room *r, double tol)
             f->net = tool_grow(f->net, bytes);
             memcpy(f->net, r->net, bytes);
         }
-        if (off <= tol || !pays)
+        if (!pays)
             break;
     }
     return LOFT_OK;
+}
+
+/* Of points that a net has not seen: the root of the mean square of their distance from it. */
+static double predicted_off(const scatter_fit *f, room *r)
+{
+    double sum = 0;
+
+    for (size_t left = 0; left < FOLDS; left++) {
+        solve(f, r, left);
+        for (size_t k = 0; k < f->count; k++) {
+            if (fold_of(f->p[k]) != left)
+                continue;
+            double off[3], slope[2][3];
+            look(f, r, k, off, slope);
+            sum += dot(off, off);
+        }
+    }
+    return sqrt(sum / (double)f->count);
+}
+
+/* How far the surface leaves the box of the points, BEYOND of the diagonal apart. */
+static int find_excess(const scatter_fit *f, room *r, double *out)
+{
+    const size_t across = LOOKS * (f->points[0] - f->degree[0]) + 1,
+                 along = LOOKS * (f->points[1] - f->degree[1]) + 1;
+    double (*const at)[2] = tool_grow(NULL, across * along * sizeof *at),
+                  (*const place)[ENGINE_AXES] = tool_grow(NULL, across * along * sizeof *place);
+    engine_net_fit all = given(f);
+    double diagonal = 0;
+
+    for (size_t k = 0; k < across * along; k++) {
+        at[k][0] = (double)(k / along) / (double)(across - 1);
+        at[k][1] = (double)(k % along) / (double)(along - 1);
+    }
+    all.at = (const double(*)[2])at;
+    all.count = across * along;
+    const int status = r->e->fit_places(&all, (const double(*)[ENGINE_AXES])f->net, place);
+    *out = 0;
+    for (int axis = 0; axis < 3 && status == LOFT_OK; axis++) {
+        double low = INFINITY, high = -INFINITY;
+        for (size_t k = 0; k < f->count; k++) {
+            low = fmin(low, dot(f->p[k], f->frame[axis]));
+            high = fmax(high, dot(f->p[k], f->frame[axis]));
+        }
+        diagonal = hypot(diagonal, high - low);
+        for (size_t k = 0; k < all.count; k++) {
+            const double x = dot(place[k], f->frame[axis]);
+            *out = fmax(*out, fmax(low - x, x - high));
+        }
+    }
+    *out = fmax(*out - BEYOND * diagonal, 0);
+    free(at);
+    free(place);
+    return status;
 }
 
 /* More spans along both; false if they are too many. */
@@ -335,7 +426,7 @@ static bool refine(scatter_fit *f)
         const unsigned spans = f->points[axis] - f->degree[axis];
         to[axis] = spans + (spans + 1) / 2 + f->degree[axis];
     }
-    if ((size_t)to[0] * to[1] > f->count || to[0] * to[1] > SCATTER_CONTROLS)
+    if (2 * (size_t)to[0] * to[1] > f->count || to[0] * to[1] > SCATTER_CONTROLS)
         return false;
     f->points[0] = to[0];
     f->points[1] = to[1];
@@ -350,33 +441,35 @@ int scatter_fit_make(scatter_fit *f, const engine *e, unsigned degree, double to
     f->at = tool_grow(NULL, f->count * sizeof *f->at);
     if (!set_parameters(f))
         return LOFT_SINGULAR;
-    while (degree > 1 && (size_t)(degree + 1) * (degree + 1) > f->count)
+    while (degree > 1 && 2 * (size_t)(degree + 1) * (degree + 1) > f->count)
         degree--;
     for (int axis = 0; axis < 2; axis++) {
         f->degree[axis] = degree;
         f->points[axis] = degree + 1;
         r.basis[axis] = tool_grow(NULL, f->count * sizeof *r.basis[axis]);
     }
-    unsigned kept[2] = { 0, 0 };
-    double off = INFINITY;
-    for (;;) {
-        status = fit_once(f, &r, tol);
-        if (status != LOFT_OK || f->off <= tol)
-            break;
-        memcpy(kept, f->points, sizeof kept);
-        off = f->off;
-        if (!refine(f))
-            break;
-    }
-    if (status == LOFT_SINGULAR && kept[0] > 0) {       /* the last net without loose points */
-        memcpy(f->points, kept, sizeof f->points);
-        f->off = off;
-        set_knots(f);
+    r.place = tool_grow(NULL, f->count * sizeof *r.place);
+    f->enough = INFINITY;
+    do {
+        status = fit_once(f, &r);
+        double excess = 0;
+        if (status == LOFT_OK)
+            status = find_excess(f, &r, &excess);
+        if (status == LOFT_OK) {
+            const double need = fmax(fmax(f->off, predicted_off(f, &r) / PREDICTED),
+                                     excess / SLACK);
+            if (need < f->enough) {
+                f->enough = need;
+                memcpy(f->best, f->points, sizeof f->best);
+            }
+        }
+    } while (status == LOFT_OK && !(f->enough <= tol) && refine(f));
+    if (status == LOFT_SINGULAR && f->enough < INFINITY)
         status = LOFT_OK;
-    }
     free(r.basis[0]);
     free(r.basis[1]);
     free(r.net);
+    free(r.place);
     return status;
 }
 

@@ -2,6 +2,20 @@
  * SPDX-License-Identifier: MIT
  *
  * C. de Boor, A Practical Guide to Splines (2001), chapter XIV.
+ *
+ * What holds at the points alone says nothing of the curve between them: with a knot for each point
+ * the equations can be nearly singular, and control points of 10^8 mm meet all points. Three rules
+ * bound the curve:
+ *
+ *   knots   each interval has two points or more, so there are at most count / 2 + degree control
+ *           points, and the points tell each of them (Schoenberg and Whitney) by a margin.
+ *   speed   the parameter is the length of the chords, so the curve runs at speed 1 or little more.
+ *           Its derivative lies in the hull of n (c_i+1 - c_i) / T_i with T_i = t_i+n+1 - t_i+1.
+ *           Each is at most SPEED + SLACK within / T_i. A gap between two points lies in one
+ *           interval, or in two by halves, none longer than T_i. So over a gap L the curve is at
+ *           most SPEED L + 2 SLACK `within` long, and stays within the ellipse of this length, and 2
+ *           `within` more, around the points: for a small `within` 0.87 L from their chord, for a
+ *           small L 5 `within`.
  */
 #include <math.h>
 #include <stdint.h>
@@ -15,6 +29,9 @@
 #define BETWEEN     4       /* checked places between two points */
 #define CHECKED     0.9     /* of `within` may be used there     */
 #define ROUNDS      40
+#define LEAST       2       /* points of an interval               */
+#define SPEED       2       /* of the curve along the length of the chords, at most */
+#define SLACK       4
 #define DEGREES     10
 
 
@@ -191,19 +208,33 @@ double spline_fit_error(const spline_fit *f)
     return worst;
 }
 
-/* Halve all intervals with an error above `within`. Returns how many; SIZE_MAX if one cannot be
- * halved, at point *where. */
+/* Is the curve of interval k no faster than the points are? By the legs of its control points. */
+static bool speed_is_bounded(const spline_fit *f, size_t k, double within)
+{
+    const long n = (long)f->degree;
+
+    for (long i = (long)k; i < (long)k + n; i++) {
+        const double time = spline_fit_knot(f, i + 1) - spline_fit_knot(f, i + 1 - n);
+        if (!((double)n * space_distance(f->c[i + 1], f->c[i]) <= SPEED * time + SLACK * within))
+            return false;
+    }
+    return true;
+}
+
+/* Halve all intervals with an error above `within`, or where the curve is too fast. Returns how
+ * many; SIZE_MAX if one cannot be halved, at point *where. */
 static size_t refine_intervals(spline_fit *f, double within, size_t *where)
 {
     const size_t before = f->intervals;
     size_t bad = 0, worst_at = 0;
 
     for (size_t k = before; k-- > 0;) {
-        if (error_of(f, k, &worst_at) <= (f->between ? CHECKED : 1) * within)
+        if (error_of(f, k, &worst_at) <= (f->between ? CHECKED : 1) * within &&
+            speed_is_bounded(f, k, within))
             continue;
         const size_t middle = (f->first[k] + f->first[k + 1]) / 2;
         bad++;
-        if (f->first[k + 1] - f->first[k] < (f->between ? 4 : 2)) {
+        if (f->first[k + 1] - f->first[k] < 2 * LEAST) {
             *where = worst_at;
             return SIZE_MAX;
         }

@@ -34,6 +34,15 @@ case_fit() {
                 >'$tmp/measured.csv'; exec '$loft' fit '$tmp/measured.csv'"
     printf '1 2\n' >"$tmp/one.txt"
     one_line 65 'one.txt:1: one point: give two or more'   "$loft" fit "$tmp/one.txt"
+    # an ellipse that is rounded to 0.1 mm: refused, and within the tolerance that the refusal names
+    awk 'BEGIN { for (i = 0; i < 70; i++) { a = 2 + 6.2 * i / 70; printf "%.1f,%.1f\n", 20 * cos(a),
+                                            12 * sin(a) } }' >"$tmp/round.csv"
+    one_line 65 'round.csv:1: the points are noisier than --tol 0.01.*: give --tol' \
+        "$loft" fit "$tmp/round.csv"
+    "$loft" fit --tol "$(grep -o 'give --tol [0-9.]*' "$tmp/err" | cut -d' ' -f3)" "$tmp/round.csv" |
+        "$loft" measure - >"$tmp/out" || job_fails "the tolerance that is named"
+    awk '/^all/ { exit !($3 > 98 && $3 < 103 && $4 > -20.2 && $7 < 12.2) }' "$tmp/out" ||
+        job_fails "an ellipse: $(cat "$tmp/out")"
     printf '0 0\n40000 0\n40001 1\n' >"$tmp/far.txt"
     one_line 65 'far.txt'   "$loft" fit --num q16 "$tmp/far.txt"
 }
