@@ -9,8 +9,9 @@
  *     loft_sci memory[LOFT_NET_AREA_MEMORY(2, 1)];
  *     status = loft_net_area(loft_net_from_tensor_rational(&s), LOFT_REAL(0.01), memory, &area);
  *
- * In the `error` lines A is m n R^3 times the product of the largest steps of the net along x and
- * y (a triangle: of its form, net.h), R the largest weight over the smallest.
+ * In the `error` lines A is m n R^3 s t: s, t the largest distances of two control points that are
+ * neighbours by the first and by the second parameter (a triangle: of its form, net.h), R the
+ * largest weight over the smallest.
  */
 #ifndef LOFT_SURFACE_AREA_H
 #define LOFT_SURFACE_AREA_H

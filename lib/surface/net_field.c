@@ -7,14 +7,20 @@
  *     P_u x P_v = M / w^3,   M = D(A, A_u, A_v)
  *
  * De Casteljau's last step gives four points of degrees m - 1, n - 1: A_00, A_10, A_01, A_11. D
- * alternates, so
+ * alternates, so with S_j = A_1j - A_0j and T_i = A_i1 - A_i0
  *
- *     M = m n ( (1-u) (1-v) D(A_00, A_10, A_01) + u (1-v) D(A_00, A_10, A_11)
- *             + (1-u) v D(A_00, A_11, A_01) + u v D(A_10, A_11, A_01) )
+ *     M = m n ( (1-u) (1-v) D(A_00, S_0, T_0) + u (1-v) D(A_00, S_0, T_1)
+ *             + (1-u) v D(A_00, S_1, T_0) + u v D(A_10, S_1, T_1) )
  *
  * of the degrees p = 3 m - 2, q = 3 n - 2. Without weights w = 1 and M = X_u x X_v has the degrees
  * 2 m - 1, 2 n - 1. In the same way det(X, X_u, X_v) = X . M / w is a sum of determinants of three
  * points, and the cone over the patch has the volume 1/3 int det / w^3.
+ *
+ * Far from the apex these determinants of long vectors would cancel. So the points are seen from
+ * the first one, X = Y + w o, with o the first point seen from the apex: det X = det Y + o . M, as M
+ * is the same of both. Without weights S and T are steps of the net and M = S x T, so each term is
+ * at most the product of two steps and of the distance from the apex, L: with 2^-53 for each of the
+ * roundings (q16: 2^-61), of about m n terms, the whole is within 2^-40 A L (q16: 2^-48 A L).
  *
  * Moments. A point of the cone is r P, its element of volume r^2 dr det / w^3, so the first moments
  * about the apex are 1/4 int X det / w^4: one polynomial more, of the degrees 4 m - 2, 4 n - 2.
@@ -61,40 +67,61 @@ static line line_of(const spot *a, const spot *b)
     return r;
 }
 
-/* D(a, b, c) or the determinant, times the factor. */
-static void add_plane(const line *ab, const spot *c, loft_sci factor, unsigned each, loft_sci out[])
+static spot step_of(const loft_net_form *f, unsigned i, unsigned j, unsigned du, unsigned dv)
 {
-    loft_sci turned[3];
+    const spot a = spot_of(f, i, j), b = spot_of(f, i + du, j + dv);
+    spot r;
 
-    if (each == 1) {
-        loft_sci_add_product(out, factor, loft_sci_dot3(ab->cross, c->x));
-        return;
-    }
-    loft_sci_cross3(ab->turn, c->x, turned);
-    for (int i = 0; i < 3; i++)
-        loft_sci_add_product(&out[i], factor,
-                             loft_sci_add(turned[i], loft_sci_mul(c->w, ab->cross[i])));
+    for (int axis = 0; axis < 3; axis++)
+        r.x[axis] = loft_sci_sub(b.x[axis], a.x[axis]);
+    r.w = loft_sci_sub(b.w, a.w);
+    return r;
 }
 
-/* One of the four terms: `shift` of its points along u and v, and of its result. */
-static void add_term(const loft_net_form *f, loft_net_field *x, const unsigned shift[4][2])
+/* The net seen from its first point, and that seen from the apex. */
+typedef struct {
+    loft_net_form form;
+    loft_sci offset[3];
+} view;
+
+/* D(a, b, c) or the determinant, seen from the apex, times the factor. */
+static void add_plane(const line *bc, const spot *a, const view *f, loft_sci factor, unsigned each,
+                      loft_sci out[])
+{
+    loft_sci plane[3];
+
+    loft_sci_cross3(bc->turn, a->x, plane);
+    for (int i = 0; i < 3; i++)
+        loft_sci_add_product(&plane[i], a->w, bc->cross[i]);
+    if (each == 1) {
+        loft_sci_add_product(
+            out, factor,
+            loft_sci_add(loft_sci_dot3(bc->cross, a->x), loft_sci_dot3(plane, f->offset)));
+        return;
+    }
+    for (int i = 0; i < 3; i++)
+        loft_sci_add_product(&out[i], factor, plane[i]);
+}
+
+/* The term of B_a(u) B_b(v): of its point, its step along u, its step along v. */
+static void add_term(const view *f, loft_net_field *x, unsigned u, unsigned v)
 {
     const unsigned m = x->m, n = x->n, wide = x->q + 1;
 
     for (unsigned ab = 0; ab < m * n * m * n; ab++) {
         const unsigned i = ab % m, j = ab / m % n, k = ab / (m * n) % m, l = ab / (m * n * m);
-        const spot a = spot_of(f, i + shift[0][0], j + shift[0][1]),
-                   b = spot_of(f, k + shift[1][0], l + shift[1][1]);
-        const line both = line_of(&a, &b);
+        const spot along = step_of(&f->form, i, j + v, 1, 0),
+                   across = step_of(&f->form, k + u, l, 0, 1);
+        const line both = line_of(&along, &across);
         const loft_sci two = loft_sci_from_int(loft_binomial(m - 1, i) * loft_binomial(n - 1, j) *
                                                (loft_binomial(m - 1, k) * loft_binomial(n - 1, l)));
         for (unsigned g = 0; g < m; g++)
             for (unsigned h = 0; h < n; h++) {
-                const spot c = spot_of(f, g + shift[2][0], h + shift[2][1]);
-                const unsigned at = (i + k + g + shift[3][0]) * wide + j + l + h + shift[3][1];
+                const spot a = spot_of(&f->form, g + (u & v), h);
+                const unsigned at = (i + k + g + u) * wide + j + l + h + v;
                 const loft_sci one = loft_sci_from_int(loft_binomial(m - 1, g) *
                                                        loft_binomial(n - 1, h));
-                add_plane(&both, &c, loft_sci_mul(two, one), x->each, x->whole + at * x->each);
+                add_plane(&both, &a, f, loft_sci_mul(two, one), x->each, x->whole + at * x->each);
             }
     }
 }
@@ -155,7 +182,7 @@ static void load_integrals(loft_net_field *x, int along, unsigned p, unsigned r)
 }
 
 /* From D in c[] to D X, both times binomials. */
-static void add_moments(const loft_net_form *f, loft_net_field *x)
+static void add_moments(const view *f, loft_net_field *x)
 {
     const unsigned p = x->p, q = x->q;
 
@@ -165,13 +192,15 @@ static void add_moments(const loft_net_form *f, loft_net_field *x)
     for (unsigned at = 0; at < (p + 1) * (q + 1); at++)
         for (unsigned i = 0; i <= x->m; i++)
             for (unsigned j = 0; j <= x->n; j++) {
-                const spot s = spot_of(f, i, j);
+                const spot s = spot_of(&f->form, i, j);
                 const loft_sci ways = loft_sci_from_int(loft_binomial(x->m, i) *
                                                         loft_binomial(x->n, j)),
                                d = loft_sci_mul(ways, x->c[at]);
                 const unsigned to = (at / (q + 1) + i) * (x->q + 1) + at % (q + 1) + j;
                 for (unsigned axis = 0; axis < 3; axis++)
-                    loft_sci_add_product(&x->whole[to * 3 + axis], d, s.x[axis]);
+                    loft_sci_add_product(
+                        &x->whole[to * 3 + axis], d,
+                        loft_sci_add(s.x[axis], loft_sci_mul(s.w, f->offset[axis])));
             }
 }
 
@@ -191,32 +220,39 @@ static void hold_field(loft_sci memory[], unsigned all, loft_net_field *x)
     x->with[1] = x->with[0] + p * (x->m + 1);
 }
 
-static void load_polynomial(const loft_net_form *f, enum loft_net_field_of of, loft_net_field *x)
+static void load_polynomial(const view *f, enum loft_net_field_of of, loft_net_field *x)
 {
-    static const unsigned shift[4][4][2] = { { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 0, 0 } },
-                                             { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 1, 0 } },
-                                             { { 0, 0 }, { 1, 1 }, { 0, 1 }, { 0, 1 } },
-                                             { { 1, 0 }, { 1, 1 }, { 0, 1 }, { 1, 1 } } };
-
-    if (of == LOFT_NET_NORMAL && !f->weighted) {
-        add_cross(f, x);
+    if (of == LOFT_NET_NORMAL && !f->form.weighted) {
+        add_cross(&f->form, x);
         return;
     }
-    for (int term = 0; term < 4; term++)
-        add_term(f, x, shift[term]);
+    for (unsigned term = 0; term < 4; term++)
+        add_term(f, x, term & 1, term >> 1);
 }
 
-void loft_net_field_load(loft_net s, loft_vec origin, enum loft_net_field_of of, loft_sci memory[],
+static void load_view(const loft_net *s, const loft_vec *apex, view *out)
+{
+    const loft_vec first = s->weighted ? s->weighted[0].p : s->p[0];
+
+    loft_net_load(*s, first, &out->form);
+    for (int axis = 0; axis < 3; axis++)
+        out->offset[axis] = axis < LOFT_AXES
+                                ? loft_sci_sub(loft_sci_from_real(loft_vec_axis(&first, axis)),
+                                               loft_sci_from_real(loft_vec_axis(apex, axis)))
+                                : loft_sci_zero();
+}
+
+void loft_net_field_load(loft_net s, loft_vec apex, enum loft_net_field_of of, loft_sci memory[],
                          loft_net_field *x)
 {
     const bool flat = s.weighted == NULL && of == LOFT_NET_NORMAL, moment = of == LOFT_NET_MOMENT;
     const unsigned least = flat ? 1 : 2, degree = moment ? 4 : flat ? 2 : 3;
-    loft_net_form f;
+    view f;
 
-    loft_net_load(s, origin, &f);
+    load_view(&s, &apex, &f);
     x->m = s.m;
     x->n = s.n;
-    x->weighted = f.weighted;
+    x->weighted = f.form.weighted;
     x->power = moment ? 4 : 3;
     x->each  = of == LOFT_NET_CONE ? 1 : 3;
     x->p = degree * s.m - least;
@@ -225,9 +261,9 @@ void loft_net_field_load(loft_net s, loft_vec origin, enum loft_net_field_of of,
     hold_field(memory, all, x);
     for (unsigned k = 0; k < 2 * all; k++)
         memory[k] = loft_sci_zero();
-    for (unsigned i = 0; i <= s.m && f.weighted; i++)
+    for (unsigned i = 0; i <= s.m && f.form.weighted; i++)
         for (unsigned j = 0; j <= s.n; j++)
-            x->w_whole[i * (s.n + 1u) + j] = f.w.c[i][j];
+            x->w_whole[i * (s.n + 1u) + j] = f.form.w.c[i][j];
     if (moment) {               /* D first, in the room of a part */
         x->p -= s.m;
         x->q -= s.n;

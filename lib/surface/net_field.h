@@ -5,7 +5,7 @@
  * and the determinant of X, X_u, X_v is D: M and D are polynomials of u and v. A part of the net
  * has them too, and the integral of M / w^3 over it is known within a bound of the second order:
  *
- *     loft_net_field_load(net, origin, LOFT_NET_NORMAL, memory, &x);
+ *     loft_net_field_load(net, apex, LOFT_NET_NORMAL, memory, &x);
  *     loft_net_field_cut(&x, &part);
  *     by = loft_net_field_weighing(&x);
  *     loft_net_field_integral(&x, &by, sum);          // over 0..1 x 0..1 of the part
@@ -34,16 +34,17 @@ typedef struct {
     loft_sci *with[2];          /* of B_k and those of the weight              */
 } loft_net_field;
 
-/* The polynomial of a net of degrees 1 or more, seen from the origin.
+/* The polynomial of a net of degrees 1 or more, seen from the apex.
  *
  *   shape   memory[LOFT_NET_AREA_MEMORY(m, n)] (area.h), of LOFT_NET_MOMENT
  *           [LOFT_NET_MOMENT_MEMORY(m, n)]
  *   range   three axes or more but for LOFT_NET_NORMAL
- *   error   about m n roundings of the largest product of num/sci.h
+ *   error   about m n roundings of num/sci.h of the largest product of two steps of the net and,
+ *           but for LOFT_NET_NORMAL, a distance from the apex (twice that distance: a moment)
  *   cost    up to m^3 n^3 products of num/sci.h; LOFT_NET_MOMENT 27 m^2 n^2 more; 7.5 kB of stack
  *           in q16
  */
-void loft_net_field_load(loft_net s, loft_vec origin, enum loft_net_field_of of, loft_sci memory[],
+void loft_net_field_load(loft_net s, loft_vec apex, enum loft_net_field_of of, loft_sci memory[],
                          loft_net_field *out);
 
 /* Take a part of the net. Its parameters are changed so that the weights at opposite edges are

@@ -330,6 +330,81 @@ static void cones_without_weights_are_exact(arb *a)
     }
 }
 
+// Far from the apex
+// -----------------
+
+typedef struct {
+    const loft_tensor *s;
+    loft_vec apex;
+    int axis;               /* of a first moment; -1: the volume */
+} far_cone;
+
+static long double far_density(const void *context, long double u, long double v)
+{
+    const far_cone *c = context;
+    long double p[3], a[3], b[3], det = 0;
+
+    for (int i = 0; i < 3; i++) {
+        p[i] = tensor_exact(c->s, i, 0, 0, u, v) - exact_of(loft_vec_axis(&c->apex, i));
+        a[i] = tensor_exact(c->s, i, 1, 0, u, v);
+        b[i] = tensor_exact(c->s, i, 0, 1, u, v);
+    }
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        det += p[i] * (a[j] * b[k] - a[k] * b[j]);
+    }
+    return c->axis < 0 ? det / 3 : det / 4 * p[c->axis];
+}
+
+static long double distance_of(const loft_vec *a, const loft_vec *b)
+{
+    long double sum = 0;
+
+    for (int i = 0; i < 3 && i < LOFT_AXES; i++)
+        sum += powl(exact_of(a->axis[i]) - exact_of(b->axis[i]), 2);
+    return sqrtl(sum);
+}
+
+/* A of the header: m n times the product of the largest steps. */
+static long double size_of_steps(const loft_tensor *s)
+{
+    long double along = 0, across = 0;
+
+    for (unsigned i = 0; i <= s->m; i++)
+        for (unsigned j = 0; j <= s->n; j++) {
+            const loft_vec *at = &s->p[i * (s->n + 1u) + j];
+            if (i < s->m)
+                along = fmaxl(along, distance_of(at, at + s->n + 1));
+            if (j < s->n)
+                across = fmaxl(across, distance_of(at, at + 1));
+        }
+    return s->m * s->n * along * across;
+}
+
+/* A small net far away, and a thin one, err by as little as the header says. */
+static void far_cones_hold_their_bounds(arb *a)
+{
+    tensor *x = arb_sheet(a, (int32_t)1 << (6 + arb_below(a, 20)), 1 << arb_below(a, 18));
+    const loft_net net = loft_net_from_tensor(&x->s);
+    static loft_sci moment_memory[LOFT_NET_MOMENT_MEMORY(LOFT_DEGREE_MAX, 5)];
+    far_cone c = { &x->s, arb_vec(a, 1 << arb_below(a, 15)), -1 };
+    const long double want = gauss(far_density, &c, 1), size = size_of_steps(&x->s);
+    long double far = 0;
+    loft_acc volume;
+    loft_sci moment[3];
+
+    for (unsigned k = 0; k < (x->s.m + 1u) * (x->s.n + 1u); k++)
+        far = fmaxl(far, distance_of(&x->s.p[k], &c.apex));
+    const long double fine = BY_NUM(0x1p-48L, 0x1p-40L, 0x1p-40L) * size * far;
+    if (LOFT_AXES < 3 || BY_NUM(fabsl(want) > 2e9L, false, false))
+        return;
+    CHECK(loft_net_cone_volume(net, c.apex, LOFT_REAL(0.01), memory, &volume) == LOFT_OK);
+    CHECK_EXACT(exact_acc(volume), want, BY_NUM(0x1p-32L, 0, 0) + fine);
+    CHECK(loft_net_cone_moment(net, c.apex, LOFT_REAL(0.01), moment_memory, moment) == LOFT_OK);
+    for (c.axis = 0; c.axis < 3; c.axis++)
+        CHECK_EXACT(exact_sci(moment[c.axis]), gauss(far_density, &c, 1), fine * far);
+}
+
 int main(void)
 {
     PROPERTY(an_area_is_within_its_tolerance, 12);
@@ -342,5 +417,6 @@ int main(void)
     PROPERTY_LONG(an_octant_of_a_sphere_has_its_area, 6);
     PROPERTY(cylinders_and_cones_have_theirs, 20);
     PROPERTY(cones_without_weights_are_exact, 10);
+    PROPERTY(far_cones_hold_their_bounds, 100);
     return check_failures();
 }
