@@ -219,6 +219,7 @@ static bool draw_use(svg_reader *r, const xmlNode *node, svg_space space, const 
 
     if (target == NULL)
         return true;
+    svg_set_context(&space, &space);
     if (is_in_chain(chain, target)) {
         warn_circular_use(r);
         return true;
@@ -428,6 +429,7 @@ svg_space svg_space_usual(void)
                         .stroke_wide = true,
                         .stroke_width = 1,
                         .mitre = 4,
+                        .rem = SVG_FONT_SIZE_USUAL,
                         .font = svg_font_usual() };
 }
 
@@ -491,11 +493,13 @@ bool svg_draw(svg_reader *r, const xmlNode *root)
 {
     svg_scope scope = { .up = NULL };
     svg_space space;
+    const svg_element self = { root, &space, NULL };
     bool empty;
     r->node = root;
     const bool good = svg_layers_check(r, root) && check_text(r) &&
                       enter_page(r, root, &space, &scope, &empty) &&
-                      (empty || draw_children(r, root, space, NULL));
+                      (empty || draw_children(r, root, space, NULL)) &&
+                      svg_clip_element(r, &self, 0) && svg_mask_element(r, &self, 0);
     r->node = root;
 
     svg_scope_close(&scope);

@@ -151,6 +151,13 @@ typedef struct {
     bool keeps_space;           /* xml:space="preserve", white-space: pre */
 } svg_font;
 
+/* What paints: a colour, see svg_ink, or a pattern. */
+typedef struct {
+    bool paints;
+    const char *ink;
+    const xmlNode *pattern;
+} svg_paint;
+
 /* The space in which an element is drawn. */
 typedef struct {
     svg_matrix to_mm;
@@ -166,7 +173,9 @@ typedef struct {
     double stroke_width, mitre; /* user units; stroke-miterlimit */
     int cap, join;              /* of strokes, see drawing.h */
     const char *fill_ink, *stroke_ink;      /* colours, of svg_ink; NULL: black */
-    bool clipped;               /* the element is clipped by its viewport */
+    svg_paint context[2];       /* fill and stroke of what has this marker, or uses this */
+    bool clipped;               /* overflow: the element is clipped by its viewport */
+    double rem;                 /* the font size of the outermost element */
     svg_font font;
     const svg_scope *scope;
 } svg_space;
@@ -195,6 +204,9 @@ bool svg_draw(svg_reader *r, const xmlNode *root);
 /* Read the style of the current element into `space`; *shown: some of it is visible. `scope` must
  * outlive `space`, and must be closed. */
 bool svg_enter(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown);
+
+/* Note what context-fill and context-stroke mean within an element. */
+void svg_set_context(svg_space *space, const svg_space *of);
 
 /* What the outermost element inherits. */
 svg_space svg_space_usual(void);
@@ -265,7 +277,9 @@ enum svg_warning {
     SVG_WARN_TRANSFORM,
     SVG_WARN_VIEW,
     SVG_WARN_FAR,
-    SVG_WARN_MEDIA
+    SVG_WARN_MEDIA,
+    SVG_WARN_FILTER,
+    SVG_WARN_BLEND
 };
 
 /* The same, but the reading continues; only the first warning of each kind is printed. */
@@ -308,6 +322,8 @@ enum svg_property {
     SVG_MARKER_START,
     SVG_MARKER_MID,
     SVG_MARKER_END,
+    SVG_FILTER,
+    SVG_BLEND,
     SVG_FONT,
     SVG_FONT_FAMILY,
     SVG_FONT_SIZE,

@@ -8,6 +8,8 @@
 #include "base/scan.h"       /* scan_number */
 #include "read/svg.h"
 
+#define LINKS 8         /* from gradient to gradient */
+
 /* Is the colour fully transparent? The opacity, if there is one, is the last part. */
 static bool is_clear(const char *colour)
 {
@@ -31,9 +33,24 @@ static bool is_inherited(const char *value)
     return value == NULL || strcmp(value, "inherit") == 0 || strcmp(value, "unset") == 0;
 }
 
-/* url(#id) of a pattern, of something else that paints (gradients), or of nothing: then what
- * follows it paints, or nothing. */
-static bool is_painting(const svg_reader *r, const char *value, const xmlNode **pattern)
+/* Has a gradient, or one that it refers to, a colour? */
+static bool has_stops(const svg_reader *r, const xmlNode *node)
+{
+    for (int links = 0; node != NULL && links < LINKS; links++) {
+        for (const xmlNode *child = node->children; child != NULL; child = child->next)
+            if (svg_is(child, "stop"))
+                return true;
+        char *href = svg_reference(node);
+        node       = href != NULL && href[0] == '#' ? svg_find(r, href + 1) : NULL;
+        xmlFree(href);
+        if (node != NULL && !svg_is(node, "linearGradient") && !svg_is(node, "radialGradient"))
+            return false;
+    }
+    return false;
+}
+
+/* What url(#id) paints: a pattern, a gradient, or what follows it. */
+static svg_paint paint_of_url(svg_reader *r, const char *value)
 {
     const char *open = strchr(value, '#'), *after = strchr(value, ')');
     char id[200];
@@ -41,29 +58,46 @@ static bool is_painting(const svg_reader *r, const char *value, const xmlNode **
     snprintf(id, sizeof id, "%.*s", open ? (int)strcspn(open + 1, ")\"'") : 0,
              open ? open + 1 : "");
     const xmlNode *node = svg_find(r, id);
-    *pattern = node != NULL && svg_is(node, "pattern") ? node : NULL;
-    if (node != NULL || after == NULL)
-        return true;
-    after++;
+    if (node != NULL && svg_is(node, "pattern"))
+        return (svg_paint){ true, NULL, node };
+    if (node != NULL && (svg_is(node, "linearGradient") || svg_is(node, "radialGradient")))
+        return (svg_paint){ has_stops(r, node), NULL, NULL };
+    after = after != NULL ? after + 1 : "";
     scan_space(&after);
-    return *after != '\0' && !is_clear(after);
+    return (svg_paint){ *after != '\0' && !is_clear(after), NULL, NULL };
 }
 
-/* Does the property paint, and with which colour? If it is not set, both stay. */
-static void read_paint(svg_reader *r, const svg_style *style, enum svg_property which, bool *paints,
-                       const char **ink, const xmlNode **pattern)
+/* What a property paints; if it is not set, all stays. */
+static void read_paint(svg_reader *r, const svg_style *style, enum svg_property which,
+                       const svg_space *space, bool *paints, const char **ink,
+                       const xmlNode **pattern)
 {
-    char *value = svg_property(r, style, which, NULL);
+    char *value   = svg_property(r, style, which, NULL);
+    svg_paint own = { .paints = false };
 
     if (!is_inherited(value)) {
-        *pattern = NULL;
-        *paints  = strcmp(value, "initial") == 0       ? which == SVG_FILL
-                  : strncmp(value, "url(", 4) == 0 ? is_painting(r, value, pattern)
-                                                   : !is_clear(value);
-        if (r->d->only != NULL || r->d->tools != NULL || r->masking)
-            *ink = svg_ink(r, value);
+        const bool context = strncmp(value, "context-", 8) == 0;
+        if (context)
+            own = space->context[strcmp(value, "context-stroke") == 0];
+        else if (strcmp(value, "initial") == 0)
+            own.paints = which == SVG_FILL;
+        else if (strncmp(value, "url(", 4) == 0)
+            own = paint_of_url(r, value);
+        else
+            own.paints = !is_clear(value);
+        if (!context && (r->d->only != NULL || r->d->tools != NULL || r->masking))
+            own.ink = svg_ink(r, value);
+        *paints  = own.paints;
+        *ink     = own.ink;
+        *pattern = own.pattern;
     }
     xmlFree(value);
+}
+
+void svg_set_context(svg_space *space, const svg_space *of)
+{
+    space->context[0] = (svg_paint){ of->fill, of->fill_ink, of->pattern };
+    space->context[1] = (svg_paint){ of->stroke, of->stroke_ink, NULL };
 }
 
 /* Is the number above 0? If it is not set, or not a number, the value stays. */
@@ -145,6 +179,9 @@ static void read_stroke(svg_reader *r, const svg_style *style, svg_space *space)
              svg_css_length(space, width, sqrt((across * across + along * along) / 2), &x) &&
              x >= 0)
         space->stroke_width = x;
+    else if (!is_inherited(width))
+        svg_warn(r, SVG_WARN_LENGTH,
+                 "stroke-width: %.40s is not used: give a number that is not negative", width);
     if (!is_inherited(mitre) && scan_number(&at, &x) && x >= 1)
         space->mitre = x;
     read_choice(r, style, SVG_LINECAP, caps, &space->cap);
@@ -164,25 +201,58 @@ static void read_visibility(svg_reader *r, const svg_style *style, bool *visible
     xmlFree(value);
 }
 
+/* Viewports that are not the outermost one cut, unless they say otherwise. */
+static void read_overflow(svg_reader *r, const svg_style *style, bool *clipped)
+{
+    static const char *const viewports[] = { "svg", "symbol", "marker", "pattern" };
+    char *value                          = svg_property(r, style, SVG_OVERFLOW, NULL);
+    bool usual                           = false;
+
+    for (int i = 0; i < 4; i++)
+        usual = usual || svg_is(r->node, viewports[i]);
+    if (r->node->parent == NULL || r->node->parent->type != XML_ELEMENT_NODE)
+        usual = false;
+    if (value == NULL || strcmp(value, "inherit") != 0)
+        *clipped = value == NULL || strcmp(value, "unset") == 0
+                       ? usual
+                       : strcmp(value, "visible") != 0 && strcmp(value, "auto") != 0 &&
+                             strcmp(value, "initial") != 0;
+    xmlFree(value);
+}
+
+/* What is drawn as if it were not there. */
+static void warn_effects(svg_reader *r, const svg_style *style)
+{
+    char *filter = svg_property(r, style, SVG_FILTER, NULL),
+         *blend  = svg_property(r, style, SVG_BLEND, NULL);
+
+    if (!is_inherited(filter) && strcmp(filter, "none") != 0 && strcmp(filter, "initial") != 0)
+        svg_warn(r, SVG_WARN_FILTER, "filter: %.40s is not applied: outlines are drawn without it",
+                 filter);
+    if (!is_inherited(blend) && strcmp(blend, "normal") != 0 && strcmp(blend, "initial") != 0)
+        svg_warn(r, SVG_WARN_BLEND,
+                 "mix-blend-mode: %.20s is not applied: outlines are drawn without it", blend);
+    xmlFree(filter);
+    xmlFree(blend);
+}
+
 /* Read whether the current element is visible. Returns false if it is not displayed. */
 static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space)
 {
-    char *display = svg_property(r, style, SVG_DISPLAY, NULL),
-         *overflow = svg_property(r, style, SVG_OVERFLOW, NULL);
+    char *display = svg_property(r, style, SVG_DISPLAY, NULL);
     bool opaque = true;
 
     read_positive(r, style, SVG_OPACITY, &opaque);
     const bool good = (opaque || (r->clipping && (!r->masking || r->boxing))) &&
                       (display == NULL || strcmp(display, "none") != 0);
-    space->clipped = overflow == NULL ||
-                     (strcmp(overflow, "visible") != 0 && strcmp(overflow, "auto") != 0);
     xmlFree(display);
-    xmlFree(overflow);
-
+    read_overflow(r, style, &space->clipped);
+    if (good)
+        warn_effects(r, style);
     read_visibility(r, style, &space->visible);
     const xmlNode *none;        /* strokes have no tiles */
-    read_paint(r, style, SVG_FILL, &space->fill, &space->fill_ink, &space->pattern);
-    read_paint(r, style, SVG_STROKE, &space->stroke, &space->stroke_ink, &none);
+    read_paint(r, style, SVG_FILL, space, &space->fill, &space->fill_ink, &space->pattern);
+    read_paint(r, style, SVG_STROKE, space, &space->stroke, &space->stroke_ink, &none);
     read_rule(r, style, SVG_FILL_RULE, &space->evenodd);
     read_rule(r, style, SVG_CLIP_RULE, &space->clip_evenodd);
     space->clip = space->mask = NULL;   /* not inherited */
@@ -240,6 +310,8 @@ bool svg_enter(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown)
     space->scope = style.scope;
     *shown = is_displayed(r, &style, space);
     svg_font_enter(r, &style, space);
+    if (r->node->parent == NULL || r->node->parent->type != XML_ELEMENT_NODE)
+        space->rem = space->font.size;
     if (*shown || r->clipping)
         enter_transform(r, &style, space);
     svg_style_close(&style);

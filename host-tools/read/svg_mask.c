@@ -177,6 +177,10 @@ static bool cut_region(svg_reader *r, const xmlNode *node, const svg_element *e,
 
     if (parts && !find_box(r, e, &box))
         return false;
+    if (parts && !(box.a > 0 && box.d > 0)) {   /* no region */
+        r->d->count = first;
+        return true;
+    }
     if (parts)
         space.width = space.height = 1;
     r->node = node;

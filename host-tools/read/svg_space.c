@@ -180,7 +180,7 @@ static double unit_of(const svg_space *space, const char *name, size_t length)
             return units[i].px;
     return length == 2 && strncasecmp(name, "em", 2) == 0   ? space->font.size
            : length == 2 && strncasecmp(name, "ex", 2) == 0 ? space->font.size / 2
-           : length == 3 && strncasecmp(name, "rem", 3) == 0 ? SVG_FONT_SIZE_USUAL
+           : length == 3 && strncasecmp(name, "rem", 3) == 0 ? space->rem
                                                              : 0;
 }
 

@@ -43,7 +43,9 @@ static const char *const property_names[SVG_PROPERTIES] = {
                                                             [SVG_MARKER_START] = "marker-start",
                                                             [SVG_MARKER_MID] = "marker-mid",
                                                             [SVG_MARKER_END] = "marker-end",
-                                                            [SVG_FONT] = "font",
+                                                            [SVG_FILTER] = "filter",
+    [SVG_BLEND] = "mix-blend-mode",
+    [SVG_FONT] = "font",
                                                             [SVG_FONT_FAMILY] = "font-family",
                                                             [SVG_FONT_SIZE] = "font-size",
                                                             [SVG_FONT_STYLE] = "font-style",
@@ -315,7 +317,7 @@ char *svg_property(svg_reader *r, const svg_style *style, enum svg_property whic
 
     if (value->text != NULL)
         text = (char *)xmlStrndup((const xmlChar *)value->text, (int)value->length);
-    else if (style->attributes & 1ull << which)
+    else if (style->attributes & 1ull << which && which != SVG_MARKER)  /* it is no attribute */
         text = svg_attribute(r->node, property_names[which]);
     if (css != NULL)
         *css = value->text != NULL;

@@ -11,8 +11,9 @@
     DRAWS("<defs><clipPath id='c'>" clip "</clipPath></defs>" inner, wanted)
 #define BOX "<rect x='2' y='2' width='4' height='4'/>"
 
+#define EVERYWHERE "maskUnits='userSpaceOnUse' width='100' height='100'"
 #define MASKED(mask, inner, wanted)                                                                \
-    DRAWS("<defs><mask id='m' fill='white'>" mask "</mask></defs>" inner, wanted)
+    DRAWS("<defs><mask id='m' fill='white' " EVERYWHERE ">" mask "</mask></defs>" inner, wanted)
 
 static void white_masks_cut(arb *a)
 {
@@ -29,17 +30,22 @@ static void white_masks_cut(arb *a)
           "fill='white'/></mask><path mask='url(#m)' d='M2 2H6V4'/>",
           "M 2 2 L 4 2");
     MASKED("", "<path mask='url(#m)' d='M0 3H9'/>", "");
+    /* its region is that of the box, which is none of a line */
+    DRAWS("<mask id='m' fill='white'><rect width='9' height='9'/></mask>"
+          "<path mask='url(#m)' d='M0 3H9'/><path d='M0 5h1'/>",
+          "M 0 5 L 1 5");
     /* black holes, gradients and strokes: all is drawn, and a line says so */
     static const char *const others[] = {
         "<path d='M0 0h9v9H0z'/><path d='M2 2h4v4z' fill='black'/>",
-        "<linearGradient id='g'/><path d='M2 2h4v4z' fill='url(#g)'/>",
+        "<linearGradient id='g'><stop/></linearGradient><path d='M2 2h4v4z' fill='url(#g)'/>",
         "<path d='M2 2h4v4z' fill='none' stroke='white'/>", "<path d='M2 2h4v4z' fill='gray'/>"
     };
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
         char text[600];
         drawing d;
         snprintf(text, sizeof text,
-                 PAGE("<mask id='m' fill='white'>%s</mask><path mask='url(#m)' d='M0 3H9'/>"),
+                 PAGE("<mask id='m' fill='white' " EVERYWHERE
+                      ">%s</mask><path mask='url(#m)' d='M0 3H9'/>"),
                  others[i]);
         CHECK(read_svg(&d, text) == 0 && d.count == 1 && d.curve[0].p[3][0] > 8.9);
         drawing_free(&d);
