@@ -84,6 +84,7 @@ typedef struct drawing {
     const char *layers;     /* of SVG: draw only these, as "Ink,2"; NULL: all; set before reading */
     const char *only;       /* of SVG: draw only these colours, as "red,#00f"; NULL: all; set
                              * before reading */
+    bool white;             /* of SVG: a white page is drawn too; set before reading */
     const char *text;       /* of SVG: "outline", "line", "line:rowmans", "none"; NULL: outline; set
                              * before reading */
     const struct machine_tools *tools;      /* of SVG: which draws what; NULL: none; set before

@@ -15,6 +15,7 @@
 
 #define MM_PER_PX (25.4 / 96)
 #define PEN_MOST  1000.0        /* longer than a disk; strokes of thinner pens are lines */
+#define BOX_TOL   1e-6          /* mm */
 #define PEN_LEAST 1e-9          /* an ellipse that is 1.6e-5 longer than a disk is one */
 
 static const xmlChar xlink_namespace[] = "http://www.w3.org/1999/xlink";
@@ -277,6 +278,38 @@ bool svg_begin(svg_reader *r, const svg_space *space)
     return r->boxing || (space->visible && (filled || stroked));
 }
 
+/* Is it a box along the axes? */
+static bool is_box(const drawing *d, size_t first)
+{
+    for (size_t i = first; i < d->count; i++)
+        for (int k = 1; k < 4; k++) {
+            const drawing_curve *c = &d->curve[i];
+            if (fabs(c->p[k][0] - c->p[0][0]) > BOX_TOL && fabs(c->p[k][1] - c->p[0][1]) > BOX_TOL)
+                return false;
+        }
+    return d->count - first <= 5;
+}
+
+/* Are the curves around the whole page? */
+static bool is_around_page(const drawing *d, size_t first)
+{
+    const drawing one = { .curve = d->curve + first, .count = d->count - first };
+    double box[2][2];
+
+    return d->width > 0 && drawing_box(&one, box) && box[0][0] <= BOX_TOL && box[0][1] <= BOX_TOL &&
+           box[1][0] >= d->width - BOX_TOL && box[1][1] >= d->height - BOX_TOL;
+}
+
+/* White boxes below everything else, or as large as the page, are paper, as programs for plots and
+ * icons draw it: on paper they are not seen. A tool for white, and --only white, draw them. */
+static bool is_page(const svg_reader *r, const svg_space *space, size_t first)
+{
+    return !r->d->white && !r->clipping && r->d->only == NULL && !(r->fill & DRAWING_STROKED) &&
+           space->fill_ink != NULL && strcmp(space->fill_ink, "#ffffff") == 0 &&
+           svg_ink_tool(r, space, false) == 0 && is_box(r->d, first) &&
+           (first == 0 || is_around_page(r->d, first));
+}
+
 /* A shape, if it is seen, and its markers: they are also where the shape is not. */
 static bool draw_shape(svg_reader *r, const svg_space *space, bool seen, bool marked)
 {
@@ -290,6 +323,10 @@ static bool draw_shape(svg_reader *r, const svg_space *space, bool seen, bool ma
     r->vertices    = NULL;
     if (!seen || r->notes->lost)
         r->d->count = first;
+    if (r->d->count > first && is_page(r, space, first)) {
+        r->d->count    = first;
+        r->notes->page = r->notes->page ? r->notes->page : r->node;
+    }
     marked = marked && !r->notes->lost;
     good = good && svg_dash(r, space, first);
     if (good && marked)
@@ -489,20 +526,47 @@ static bool check_text(const svg_reader *r)
     return svg_fail(r, "--text %.40s: give outline, line, line:FONT or none", text);
 }
 
-bool svg_draw(svg_reader *r, const xmlNode *root)
+static bool draw_page(svg_reader *r, const xmlNode *root)
 {
     svg_scope scope = { .up = NULL };
     svg_space space;
     const svg_element self = { root, &space, NULL };
     bool empty;
     r->node = root;
-    const bool good = svg_layers_check(r, root) && check_text(r) &&
-                      enter_page(r, root, &space, &scope, &empty) &&
+    const bool good = enter_page(r, root, &space, &scope, &empty) &&
                       (empty || draw_children(r, root, space, NULL)) &&
                       svg_clip_element(r, &self, 0) && svg_mask_element(r, &self, 0);
     r->node = root;
 
     svg_scope_close(&scope);
+    return good;
+}
+
+/* Is the white page all that there is? Then it is drawn. */
+static bool draw_white(svg_reader *r, const xmlNode *root)
+{
+    r->d->white = true;
+    r->layers   = 0;
+    if (r->d->named != NULL)
+        drawing_names_free(r->d->named);
+    return draw_page(r, root);
+}
+
+bool svg_draw(svg_reader *r, const xmlNode *root)
+{
+    r->node   = root;
+    bool good = svg_layers_check(r, root) && check_text(r) && draw_page(r, root);
+
+    if (good && r->notes->page != NULL && r->d->count == 0) {
+        good = draw_white(r, root);
+    } else if (good && r->notes->page != NULL) {
+        r->node = r->notes->page;
+        svg_warn(
+            r, SVG_WARN_PAGE,
+            "<%s> is a white page and not drawn, as paper is white: give it a stroke to draw it",
+            (const char *)r->node->name);
+        r->node = root;
+    }
     if (!good || !svg_ink_check(r))
         return false;
     shift_to_origin(r->d);

@@ -70,6 +70,7 @@ typedef struct svg_lines svg_lines;     /* and see svg_lines.c */
 typedef struct {
     unsigned long long warned;  /* bits, see svg_warn */
     bool lost;                  /* a part of the current shape cannot be drawn: none of it is */
+    const xmlNode *page;        /* the first white page that was left out */
 } svg_notes;
 
 /* The number of an element among its siblings. */
@@ -279,7 +280,8 @@ enum svg_warning {
     SVG_WARN_FAR,
     SVG_WARN_MEDIA,
     SVG_WARN_FILTER,
-    SVG_WARN_BLEND
+    SVG_WARN_BLEND,
+    SVG_WARN_PAGE
 };
 
 /* The same, but the reading continues; only the first warning of each kind is printed. */
@@ -513,6 +515,7 @@ typedef struct {
     size_t from;                /* the byte at which its letters begin */
     double advance;             /* em */
     size_t first, count;        /* of its parts */
+    bool lines;                 /* they are single lines, not outlines */
 } svg_cluster;
 
 /* Text as glyphs, from left to right. Free with svg_shaped_free. */
@@ -522,15 +525,15 @@ typedef struct {
     size_t clusters, cluster_room, parts, part_room;
     double ascent, descent;     /* em, of the first font, both positive */
     double underline, thickness;/* em: the middle of a line, downwards */
-    bool missing;               /* a letter is in no font */
+    bool missing, outlined;     /* a letter is in no font; one has no single lines */
 } svg_shaped;
 
 void svg_shaped_add(svg_shaped *s, size_t from, double advance);
 void svg_shaped_part(svg_shaped *s, char kind, const double p[], int points);
 void svg_shaped_free(svg_shaped *s);
 
-/* Shape `length` bytes of UTF-8: outlines of an installed font, or single lines. Return false
- * without any; svg_lines_shape also if a letter has no lines. */
+/* Shape `length` bytes of UTF-8: outlines of an installed font, or single lines; letters that have
+ * none are outlines. Return false without any. */
 bool svg_glyphs_shape(svg_reader *r, const svg_font *font, const char *text, size_t length,
                       svg_shaped *out);
 bool svg_lines_shape(svg_reader *r, const svg_font *font, const char *text, size_t length,

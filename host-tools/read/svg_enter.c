@@ -85,7 +85,7 @@ static void read_paint(svg_reader *r, const svg_style *style, enum svg_property 
             own = paint_of_url(r, value);
         else
             own.paints = !is_clear(value);
-        if (!context && (r->d->only != NULL || r->d->tools != NULL || r->masking))
+        if (!context)
             own.ink = svg_ink(r, value);
         *paints  = own.paints;
         *ink     = own.ink;

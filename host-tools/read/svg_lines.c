@@ -200,10 +200,42 @@ static size_t letter_of(const char *text, size_t length, int *base, char *accent
     return bytes;
 }
 
+static bool has_lines(const svg_lines *l, int base)
+{
+    return base >= FIRST && base < FIRST + GLYPHS && l->glyph[base - FIRST] != NULL;
+}
+
+/* Append the letters from byte `at` on that have no lines, as outlines. Returns how many bytes. */
+static size_t add_others(svg_reader *r, const svg_font *font, const char *text, size_t at,
+                         size_t length, svg_shaped *out)
+{
+    svg_shaped other = { .cluster = NULL };
+    size_t end       = at;
+    int base         = 0;
+    char accent;
+
+    while (end < length) {
+        const size_t bytes = letter_of(text + end, length - end, &base, &accent);
+        if (has_lines(r->lines, base))
+            break;
+        end += bytes;
+    }
+    (void)svg_glyphs_shape(r, font, text + at, end - at, &other);
+    for (size_t k = 0; k < other.clusters; k++) {
+        const svg_cluster *c = &other.cluster[k];
+        svg_shaped_add(out, at + c->from, c->advance);
+        for (size_t i = c->first; i < c->first + c->count; i++)
+            svg_shaped_part(out, other.part[i].kind, other.part[i].p[0], 3);
+    }
+    out->outlined = true;
+    out->missing  = out->missing || other.missing;
+    svg_shaped_free(&other);
+    return end - at;
+}
+
 bool svg_lines_shape(svg_reader *r, const svg_font *font, const char *text, size_t length,
                      svg_shaped *out)
 {
-    (void)font;
     if (r->lines == NULL && !open_lines(r))
         return false;
     out->ascent = 25 * UNIT;
@@ -213,11 +245,13 @@ bool svg_lines_shape(svg_reader *r, const svg_font *font, const char *text, size
         int base;
         char accent;
         const size_t bytes = letter_of(text + i, length - i, &base, &accent);
+        if (!has_lines(r->lines, base)) {
+            i += add_others(r, font, text, i, length, out);
+            continue;
+        }
         svg_shaped_add(out, i, 0);
-        if (base >= FIRST && base < FIRST + GLYPHS && r->lines->glyph[base - FIRST] != NULL)
-            add_letter(r->lines, base, accent, out);
-        else
-            out->missing = true;
+        out->cluster[out->clusters - 1].lines = true;
+        add_letter(r->lines, base, accent, out);
         i += bytes;
     }
     return true;

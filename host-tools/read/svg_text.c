@@ -35,6 +35,13 @@ typedef struct {
     double x, y, dx, dy, rotate;
 } letter;
 
+/* An element with textLength. */
+typedef struct {
+    size_t first, last;             /* its letters */
+    double length;
+    bool widens;                    /* lengthAdjust: the letters too */
+} fitting;
+
 typedef struct {
     svg_reader *r;
     char *text;
@@ -43,6 +50,8 @@ typedef struct {
     size_t count, room;
     stretch *stretch;
     size_t stretches, stretch_room;
+    fitting *fit;
+    size_t fits;
     bool blank;                     /* the last letter is a space that no other one may follow */
 } collection;
 
@@ -52,7 +61,7 @@ void svg_shaped_add(svg_shaped *s, size_t from, double advance)
         s->cluster_room = s->cluster_room ? 2 * s->cluster_room : 32;
         s->cluster      = tool_grow(s->cluster, s->cluster_room * sizeof *s->cluster);
     }
-    s->cluster[s->clusters++] = (svg_cluster){ from, advance, s->parts, 0 };
+    s->cluster[s->clusters++] = (svg_cluster){ from, advance, s->parts, 0, false };
 }
 
 void svg_shaped_part(svg_shaped *s, char kind, const double p[], int points)
@@ -175,6 +184,20 @@ static void apply_lists(collection *c, const lists *l, size_t first)
     }
 }
 
+static void note_length(collection *c, const xmlNode *node, const svg_space *space, size_t first)
+{
+    c->r->node          = node;
+    const double length = svg_size(c->r, space, "textLength", SVG_ACROSS, -1);
+    char *adjust        = svg_attribute(node, "lengthAdjust");
+
+    if (length >= 0 && c->count > first) {
+        c->fit            = tool_grow(c->fit, (c->fits + 1) * sizeof *c->fit);
+        c->fit[c->fits++] = (fitting){ first, c->count, length,
+                                       adjust != NULL && strcmp(adjust, "spacingAndGlyphs") == 0 };
+    }
+    xmlFree(adjust);
+}
+
 static bool collect(collection *c, const xmlNode *node, const svg_space *space,
                     const stretch *like);
 
@@ -238,6 +261,8 @@ static bool collect(collection *c, const xmlNode *node, const svg_space *space, 
     c->r->depth--;
     if (good)
         apply_lists(c, &l, first);
+    if (good)
+        note_length(c, node, space, first);
     free_lists(&l);
     return good;
 }
@@ -249,7 +274,9 @@ static bool collect(collection *c, const xmlNode *node, const svg_space *space, 
 typedef struct {
     size_t first, last;         /* letters */
     svg_shaped shaped;
-    bool lines;                 /* its letters are lines, not outlines */
+    double wider, gap;          /* by textLength: the factor of its letters, and what is added
+                                 * behind each; */
+    size_t gaps;                /* behind so many */
     double advance;             /* user units, with dx */
 } run;
 
@@ -291,23 +318,17 @@ static bool shape_run(layout *l, run *u)
     if (lines) {
         if (!svg_lines_shape(r, f, text, length, &u->shaped))
             return false;
-        if (u->shaped.missing) {
+        if (u->shaped.outlined)
             svg_warn(r, SVG_WARN_LINE,
-                     "\"%.40s\" has letters without single lines: outlines are drawn: use "
+                     "\"%.40s\" has letters without single lines, which are drawn as outlines: use "
                      "letters of Latin 1",
                      text);
-            svg_shaped_free(&u->shaped);
-        }
-        u->lines = u->shaped.clusters > 0;
+    } else if (!svg_glyphs_shape(r, f, text, length, &u->shaped)) {
+        return svg_warn(r, SVG_WARN_TEXT, "<text> is not drawn: convert text to paths"), true;
     }
-    if (u->shaped.clusters == 0) {
-        if (!svg_glyphs_shape(r, f, text, length, &u->shaped))
-            return svg_warn(r, SVG_WARN_TEXT, "<text> is not drawn: convert text to paths"), true;
-        if (u->shaped.missing)
-            svg_warn(r, SVG_WARN_LETTER,
-                     "a letter of \"%.40s\" is in no font and not drawn: install a font with it",
-                     text);
-    }
+    if (u->shaped.missing)
+        svg_warn(r, SVG_WARN_LETTER,
+                 "a letter of \"%.40s\" is in no font and not drawn: install a font with it", text);
     u->advance = first->dx;
     for (size_t k = 0; k < u->shaped.clusters; k++)
         u->advance += u->shaped.cluster[k].advance * f->size + gap_after(l, u, k);
@@ -325,6 +346,39 @@ static bool begins_run(const collection *c, size_t i)
            (isnan(a->rotate) ? !isnan(a[-1].rotate) : !(fabs(a->rotate - a[-1].rotate) <= 0));
 }
 
+/* Make the letters of an element as long as its textLength: by gaps between them, or by their
+ * width. Inner elements come first. */
+static void fit_runs(layout *l, const fitting *f)
+{
+    double natural = 0;
+    size_t letters = 0;
+
+    for (size_t k = 0; k < l->count; k++)
+        if (l->all[k].first >= f->first && l->all[k].first < f->last) {
+            natural += l->all[k].advance;
+            letters += l->all[k].shaped.clusters;
+        }
+    if (!(natural > 0))
+        return;
+    for (size_t k = 0; k < l->count; k++) {
+        run *u = &l->all[k];
+        if (u->first < f->first || u->first >= f->last)
+            continue;
+        if (f->widens) {
+            u->wider *= f->length / natural;
+            u->advance *= f->length / natural;
+            continue;
+        }
+        const bool ends = k + 1 == l->count || l->all[k + 1].first >= f->last;
+        if (letters < 2)
+            return;
+        const double gap = (f->length - natural) / (double)(letters - 1);
+        u->gaps          = u->shaped.clusters - (ends && u->shaped.clusters > 0);
+        u->gap += gap;
+        u->advance += gap * (double)u->gaps;
+    }
+}
+
 static bool make_runs(layout *l)
 {
     for (size_t i = 0; i < l->c->count; i++) {
@@ -336,11 +390,13 @@ static bool make_runs(layout *l)
             l->room = l->room ? 2 * l->room : 16;
             l->all  = tool_grow(l->all, l->room * sizeof *l->all);
         }
-        l->all[l->count++] = (run){ .first = i, .last = i + 1 };
+        l->all[l->count++] = (run){ .first = i, .last = i + 1, .wider = 1 };
     }
     for (size_t k = 0; k < l->count; k++)
         if (!shape_run(l, &l->all[k]))
             return false;
+    for (size_t k = 0; k < l->c->fits; k++)
+        fit_runs(l, &l->c->fit[k]);
     return true;
 }
 
@@ -421,13 +477,11 @@ static bool draw_run(layout *l, const run *u, const svg_rail *along)
                       svg_ink_chosen(l->c->r, &of->space, l->c->r->fill & DRAWING_STROKED);
 
     l->c->r->node = of->node;
-    if (u->lines)
-        l->c->r->fill &= ~(unsigned)DRAWING_FILLED;
     l->at[0] += first->dx;
     l->at[1] += first->dy;
     const double y = l->at[1] - shift_of(f, &u->shaped), from[2] = { l->at[0], y };
     for (size_t k = 0; k < u->shaped.clusters && good; k++) {
-        const double wide = u->shaped.cluster[k].advance * size;
+        const double wide = u->shaped.cluster[k].advance * size * u->wider;
         double at[2] = { l->at[0], y }, way[2] = { 1, 0 };
         bool shown   = seen;
         if (along != NULL) {
@@ -436,13 +490,20 @@ static bool draw_run(layout *l, const run *u, const svg_rail *along)
                 at[i] += -way[i] * wide / 2 + (i == 0 ? -way[1] : way[0]) * y;
         }
         const svg_matrix place = { way[0], way[1], -way[1], way[0], at[0], at[1] };
-        const svg_matrix own = {
-            size * cos(turn), size * sin(turn), -size * sin(turn), size * cos(turn), 0, 0
-        };
+        const svg_matrix own = { size * u->wider * cos(turn),
+                                 size * u->wider * sin(turn),
+                                 -size * sin(turn),
+                                 size * cos(turn),
+                                 0,
+                                 0 };
+        if (k > 0 && u->shaped.cluster[k].lines != u->shaped.cluster[k - 1].lines)
+            (void)svg_begin(l->c->r, &of->space);
+        if (u->shaped.cluster[k].lines)
+            l->c->r->fill &= ~(unsigned)DRAWING_FILLED;
         if (shown)
             good = draw_cluster(l->c->r, &u->shaped, k,
                                 svg_multiply(of->space.to_mm, svg_multiply(place, own)));
-        l->at[0] += wide + gap_after(l, u, k);
+        l->at[0] += wide + gap_after(l, u, k) * u->wider + (k < u->gaps ? u->gap : 0);
     }
     if (good && along == NULL && seen && (f->underlined || f->overlined || f->struck)) {
         run plain = *u;
@@ -535,6 +596,7 @@ bool svg_text(svg_reader *r, const svg_space *space)
         svg_shaped_free(&l.all[k].shaped);
     free(l.all);
     free(c.letter);
+    free(c.fit);
     free(c.stretch);
     free(c.text);
     r->node = node;

@@ -359,7 +359,7 @@ static const char *compare_copy(copy *c, const char *folder, const char *name, c
         return "too large";
     if (!render(c))
         return "refused by librsvg";
-    c->d = (drawing){ .areas = true };
+    c->d = (drawing){ .areas = true, .white = true };
     if (drawing_read(&c->d, c->file) != 0 && c->d.count == 0) {
         drawing_free(&c->d);
         c->d = (drawing){ .count = 0 };

@@ -698,6 +698,33 @@ static void effects_are_told(arb *a)
     TELLS("<g filter='url(#f)' display='none'/>" Q, Q_DRAWN, "");
 }
 
+/* On paper, white boxes below everything else are not seen. */
+static void white_pages_are_left_out(arb *a)
+{
+#define BOX(fill) "<rect width='100' height='100' fill='" fill "'/>"
+    static const char whole[] = "M 0 0 L 100 0 L 100 100 L 0 100 L 0 0";
+    drawing d;
+    char got[400];
+    (void)a;
+    TELLS("\n" BOX("white") Q, Q_DRAWN, "test.svg:2: <rect> is a white page and not drawn");
+    TELLS("<g style='fill:#fff'><path d='M0 0V100H100V0z'/><path d='M9 9H50V30H9z'/></g>" Q,
+          Q_DRAWN, "a white page");
+    TELLS("<path d='M2 2h1' stroke='white'/>" BOX("#ffffff"), Q_DRAWN, "a white page");
+    TELLS(Q "<path d='M9 9H5V3H9z' fill='white'/>", Q_DRAWN " M 9 9 L 5 9 L 5 3 L 9 3 L 9 9", "");
+    TELLS("<path d='M9 9H5L9 3z' fill='white'/>", "M 9 9 L 5 9 L 9 3 L 9 9", "");
+    TELLS("<path d='M9 9H5V3H9z' fill='white' stroke='red'/>", "M 9 9 L 5 9 L 5 3 L 9 3 L 9 9", "");
+    TELLS(BOX("white"), whole, "");     /* there is nothing else */
+    TELLS(BOX("#fffffe"), whole, "");
+    for (int k = 0; k < 2; k++) {
+        static const char text[] = PAGE(BOX("white"));
+        d = (drawing){ .white = k > 0, .only = k ? NULL : "white" };
+        CHECK(drawing_read_svg(&d, "f", text, strlen(text)) == 0);
+        put_drawing(got, sizeof got, &d, 100);
+        CHECK(strcmp(got, whole) == 0);
+        drawing_free(&d);
+    }
+}
+
 static void custom_properties_are_put_in(arb *a)
 {
     (void)a;
@@ -1204,6 +1231,7 @@ int main(void)
     PROPERTY(viewports_inherit_overflow_if_they_say_so, 1);
     PROPERTY(the_page_may_be_clipped, 1);
     PROPERTY(effects_are_told, 1);
+    PROPERTY(white_pages_are_left_out, 1);
     PROPERTY(custom_properties_are_put_in, 1);
     PROPERTY(style_sheets_hide_too, 1);
     PROPERTY(many_rules_cost_little, 1);

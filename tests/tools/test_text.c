@@ -174,6 +174,28 @@ static void text_follows_a_path(arb *a)
 }
 
 /* Like DRAWS, with letters of single lines: a unit of Hershey is size / 30. */
+/* One that has no single lines becomes an outline; the others do not. */
+static void a_letter_without_lines_is_an_outline(arb *a)
+{
+    static const char text[] = PAGE("<text x='10' y='50' font-size='30'>T\xD0\x96T\xD0\x96</text>");
+    unsigned lines = 0, outlines = 0, shapes = 1;
+    drawing d = { .text = "line" };
+
+    (void)a;
+    caught_lines = 0;
+    CHECK(drawing_read_svg(&d, "test.svg", text, strlen(text)) == 0 && caught_lines == 1);
+    for (size_t i = 0; i < d.count; i++) {
+        const bool filled = d.curve[i].fill & DRAWING_FILLED;
+        lines += !filled;
+        outlines += filled;
+        shapes += i > 0 && d.curve[i].fill != d.curve[i - 1].fill;
+    }
+    CHECK(lines == 4 && outlines > 20 && shapes == 4);
+    drawing_free(&d);
+}
+
+#define TT "M 18 29 L 18 50 M 11 29 L 25 29 M 66 29 L 66 50 M 59 29 L 73 29"
+
 static void single_lines(arb *a)
 {
     static const struct {
@@ -186,6 +208,18 @@ static void single_lines(arb *a)
           "M 14 41 L 32 41 M 41 41 L 59 41" },
         { "<text x='10' y='50' font-size='30'>\xC3\xA8</text>", NULL },
         { "<text x='10' y='50' font-size='30'>\xE2\x80\x93</text>", "M 14 41 L 32 41" },
+        { "<text x='10' y='50' font-size='30' textLength='64'>TT</text>", TT },
+        { "<text x='10' y='50' font-size='30' textLength='64' lengthAdjust='spacing'>TT </text>",
+          TT },
+        { "<text x='74' y='50' font-size='30' textLength='64' text-anchor='end'>TT</text>", TT },
+        { "<text x='10' y='50' font-size='30' textLength='64' "
+          "lengthAdjust='spacingAndGlyphs'>TT</text>",
+          "M 26 29 L 26 50 M 12 29 L 40 29 M 58 29 L 58 50 M 44 29 L 72 29" },
+        { "<text x='10' y='50' font-size='30'>T<tspan textLength='48'>TT</tspan></text>",
+          "M 18 29 L 18 50 M 11 29 L 25 29 M 34 29 L 34 50 M 27 29 L 41 29 M 66 29 L 66 50 M 59 29 "
+          "L 73 29" },
+        { "<text x='10' y='50' font-size='30' textLength='64'>T<tspan font-size='15'/></text>",
+          "M 18 29 L 18 50 M 11 29 L 25 29" },
     };
 
     (void)a;
@@ -253,6 +287,7 @@ int main(void)
     PROPERTY(letters_have_places_of_their_own, 1);
     PROPERTY(text_follows_a_path, 1);
     PROPERTY(single_lines, 1);
+    PROPERTY(a_letter_without_lines_is_an_outline, 1);
     PROPERTY(floods_of_letters_are_stopped, 1);
     PROPERTY(damaged_text_does_no_harm, 300);
     return check_failures();
