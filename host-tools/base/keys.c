@@ -103,4 +103,19 @@ int keys_next(void)
     return key;
 }
 
+int keys_answer(int wait)
+{
+    struct pollfd p = { .fd = STDIN_FILENO, .events = POLLIN };
+    unsigned char key;
+
+    if (isatty(STDIN_FILENO)) {
+        const int typed = keys_next();
+        (void)poll(NULL, 0, typed ? 0 : wait);
+        return typed;
+    }
+    if (poll(&p, 1, wait) <= 0)
+        return 0;
+    return read(STDIN_FILENO, &key, 1) == 1 ? key : KEYS_END;
+}
+
 bool keys_interrupted(void) { return stops > 0; }

@@ -19,6 +19,11 @@ void keys_leave_by(const char *text);
 /* The next key, or 0. */
 int keys_next(void);
 
+/* The answer to a question: the next key of a terminal, or the next byte of what standard input is
+ * else. 0: none came within so many ms; KEYS_END: none will come. */
+#define KEYS_END (-1)
+int keys_answer(int wait);
+
 /* While this is true, the first ^C ends the program at once, with EX_TEMPFAIL: nothing has been
  * sent yet, and a long computation does not check keys_interrupted. */
 void keys_hasty(bool hasty);

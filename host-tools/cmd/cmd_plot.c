@@ -15,7 +15,10 @@
 
 static int print_result(const plot_options *o, const plot_result *found)
 {
-    const size_t count = o->r == NULL && o->d->of ? o->d->of->count : o->d->count;
+    size_t count = o->r == NULL && o->d->of ? o->d->of->count : o->d->count;
+
+    for (size_t i = 0; o->d->program && i < o->d->count; i++)
+        count -= o->d->curve[i].feed < 0;       /* a rapid draws nothing */
 
     if (o->r == NULL)
         return printf("%s: %zu curve%s\n", o->output, count, tool_s(count)) < 0 ? EX_IOERR : EX_OK;

@@ -24,22 +24,32 @@ double plot_y(const plot_view *v, double y) { return v->bottom - (y - v->y0) * v
 // Drawing
 // -------
 
-void plot_curves(const plot_view *v, double line, double r, double g, double b)
+/* The rapids of a program, or all other curves. */
+static void stroke_curves(const plot_view *v, bool rapids)
 {
     const drawing *d = v->o->d;
+    bool on          = false;   /* the last curve was one of them */
 
-    cairo_set_source_rgb(v->cairo, r, g, b);
-    cairo_set_line_width(v->cairo, line * v->u);
     for (size_t i = 0; i < d->count; i++) {
         const double (*p)[2] = (const double (*)[2])d->curve[i].p;
+        const bool is = d->curve[i].feed < 0;
         if (i % BATCH == 0)
             cairo_stroke(v->cairo);
-        if (i % BATCH == 0 || d->curve[i].path != d->curve[i - 1].path)
+        if (is == rapids && (!on || i % BATCH == 0 || d->curve[i].path != d->curve[i - 1].path))
             cairo_move_to(v->cairo, plot_x(v, p[0][0]), plot_y(v, p[0][1]));
-        cairo_curve_to(v->cairo, plot_x(v, p[1][0]), plot_y(v, p[1][1]), plot_x(v, p[2][0]),
-                       plot_y(v, p[2][1]), plot_x(v, p[3][0]), plot_y(v, p[3][1]));
+        if (is == rapids)
+            cairo_curve_to(v->cairo, plot_x(v, p[1][0]), plot_y(v, p[1][1]), plot_x(v, p[2][0]),
+                           plot_y(v, p[2][1]), plot_x(v, p[3][0]), plot_y(v, p[3][1]));
+        on = is == rapids;
     }
     cairo_stroke(v->cairo);
+}
+
+void plot_curves(const plot_view *v, double line, double r, double g, double b)
+{
+    cairo_set_source_rgb(v->cairo, r, g, b);
+    cairo_set_line_width(v->cairo, line * v->u);
+    stroke_curves(v, false);
 }
 
 
@@ -88,6 +98,7 @@ void plot_machine(const plot_view *v, bool drawing_runs)
     cairo_stroke(v->cairo);
 }
 
+/* That of the record; without one, the rapids of the program. */
 static void draw_travel(const plot_view *v)
 {
     const double dash[2] = { 4 * v->u, 3 * v->u };
@@ -95,7 +106,10 @@ static void draw_travel(const plot_view *v)
     cairo_set_source_rgb(v->cairo, 0.45, 0.62, 0.80);
     cairo_set_line_width(v->cairo, 0.6 * v->u);
     cairo_set_dash(v->cairo, dash, 2, 0);
-    plot_machine(v, false);
+    if (v->o->r != NULL)
+        plot_machine(v, false);
+    else
+        stroke_curves(v, true);
     cairo_set_dash(v->cairo, NULL, 0, 0);
 }
 
@@ -299,8 +313,7 @@ static void draw_layers(plot_view *v)
     cairo_rectangle(v->cairo, v->left, v->top, v->right - v->left, v->bottom - v->top);
     cairo_clip(v->cairo);
     plot_combs(v);
-    if (o->r != NULL)
-        draw_travel(v);
+    draw_travel(v);
     if (o->r != NULL && v->magnified == 0) {
         plot_curves(v, 2.6, 0.72, 0.79, 0.88);
         cairo_set_source_rgb(v->cairo, 0.80, 0.12, 0.16);

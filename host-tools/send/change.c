@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "base/keys.h"              /* keys_next, keys_interrupted */
+#include "base/keys.h"              /* keys_answer, keys_interrupted */
 #include "base/tool.h"              /* tool_error, tool_clock */
 #include "send/change.h"
 
@@ -20,17 +20,9 @@ static enum answer answer_of(int key, bool line)
 
 static enum answer next_answer(void)
 {
-    struct pollfd p = { .fd = STDIN_FILENO, .events = POLLIN };
-    unsigned char key;
+    const int key = keys_answer(20);
 
-    if (isatty(STDIN_FILENO)) {
-        const int typed = keys_next();
-        (void)poll(NULL, 0, typed ? 0 : 20);
-        return answer_of(typed, false);
-    }
-    if (poll(&p, 1, 20) <= 0)
-        return WAITS;
-    return read(STDIN_FILENO, &key, 1) == 1 ? answer_of(key, true) : LEAVES;
+    return key == KEYS_END ? LEAVES : answer_of(key, !isatty(STDIN_FILENO));
 }
 
 static void wait_delay(double seconds)

@@ -4,8 +4,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>              /* isatty */
 
-#include "base/keys.h"           /* keys_next, keys_interrupted */
+#include "base/keys.h"           /* keys_next, keys_answer */
 #include "send/report.h"         /* report_show */
 #include "send/stream.h"
 #include "send/stream_end.h"     /* stream_drawn, stream_place */
@@ -31,6 +32,8 @@ typedef struct {
     bool woken;             /* a job that was already running continues */
     bool resting;           /* it was held then: it goes on, if that is no pause */
     const char *pause;      /* what the program says of the pause; NULL: there is none */
+    bool answered;          /* by a pipe, and the machine has not told so yet */
+    bool deaf;              /* standard input, which is no terminal, has ended */
     uint32_t ticks, elapsed;/* of the previous status */
     double pace;            /* between the last two */
     double moved;           /* the clock when the ticks last advanced */
@@ -211,9 +214,20 @@ static void change_override(run_state *r, int by)
     loft_sender_override(s, (unsigned)r->percent);
 }
 
+/* A key of the terminal; in a pause of the program also what a pipe says, until it ends. */
+static int next_key(run_state *r)
+{
+    if (isatty(STDIN_FILENO) || r->pause == NULL || r->answered || r->deaf)
+        return keys_next();
+    const int key = keys_answer(0);
+    r->deaf       = key == KEYS_END;
+    r->answered   = key == '\n' || key == '\r' || key == 'a';
+    return r->answered ? key : 0;
+}
+
 static void obey_keys(run_state *r)
 {
-    switch (keys_next()) {
+    switch (next_key(r)) {
     case '+':
     case '=': change_override(r, 10); break;
     case '-':
@@ -256,6 +270,7 @@ static void watch_pauses(run_state *r)
     if (s->phase != LOFT_PHASE_STREAMING || (!r->j->whole && r->j->count < s->ack.executed))
         return;
     r->pause = s->ack.state == LOFT_STATE_HELD ? job_pause(r->j, s->ack.executed) : NULL;
+    r->answered = r->answered && r->pause == before;
     if (r->pause != NULL && r->pause != before)
         report_line("pause%s%s: Enter goes on, a gives up", *r->pause ? ": " : "", r->pause);
     if (r->resting && r->pause == NULL && r->stop_at <= 0)

@@ -58,6 +58,21 @@ case_gcode_tools() {                    # beside the path, with two tools; the s
     one_line 65 'mills.nc:4: tool 1 has no diameter' "$loft" plan "$tmp/mills.nc"
 }
 
+case_a_pause_takes_enter_from_a_pipe() {
+    printf '%s\n' 'G21 G90' 'G1 X10 F6000' '(MSG, turn it)' 'M0' 'G0 Y5' 'G1 X0' 'M0' 'G1 X5' M2 \
+        >"$tmp/asks.nc"
+    run 0 "$loft" plot "$tmp/asks.nc" -o "$tmp/asks.svg"; says out ': 3 curves$'
+    machine asks --speed fast --once
+    printf 'x\n\n' | timeout 200 "$loft" stream "$tmp/asks.nc" --port "$tmp/asks" \
+        >"$tmp/out" 2>"$tmp/err" || job_fails 'it did not go on'
+    says err '^pause: turn it: Enter goes on, a gives up$'; says out '^drawn: .*as commanded$'
+    gone "$machine"; counted asks
+    machine asks --speed fast
+    printf 'a\n' | timeout 200 "$loft" stream "$tmp/asks.nc" --port "$tmp/asks" \
+        >"$tmp/out" 2>"$tmp/err" && job_fails 'a did not give up'
+    says err 'abort\|given up\|gave up\|ended'
+}
+
 case_a_spindle_a_wait_and_a_pause() {
     printf '%s\n' 'G21 G90 M3 S500' 'G1 X10 F600' 'G4 P0.5' 'Y10' '(MSG, turn it)' 'M0' 'M8' 'X0' \
         'M9' 'M30' >"$tmp/part.nc"

@@ -84,6 +84,39 @@ static void ink_is_on_the_curve(arb *a)
     remove(o.output);
 }
 
+/* A rapid of a program is a thin dashed line, and no curve of the drawing. */
+static void rapids_are_drawn_apart(arb *a)
+{
+    static const drawing_curve of[] = {
+        { { { 10, 10 }, { 30, 30 }, { 70, 70 }, { 90, 90 } }, 0, 1, .feed = DRAWING_RAPID },
+        { { { 90, 90 }, { 90, 70 }, { 90, 30 }, { 90, 10 } }, 0, 2 },
+        { { { 90, 10 }, { 70, 10 }, { 30, 10 }, { 10, 10 } }, 0, 3, .feed = DRAWING_RAPID },
+    };
+    drawing d = { (drawing_curve *)(size_t)of, 3, 3, 100, 100, NULL };
+    const plot_options o = { .d = &d,
+                             .error = PLOT_NO_ERROR,
+                             .comb = PLOT_NO_COMB,
+                             .size = 1000,
+                             .name = "x.nc",
+                             .output = path_of("r.png") };
+    const double scale = 9.10, left = 62, bottom = 52 + 910;
+    (void)a;
+    CHECK(plot_draw(&o, NULL) == 0);
+    cairo_surface_t *picture = cairo_image_surface_create_from_png(o.output);
+    for (int i = 2; i <= 98; i++) {
+        double p[2];
+        drawing_eval(&of[1], i / 100.0, p);
+        CHECK(ink_at(picture, p[0], p[1], left, bottom, scale) < 114);
+        for (int k = 0; k <= 2; k += 2) {
+            drawing_eval(&of[k], i / 100.0, p);
+            const int ink = ink_at(picture, p[0], p[1], left, bottom, scale);
+            CHECK(ink >= 114 && ink < 255);
+        }
+    }
+    cairo_surface_destroy(picture);
+    remove(o.output);
+}
+
 /* The comb of an arc of radius 20: teeth of SCALE / 20 mm, outwards; between their ends and the arc
  * there are only thin lines. */
 static void a_comb_stands_on_the_outside(arb *a)
@@ -174,6 +207,7 @@ int main(void)
     if (mkdtemp(folder) == NULL)
         return 1;
     PROPERTY(ink_is_on_the_curve, 1);
+    PROPERTY(rapids_are_drawn_apart, 1);
     PROPERTY(a_comb_stands_on_the_outside, 1);
     PROPERTY(every_format_is_written, 1);
     PROPERTY(what_cannot_be_written_is_told, 1);
