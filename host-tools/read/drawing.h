@@ -76,6 +76,7 @@ typedef struct drawing {
     double width, height;   /* page in mm; 0 if the file gives none */
     bool program;           /* it says every motion */
     int dialect;            /* of G-code: enum gcode_dialect (gcode.h); set before reading */
+    unsigned most_lines;    /* of G-code with O-words, that are run; 0: the usual; as that */
     unsigned from_line;     /* of G-code: no motions before it; 0: all; set before reading */
     bool exact;             /* of G-code: G61 or G61.1 is in force somewhere: it stops at corners */
     double within;          /* of G-code: the smallest P of G64, mm; 0: none */

@@ -5,6 +5,8 @@
  *     gcode_number.h    its numbers: expressions, parameters
  *     gcode_state.h     what the words mean: modes, coordinates, units
  *     gcode_run.c       one line: its words in their order of execution
+ *     gcode_flow.c      subroutines, branches, loops
+ *     gcode_named.c     parameters that tell how the program stands
  *     gcode_left.c      words that are left out
  *     gcode_event.c     events: motions with their feed, waits
  *     gcode_motion.c    straight motions, arcs, cubics, NURBS
@@ -101,18 +103,18 @@ gcode_program *gcode_open(const char *file, enum gcode_dialect d, gcode_sink *si
 /* The tools of the machine, for G41, G43 and M6; NULL: none. They outlive the program. */
 void gcode_set_tools(gcode_program *g, const struct machine_tools *tools);
 
-/* Read a line of `length` characters, without its newline. Returns 0, or an exit code after
- * printing one line. */
-int  gcode_line(gcode_program *g, const char *text, size_t length);
-
 /* Has the program said its end (M2, M30 or the second %)? */
 bool gcode_ended(const gcode_program *g);
 
-/* Check the end of the program. */
+/* Run at most so many lines behind the first O-word; 0: the usual bound. */
+void gcode_bound(gcode_program *g, unsigned lines);
+
+/* Run what was kept for O-words, and check the end of the program. */
 int  gcode_finish(gcode_program *g);
 void gcode_close(gcode_program *g);
 
-/* All lines of a part of a text, which ends with a whole line; all of a text and its end. */
+/* All lines of a part of a text, which ends with a whole line; all of a text and its end. Returns 0,
+ * or an exit code after printing one line. */
 int  gcode_lines(gcode_program *g, const char *text, size_t size);
 int  gcode_read(gcode_program *g, const char *text, size_t size);
 

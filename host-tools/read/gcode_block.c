@@ -86,14 +86,20 @@ static void apply_settings(gcode_scanner *s)
             all->number[s->set[i].number] = s->set[i].value;
             continue;
         }
+        double live;
+        if (gcode_live_name(s->b->of, s->set[i].name, &live)) {
+            gcode_scan_fail(s, "a parameter that only tells", "take another name");
+            return;
+        }
         named = gcode_find_named(s->b, s->set[i].name);
         if (named == NULL && all->count == GCODE_NAMED) {
-            gcode_scan_fail(s, "more than 256 named parameters", "use numbers: #1 to #5602");
+            gcode_scan_fail(s, "more than 1024 named parameters", "use numbers: #1 to #5602");
             return;
         }
         if (named == NULL) {
             named = &all->named[all->count++];
             memcpy(named->name, s->set[i].name, sizeof named->name);
+            named->depth = *named->name == '_' ? 0 : all->depth;
         }
         named->value = s->set[i].value;
     }
@@ -257,8 +263,8 @@ static void read_words(gcode_scanner *s)
         else if (c == '#')
             read_setting(s);
         else if (c == 'O' && !names_program(s))
-            gcode_scan_fail(s, "O: subroutines, loops and branches are not run",
-                            "write the program out in the CAM's post-processor");
+            gcode_scan_fail(s, "O behind other words, or without a number",
+                            "begin the line with O100 sub, or the like");
         else if (c == 'O')
             continue;
         else if ((c == '@' || c == '^') && !s->b->printer)

@@ -16,7 +16,7 @@
 #define GCODE_CODES     16      /* G words, and M words, of a line */
 #define GCODE_SETTINGS  16      /* parameters that a line sets */
 #define GCODE_NUMBERED  5603    /* parameters #1 .. #5602 */
-#define GCODE_NAMED     256     /* parameters #<name> */
+#define GCODE_NAMED     1024    /* parameters #<name> */
 #define GCODE_NAME_MAX  64
 #define GCODE_RADIUS    ('Z' + 1)       /* @ and ^, polar coordinates, as if they were letters */
 #define GCODE_ANGLE     ('Z' + 2)
@@ -24,6 +24,7 @@
 typedef struct {
     char name[GCODE_NAME_MAX];
     double value;
+    unsigned depth;             /* of the subroutine that it belongs to; 0: the program, or all */
 } gcode_named;
 
 /* All parameters of a program. */
@@ -31,6 +32,8 @@ typedef struct {
     double number[GCODE_NUMBERED];
     gcode_named named[GCODE_NAMED];
     unsigned count;
+    unsigned depth;             /* subroutines in each other */
+    double value, returned;     /* of the last one, and did it give one? */
 } gcode_parameters;
 
 typedef struct {
@@ -39,6 +42,7 @@ typedef struct {
     bool printer;               /* of a 3-D printer: many M words take text, a checksum may follow * */
     bool skip;                  /* leave out lines that begin with / */
     gcode_parameters *at;
+    const struct gcode_program *of;     /* for what a parameter tells of it */
     uint32_t *used;             /* bits as of `has`: letters whose numbers were asked for */
     /* ---- */
     uint32_t has;               /* bit n: the letter 'A' + n, except G and M; GCODE_RADIUS .. */

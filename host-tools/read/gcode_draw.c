@@ -232,6 +232,7 @@ int drawing_gcode_parts(drawing *d, const char *file, source *s)
                                   take, &out);
     d->clear       = -HUGE_VAL;
     gcode_set_tools(g, d->tools);
+    gcode_bound(g, d->most_lines);
     d->program     = true;
     int code       = 0;
     while (code == 0 && s->size > 0 && !gcode_ended(g)) {

@@ -34,6 +34,7 @@ int gcode_send(gcode_program *g, gcode_event *e)
     memcpy(e->from, g->apart ? g->place : g->at, sizeof e->from);
     if (e->kind <= GCODE_NURBS)
         memcpy(g->place, e->to, sizeof g->place);
+    g->quiet = 0;
     return g->sink(g->context, e);
 }
 
@@ -43,7 +44,7 @@ int gcode_give(gcode_program *g, gcode_event *e, double length)
     double to[3];
 
     memcpy(e->from, g->at, sizeof e->from);
-    e->line  = g->b.line;
+    e->line  = g->main_line;
     e->loose[0] = e->loose[1] = g->loose;
     if (moves)
         e->loose[1] = g->loose = g->homing ? g->homed : gcode_loose_there(g);

@@ -18,7 +18,7 @@ static void leave_out(gcode_program *g, char letter, int code, const char *name)
     if (g->lefts < sizeof g->left / sizeof g->left[0]) {
         g->left[g->lefts].letter  = letter;
         g->left[g->lefts].code    = code;
-        g->left[g->lefts].line    = g->b.line;
+        g->left[g->lefts].line    = g->main_line;
         snprintf(g->left[g->lefts].name, sizeof g->left[0].name, "%s", name);
         g->left[g->lefts++].count = 1;
     }

@@ -114,10 +114,22 @@ static bool read_name(gcode_scanner *s, char out[GCODE_NAME_MAX])
 
 gcode_named *gcode_find_named(const gcode_block *b, const char *name)
 {
+    const unsigned depth = *name == '_' ? 0 : b->at->depth;
+
     for (unsigned i = 0; i < b->at->count; i++)
-        if (strcmp(b->at->named[i].name, name) == 0)
+        if (b->at->named[i].depth == depth && strcmp(b->at->named[i].name, name) == 0)
             return &b->at->named[i];
     return NULL;
+}
+
+void gcode_read_label(gcode_scanner *s, char out[GCODE_NAME_MAX])
+{
+    char name[GCODE_NAME_MAX];
+
+    if (!gcode_take(s, '<') || !read_name(s, name) || strlen(name) > GCODE_NAME_MAX - 3)
+        gcode_scan_fail(s, "O<: a name is missing, or too long", "write O<name>");
+    else
+        snprintf(out, GCODE_NAME_MAX, "<%.*s>", GCODE_NAME_MAX - 3, name);
 }
 
 /* What follows #: the number of a parameter, or -1 and its name. */
@@ -141,9 +153,13 @@ static double parameter_value(gcode_scanner *s)
     char name[GCODE_NAME_MAX] = "", what[GCODE_NAME_MAX + 32];
     const int n = gcode_read_parameter(s, name);
 
+    double live = 0;
+
     if (n >= 0 || s->code != 0)
-        return n >= 0 ? s->b->at->number[n] : 0;
+        return n >= 0 ? gcode_live_number(s->b->of, n) : 0;
     const gcode_named *found = gcode_find_named(s->b, name);
+    if (found == NULL && gcode_live_name(s->b->of, name, &live))
+        return live;
     if (found == NULL) {
         snprintf(what, sizeof what, "#<%s> has no value", name);
         gcode_scan_fail(s, what, "set it first");
@@ -159,7 +175,8 @@ static double read_exists(gcode_scanner *s)
 
     if (good && gcode_peek(s) == '<') {
         (void)gcode_read_parameter(s, name);
-        there = gcode_find_named(s->b, name) != NULL;
+        double live;
+        there = gcode_find_named(s->b, name) != NULL || gcode_live_name(s->b->of, name, &live);
     } else if (good) {
         const double n = gcode_read_value(s);
         there = n >= 1 - CODE_TOL && n < GCODE_NUMBERED - CODE_TOL;

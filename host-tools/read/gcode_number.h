@@ -37,4 +37,11 @@ double gcode_read_value(gcode_scanner *s);
 int gcode_read_parameter(gcode_scanner *s, char name[GCODE_NAME_MAX]);
 gcode_named *gcode_find_named(const gcode_block *b, const char *name);
 
+/* <name>, with its brackets: the label of an O-word. */
+void gcode_read_label(gcode_scanner *s, char out[GCODE_NAME_MAX]);
+
+/* gcode_named.c: parameters that are not set, but tell how the program stands. */
+bool   gcode_live_name(const struct gcode_program *g, const char *name, double *out);
+double gcode_live_number(const struct gcode_program *g, int number);
+
 #endif

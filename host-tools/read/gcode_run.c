@@ -269,10 +269,13 @@ static int run_outputs(gcode_program *g)
         case 67:
         case 68:
         case 73: leave_out_m(g, g->b.m[i]); break;
-        case 98:
-        case 99:
-            return wrong_code(g, 'M', g->b.m[i], "subroutines are not run",
-                              "write the program out in the CAM's post-processor");
+        case 98: {
+            const int code = g->printer ? 0 : gcode_flow_m98(g);
+            if (code != 0)
+                return code;
+            break;
+        }
+        case 99: g->wants = GCODE_RETURNS; break;
         default:
             if (!g->printer && (m < 100 || m > 199))
                 return wrong_code(
@@ -506,7 +509,9 @@ gcode_program *gcode_open(const char *file, enum gcode_dialect d, gcode_sink *si
     g->printer = d == GCODE_MARLIN;
     g->sink    = sink;
     g->context = context;
-    g->b = (gcode_block){ .file = file, .printer = g->printer, .at = &g->all, .used = &g->used };
+    g->b = (gcode_block){
+        .file = file, .printer = g->printer, .at = &g->all, .used = &g->used, .of = g
+    };
     g->frame.unit = 1;
     g->motion     = d == GCODE_LINUXCNC || d == GCODE_ANY ? GCODE_CANCEL : 0;
     g->plane      = 2;
@@ -540,9 +545,6 @@ int gcode_line(gcode_program *g, const char *text, size_t length)
 {
     int code;
 
-    g->b.line++;
-    if (g->ended)
-        return 0;
     if (is_command(text, length)) {
         gcode_leave_out(g, '$', 0);
         return 0;
@@ -552,7 +554,7 @@ int gcode_line(gcode_program *g, const char *text, size_t length)
     if (code == 0 && g->b.unknown[0] != '\0')
         gcode_leave_name(g, g->b.unknown);
     if (code == 0 && g->b.percent)
-        return run_percent(g);
+        return g->b.file == g->file ? run_percent(g) : 0;
     if (code == 0 && g->b.say != NULL)
         code = gcode_simple(g, GCODE_SAY);
     g->begun = g->begun || g->b.has != 0 || g->b.gs + g->b.ms > 0;
@@ -577,8 +579,10 @@ bool gcode_ended(const gcode_program *g) { return g->ended; }
 
 int gcode_finish(gcode_program *g)
 {
-    const int code = gcode_radius_off(g);
+    int code = g->flow != NULL ? gcode_flow_run(g) : 0;
 
+    if (code == 0)
+        code = gcode_radius_off(g);
     if (code != 0)
         return code;
     if (g->poles > 0)
@@ -588,16 +592,29 @@ int gcode_finish(gcode_program *g)
     return 0;
 }
 
-void gcode_close(gcode_program *g) { free(g); }
+void gcode_bound(gcode_program *g, unsigned lines) { g->most_lines = lines; }
+
+void gcode_close(gcode_program *g)
+{
+    gcode_flow_free(g);
+    free(g);
+}
 
 /* A line ends with LF, CR LF or CR. */
-static const char *line_end(const char *text, const char *end)
+const char *gcode_line_end(const char *text, const char *end)
 {
     const char *stop = memchr(text, '\n', (size_t)(end - text));
 
     stop = stop ? stop : end;
     const char *back = memchr(text, '\r', (size_t)(stop - text));
     return back ? back : stop;
+}
+
+const char *gcode_next_line(const char *stop, const char *end)
+{
+    const bool two = stop + 1 < end && stop[0] == '\r' && stop[1] == '\n';
+
+    return stop < end ? stop + 1 + two : end;
 }
 
 int gcode_lines(gcode_program *g, const char *text, size_t size)
@@ -607,12 +624,20 @@ int gcode_lines(gcode_program *g, const char *text, size_t size)
 
     if (g->b.line == 0 && size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0)
         text += 3;
-    while (text < end && code == 0 && !g->ended) {
-        const char *stop = line_end(text, end);
+    while (text < end && code == 0 && !g->ended && g->flow == NULL) {
+        const char *stop = gcode_line_end(text, end);
+        g->main_line     = ++g->b.line;
+        if (gcode_flow_steers(g, text, (size_t)(stop - text))) {
+            gcode_flow_open(g, g->b.line);
+            break;
+        }
         code = gcode_line(g, text, (size_t)(stop - text));
-        text = stop + 1 + (stop + 1 < end && stop[0] == '\r' && stop[1] == '\n');
+        text = gcode_next_line(stop, end);
+        if (g->wants == GCODE_CALLS)
+            gcode_flow_open(g, g->b.line + 1);
+        g->ended = g->ended || g->wants == GCODE_RETURNS;
     }
-    return code;
+    return code == 0 && g->flow != NULL ? gcode_flow_keep(g, text, (size_t)(end - text)) : code;
 }
 
 int gcode_read(gcode_program *g, const char *text, size_t size)

@@ -16,6 +16,9 @@
 #define GCODE_HELD    64        /* events that wait in G41 and G42 */
 
 /* Codes in tenths: G5.1 is 51. */
+#define GCODE_CALLS   1
+#define GCODE_RETURNS 2
+
 #define GCODE_NONE    (-1)
 #define GCODE_CANCEL  800       /* G80 */
 
@@ -37,6 +40,12 @@ struct gcode_program {
     gcode_parameters all;
     gcode_block b;              /* the line under way, */
     uint32_t used;              /* and its letters that something used */
+    unsigned main_line;         /* of the program itself, which called for it */
+    struct gcode_flow *flow;    /* NULL: no O-word so far */
+    int wants;                  /* of M98 and M99: 0, GCODE_CALLS or GCODE_RETURNS */
+    double wants_p, wants_times;
+    unsigned quiet;             /* lines since the last event */
+    unsigned most_lines;        /* that are run behind the first O-word; 0: the usual */
 
     double at[3];
     unsigned char loose;        /* bit i: axis i counts from where the machine stands; */
@@ -126,6 +135,21 @@ unsigned char gcode_loose_there(const gcode_program *g);
 void gcode_leave_out(gcode_program *g, char letter, int code);
 void gcode_leave_name(gcode_program *g, const char *name);
 void gcode_tell_left(gcode_program *g);
+
+/* gcode_run.c: a line of `length` characters, without its newline. Where a line ends, and where the
+ * next one begins. */
+int gcode_line(gcode_program *g, const char *text, size_t length);
+const char *gcode_line_end(const char *text, const char *end);
+const char *gcode_next_line(const char *stop, const char *end);
+
+/* gcode_flow.c: is it a line with an O-word that is not just the program's name? From line number
+ * `line` on the text is kept, and run when it is complete. M98 of the line. */
+bool gcode_flow_steers(gcode_program *g, const char *text, size_t length);
+void gcode_flow_open(gcode_program *g, unsigned line);
+int  gcode_flow_keep(gcode_program *g, const char *text, size_t size);
+int  gcode_flow_run(gcode_program *g);
+void gcode_flow_free(gcode_program *g);
+int  gcode_flow_m98(gcode_program *g);
 
 /* gcode_motion.c: the motion of the line. */
 int gcode_move(gcode_program *g);

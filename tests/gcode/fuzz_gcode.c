@@ -20,6 +20,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     char *text = text_of(data, size);
     drawing d  = { .tools = &bench,
+                  .most_lines = 2000,
                   .dialect = size > 0 && data[0] % 2 ? GCODE_MARLIN : GCODE_LINUXCNC };
 
     const int code = drawing_read_gcode(&d, "fuzz.nc", text, size);

@@ -21,9 +21,9 @@ CALL = re.compile(r'\s*\d+\s+N(?:\d+|\.+)\s*([A-Z0-9_]+)\((.*)\)\s*$')
 TOOLS = {1: (6.0, 12.5), 2: (3.0, 20.0), 3: (0.25, 1.0)}     # diameter and length, mm
 MOTIONS = ('STRAIGHT_TRAVERSE', 'STRAIGHT_FEED', 'ARC_FEED', 'NURBS_FEED', 'DWELL')
 # what this reader does not run, and says so
-NOT_RUN = re.compile(r': (O: subroutines|[ABCUVW]: this machine|'
-                     r'G\S+: is not known here|M\S+: is not known here|M98|M99|'
-                     r'G10 without L2|G7: diam|O:)')
+NOT_RUN = re.compile(r': ([ABCUVW]: this machine|'
+                     r'G\S+: is not known here|M\S+: is not known here|'
+                     r'G10 without L2|G7: diam|G\S+: a file cannot probe)')
 # rs274 alone does otherwise: it refuses what no program of a machine stands for, and G1 without F;
 # it confuses the axes of a tap in other planes, and after M6 it forgets the tool's new length
 PEER_ALONE = re.compile(r'Unknown m code used: M1\d\d|with zero feed rate')
@@ -287,7 +287,102 @@ class Maker:
         lines.append('G40')
         return lines + ['G1 %s%s %s%s' % (first, self.number(), second, self.number()), 'G17']
 
+    def expression(self):
+        """Of parameters that are set everywhere; small."""
+        r = self.r
+        return r.choice(('#1', '#2', '#3', '[#31 + %s]' % self.number(5), '#<own>', '#<_all>',
+                         '[#<own> * 0.5 - #1]', '[ABS[#2] MOD 7]', '[#<_all> + #3 / 3]', '#<_value>',
+                         '[[#1 LT #2] + 2 * [#3 GE #<own>]]', '[FIX[#<own>] + ROUND[#3]]', '#5420',
+                         '[EXISTS[#<own>] + EXISTS[#<none>]]', '#<_call_level>', str(self.number(9))))
+
+    def assignment(self):
+        return '%s = [%s MOD 20]' % (self.r.choice(('#1', '#2', '#3', '#31', '#<own>', '#<_all>')),
+                                     self.expression())
+
+    def condition(self):
+        return '[%s %s %s]' % (self.expression(), self.r.choice('LT GT LE GE EQ NE'.split()),
+                               self.expression())
+
+    def label(self):
+        self.labels += 1
+        return self.r.choice(('o%d', 'O%d', 'o<l_%d>', 'o <L_%d>', ' o %d')) % self.labels
+
+    def branch(self, depth, loops):
+        o = self.label()
+        lines = ['%s if %s' % (o, self.condition())] + self.steps(depth, loops)
+        for _ in range(self.r.choice((0, 0, 1, 2))):
+            lines += ['%s elseif %s' % (o, self.condition())] + self.steps(depth, loops)
+        if self.r.random() < 0.5:
+            lines += ['%s else (or)' % o] + self.steps(depth, loops)
+        return lines + ['%s endif' % o]
+
+    def loop(self, depth, loops):
+        o, n = self.label(), 100 + self.labels
+        head, most, kind = '#%d = 0' % n, self.r.randint(0, 4), self.r.randint(0, 2)
+        # rs274 knows no break of a repeat
+        inner = ['#%d = [#%d + 1]' % (n, n)] + self.steps(depth, loops + [o] * (kind < 2))
+        if kind == 0:
+            return [head, '%s while [#%d LT %d]' % (o, n, most)] + inner + [o + ' endwhile']
+        if kind == 1:
+            return [head, o + ' do'] + inner + ['%s while [#%d LT %d]' % (o, n, most)]
+        return [head, '%s repeat [%s]' % (o, self.r.choice((most, most + 0.3, '#31 MOD 4')))] + \
+            inner + [o + ' endrepeat']
+
+    def steps(self, depth, loops):
+        r, lines = self.r, []
+        for _ in range(r.randint(0, 4)):
+            kind = r.random()
+            if kind < 0.3:
+                lines.append('G%d %s%s' % (r.randint(0, 1), r.choice('XYZ'), self.expression()))
+            elif kind < 0.5:
+                lines.append(self.assignment())
+            elif kind < 0.6 and depth < 3:
+                lines += self.branch(depth + 1, loops)
+            elif kind < 0.7 and depth < 3:
+                lines += self.loop(depth + 1, loops)
+            elif kind < 0.75 and loops:
+                o = self.label()
+                lines += ['%s if %s' % (o, self.condition()),
+                          r.choice(loops[-1:] + loops) + r.choice((' break', ' continue')),
+                          o + ' endif']
+            elif kind < 0.85 and self.subs:
+                name, plain = r.choice(self.subs)
+                given = ' '.join('[%s]' % self.expression() for _ in range(r.randint(0, 4)))
+                lines.append('M98 P%d%s' % (name, r.choice(('', ' L2'))) if plain else
+                             '%s call %s' % (name, given))
+            elif kind < 0.9 and self.inside:
+                o = self.label()
+                lines += ['%s if %s' % (o, self.condition()),
+                          '%s return%s' % (self.inside, r.choice(('', ' [%s]' % self.expression()))),
+                          o + ' endif']
+        return lines
+
+    def structured(self):
+        """Subroutines, branches and loops. A subroutine calls those before it alone."""
+        r = self.r
+        self.labels, self.subs, self.inside, parts = 0, [], None, []
+        for n in range(r.randint(0, 4)):
+            plain = r.random() < 0.3
+            name  = 900 + n if plain else r.choice(('o<sub_%d>', 'o80%d')) % n
+            self.inside = None if plain else name
+            body = ['#<own> = #1'] + self.steps(1, []) + self.steps(1, [])
+            end = r.choice(('', ' [%s]' % self.expression()))
+            parts.append(['O%d' % name] + body + ['M99'] if plain else
+                         [name + ' sub'] + body + ['%s endsub%s' % (name, end)])
+            self.subs.append((name, plain))
+        self.inside = None
+        start = ['(a program from a seed)', 'G21 G17 G90 G94 F500', '#<own> = 1', '#<_all> = 2',
+                 '#1 = 3', '#2 = 4', '#3 = 5', '#31 = 6', 'G0 X0 Y0 Z10']
+        main = sum((self.steps(0, []) for _ in range(r.randint(1, 5))), [])
+        behind = any(plain for _, plain in self.subs) or r.random() < 0.5
+        # it looks for a subroutine behind the call, unless it has met it before
+        subs = sum(reversed(parts) if behind else parts, [])
+        return '\n'.join(start + ([] if behind else subs) + main + ['M2'] +
+                         (subs if behind else []) + [''])
+
     def program(self):
+        if self.r.random() < 0.4:
+            return self.structured()
         state = {'plane': 'G17', 'turns': self.r.random() < 0.5}
         lines = ['(a program from a seed)', 'G21 G17 G90 G94 F500', 'G0 X0 Y0 Z10']
         for _ in range(self.r.randint(5, 60)):

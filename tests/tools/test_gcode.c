@@ -240,6 +240,135 @@ static void names_of_programs_are_skipped(arb *a)
     ENDS_AT("M67 E0 Q50\nG1 X10 F60\n", 10, 0, 0, 60);
 }
 
+/* As rs274 2.9 runs them. */
+static void loops_and_branches_are_run(arb *a)
+{
+    (void)a;
+    MOVES("#1=0\no1 while [#1 lt 2]\nG0 X#1\n#1=[#1+1]\no1 endwhile\no2 do\nG0 Y#1\n#1=[#1-1]\n"
+          "o2 while [#1 gt 0]\no3 repeat [2]\nG91 G0 X1\no3 endrepeat\n",
+          "R 0 0 0 R 1 0 0 R 1 2 0 R 1 1 0 R 2 1 0 R 3 1 0");
+    MOVES("G0\no4 if [0]\nX99\no4 elseif [1]\nX98\no4 else\nX97\no4 endif\nX1\n",
+          "R 0 0 0 R 98 0 0 R 1 0 0");
+    MOVES("G0\n#5=2\no4 if [#5 eq 1]\nX9\no4 else\nX7 (a word)\n N5 o 4 endif (c) ; d\n",
+          "R 0 0 0 R 7 0 0");
+    MOVES("G0\no1 while [1]\no1 break\nX1\no1 endwhile\nX2\n#2=0\no5 while [#2 lt 3]\n#2=[#2+1]\n"
+          "o6 if [#2 eq 2]\no5 continue\no6 endif\nX#2\no5 endwhile\n",
+          "R 0 0 0 R 2 0 0 R 1 0 0 R 3 0 0");
+    MOVES("G91 G0\no1 repeat [2.6]\nX1\no1 endrepeat\no2 repeat [-1]\nX9\no2 endrepeat\n",
+          "R 0 0 0 R 1 0 0 R 2 0 0 R 3 0 0");
+    MOVES("G0\n#1=0\no1 do\n#1=[#1+1]\no2 if [#1 eq 2]\no1 continue\no2 endif\nX#1\n"
+          "o3 if [#1 gt 3]\no1 break\no3 endif\no1 while [#1 lt 9]\nX0\n",
+          "R 0 0 0 R 1 0 0 R 3 0 0 R 4 0 0 R 0 0 0");
+    MOVES("G0\no1 if [0]\nXbad (\no1 endif\nX1\nM2\no1 nonsense\n", "R 0 0 0 R 1 0 0");
+    MOVES("G0\no1 while [#<_x> lt 2]\no2 repeat [2]\nG91 X1\no2 endrepeat\no1 endwhile\nY1\n",
+          "R 0 0 0 R 1 0 0 R 2 0 0 R 2 1 0");
+    FAILS("G0\no1 if [0]\nX1\n", "part.nc:2: O1 IF: it has no ENDIF: end it with the same label");
+    FAILS("o1 while [0]\n", "part.nc:1: O1 WHILE: it has no ENDWHILE: ");
+    FAILS("o1 endif\n", "part.nc:1: O1 ENDIF: no IF is before it: ");
+    FAILS("o1 endwhile\n", "part.nc:1: O1 ENDWHILE: no loop is before it: ");
+    FAILS("\no1 break\n", "part.nc:2: O1 BREAK: no loop of this label is around it: ");
+    FAILS("o1 if [1] G1 X1\no1 endif\n", "part.nc:1: something behind the O-word: ");
+    FAILS("o1 if\no1 endif\n", "part.nc:1: an O-word without its condition or number: ");
+    FAILS("o1 if [1]\nX\no1 endif\n", "part.nc:2: a number is missing: ");
+    FAILS("o1 while [1]\no1 endwhile\n", "part.nc:1: a million lines are run without a motion: ");
+}
+
+static void subroutines_are_called(arb *a)
+{
+    (void)a;
+    MOVES("G0 #1=5\no20 sub\n#1=[#1+1]\nX[#1]\no20 endsub\no20 call [7]\nX#1\no20 call\n",
+          "R 0 0 0 R 8 0 0 R 5 0 0 R 1 0 0");
+    MOVES("G0\no20 call [7] [8]\nM2\no20 sub\nX[#1] Y#2\no20 endsub\n", "R 0 0 0 R 7 8 0");
+    MOVES("G0\no1 sub\no2 if [#1 gt 3]\no1 return [7]\no2 endif\nX#1\no1 endsub [8]\no1 call [2]\n"
+          "Y#<_value>\no1 call [5]\nY#<_value> Z#<_value_returned>\n",
+          "R 0 0 0 R 2 0 0 R 2 8 0 R 2 7 1");
+    MOVES(
+        "G0\no<a b> sub\n#<x>=3\n#<_g>=4\nX#<x> Z#<_call_level>\no<ab> endsub\n#<x>=1\no<AB> call\n"
+        "X#<_g> Y#<x> Z#<_call_level>\n",
+        "R 0 0 0 R 3 0 1 R 4 1 0");
+    MOVES("G0 #7=20\nM98 P20 L2\nX1\nM30\nO20\n#1=[#1+1]\nX[#1]\nM99\n",
+          "R 0 0 0 R 1 0 0 R 2 0 0 R 1 0 0");
+    MOVES("O1 (main)\nG0 X1\nM99\nX5\n", "R 1 0 0");
+    MOVES("G0 #31=7\no[#31 + 1] call [1]\nM2\no8 sub\nX#1\no8 endsub\n", "R 0 0 0 R 1 0 0");
+    MOVES("G0\no1 sub\no2 if [#1 gt 0]\nX#1\no1 call [#1 - 1]\no2 endif\no1 endsub\no1 call [3]\n",
+          "R 0 0 0 R 3 0 0 R 2 0 0 R 1 0 0");
+    FAILS("o1 sub\no1 call\no1 endsub\no1 call\n",
+          "part.nc:2: O1 CALL: more than 10 subroutines in each other: ");
+    FAILS("G0\no9 call\n",
+          "part.nc:2: O9 CALL: no such subroutine, and no file 9.ngc that holds it: "
+          "give the file beside the program");
+    FAILS("o<../x> call\n", "part.nc:1: O<../X> CALL: no such subroutine");
+    FAILS("M98 P9\n", "part.nc:1: O9: no such subroutine");
+    FAILS("M98\n", "part.nc:1: M98 without P, the number of the subroutine: ");
+    FAILS("M98 P2 X1\nO2\nM99\n", "part.nc:1: M98 with other words than P and L: ");
+    FAILS("o1 endsub\n", "part.nc:1: O1 ENDSUB: outside of a subroutine");
+    FAILS("M98 P1\nM2\no1 sub\no1 endsub\n", "part.nc:1: O1: it ends with ENDSUB: call it by O");
+    FAILS("o1 call\nM2\nO1\nM99\n", "part.nc:1: O1 CALL: it ends with M99: call it by M98 P");
+    FAILS("o1 sub\n#<x>=1\no1 endsub\no1 call\nG0 X#<x>\n", "part.nc:5: #<X> has no value: ");
+    FAILS("#<_x>=1\n", "part.nc:1: a parameter that only tells: take another name");
+}
+
+/* What is read in one part or in many is the same. */
+static void a_program_in_parts_is_the_whole(arb *a)
+{
+    static const char text[] =
+        "O7 (x)\nG0 X1\n#3=2\nX#3\no1 if [1]\nX3\no1 endif\nM98 P8 L2\nM2\nO8\nY9\nM99\n";
+    const size_t size = sizeof text - 1;
+    seen s = { .feed = 0 };
+
+    (void)a;
+    for (size_t cut = 1; cut < size; cut++) {
+        if (text[cut - 1] != '\n')
+            continue;
+        gcode_program *g = gcode_open("part.nc", GCODE_ANY, see, &s);
+        s.text[0] = '\0';
+        CHECK(gcode_lines(g, text, cut) == 0 && gcode_lines(g, text + cut, size - cut) == 0 &&
+              gcode_finish(g) == 0);
+        CHECK(strcmp(s.text, "R 1 0 0 R 2 0 0 R 3 0 0 R 3 9 0 R 3 9 0") == 0);
+        gcode_close(g);
+    }
+}
+
+/* Files beside the program; a motion is told at the line that called for it. */
+static void files_beside_the_program_are_called(arb *a)
+{
+    char folder[] = "/tmp/loft-gcode-XXXXXX", main[64], file[64];
+    static const char text[] = "G0 X1\no<in file> call [4]\no33 call\nM98 P44\nM2\n";
+    drawing d = { 0 };
+    FILE *out;
+    (void)a;
+
+    CHECK(mkdtemp(folder) != NULL);
+    static const char *const files[][2] = {
+        { "infile", "(about)\no<infile> sub\nG0 X#1\no33 call\no<infile> endsub\nM2\n" },
+        { "33", "%\no33 sub\nG0 Y33\no33 endsub\n%\n" },
+        { "o44", "O44\nG0 Z44\nM99\n" },
+    };
+    for (int i = 0; i < 3; i++) {
+        snprintf(file, sizeof file, "%s/%s.ngc", folder, files[i][0]);
+        out = fopen(file, "w");
+        fputs(files[i][1], out);
+        fclose(out);
+    }
+    snprintf(main, sizeof main, "%s/main.ngc", folder);
+    CHECK(drawing_read_gcode(&d, main, text, sizeof text - 1) == 0 && d.count == 4);
+    CHECK(d.count == 4 && d.curve[1].line == 2 && d.curve[2].line == 2 && d.curve[3].line == 4);
+    drawing_free(&d);
+    out = fopen(file, "w");
+    fputs("O44\nG0 Z\nM99\n", out);
+    fclose(out);
+    d = (drawing){ 0 };
+    caught[0] = '\0';
+    CHECK(drawing_read_gcode(&d, main, text, sizeof text - 1) == EX_DATAERR &&
+          strstr(caught, "/o44.ngc:2: a number is missing: ") != NULL);
+    drawing_free(&d);
+    for (int i = 0; i < 3; i++) {
+        snprintf(file, sizeof file, "%s/%s.ngc", folder, files[i][0]);
+        remove(file);
+    }
+    remove(folder);
+}
+
 static void what_is_wrong_has_its_line(arb *a)
 {
     (void)a;
@@ -255,10 +384,10 @@ static void what_is_wrong_has_its_line(arb *a)
     FAILS("G37 X1\n", "part.nc:1: G37: is not known here: ");
     FAILS("M111\nM300\n", "part.nc:2: M300: is not known here: ");
     FAILS("G0 A90\n", "part.nc:1: A: this machine has the axes X, Y and Z: ");
-    FAILS("O100 sub\n", "part.nc:1: O: subroutines, loops and branches are not run: ");
-    FAILS("O100 G21\n", "part.nc:1: O: subroutines, loops and branches are not run: ");
-    FAILS("G21 O100\n", "part.nc:1: O: subroutines, loops and branches are not run: ");
-    FAILS("O\n", "part.nc:1: O: subroutines, loops and branches are not run: ");
+    FAILS("O100 sub\n", "part.nc:1: O100 SUB: it has no ENDSUB: ");
+    FAILS("O100 G21\n", "part.nc:1: O100: an unknown word: give sub, endsub, ");
+    FAILS("G21 O100\n", "part.nc:1: O behind other words, or without a number: ");
+    FAILS("O\n", "part.nc:1: O without a label: ");
     FAILS("N1 G1 X1 F10*86\n", "part.nc:1: *: a checksum: for a 3-D printer's file give");
     FAILS("M3 E0 G1 X1 F10\n", "part.nc:1: E: an extruder");
     FAILS("G2 X10 F1\n", "part.nc:1: an arc without I, J, K in its plane or R: ");
@@ -556,6 +685,10 @@ int main(void)
     PROPERTY(names_of_programs_are_skipped, 1);
     PROPERTY(what_is_wrong_has_its_line, 1);
     PROPERTY(hostile_lines_end, 1);
+    PROPERTY(loops_and_branches_are_run, 1);
+    PROPERTY(subroutines_are_called, 1);
+    PROPERTY(a_program_in_parts_is_the_whole, 1);
+    PROPERTY(files_beside_the_program_are_called, 1);
     PROPERTY(words_without_a_use_are_refused, 1);
     PROPERTY(lines_end_in_three_ways, 1);
     PROPERTY(texts_of_printers_are_no_words, 1);
