@@ -140,11 +140,11 @@ static int run_job(mover *v, const mover_move *m, job *j, bool *ended)
     loft_sender *s = &v->t.sender;
     int planned    = LOFT_OK;
 
+    if (m->guard.inputs == 0 && m->ends == NULL)    /* the user sees to the others */
+        talk_begins(&v->t, j->head.id, "");
     if (loft_sender_begin(s, &j->head, job_items(j), job_source, j) != LOFT_OK)
         return tool_error(EX_SOFTWARE, "the move could not begin: please report this");
     while (s->phase < LOFT_PHASE_DONE) {
-        if (s->phase == LOFT_PHASE_STREAMING && m->guard.inputs == 0 && m->ends == NULL)
-            talk_begun(&v->t, j->head.id, "");
         const bool more = s->phase == LOFT_PHASE_STREAMING && planned == LOFT_OK && job_waits(j, 0);
         if (more)
             planned = job_plan(j, 0, PORTION);

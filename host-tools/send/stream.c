@@ -348,8 +348,6 @@ static int stream_loop(run_state *r)
                               "power, the position may be lost: home it, or `loft zero`",
                               r->t->port, SILENCE, where_text(r, place));
         }
-        if (s->phase == LOFT_PHASE_STREAMING)
-            talk_begun(r->t, r->j->head.id, r->about->file);
         wake_job(r);
         watch_pauses(r);
         obey_keys(r);
@@ -370,6 +368,7 @@ int stream_run(talk *t, job *j, const stream_subject *about)
     const report_job told = { about->file, about->port, about->tool,
                               about->path, about->tol,  j->head.id };
 
+    talk_begins(t, j->head.id, about->file);
     if (loft_sender_begin(&t->sender, &j->head, job_items(j), job_source, j) != LOFT_OK)
         return tool_error(EX_SOFTWARE, "the job could not begin: please report this");
     loft_sender_extend(&t->sender, (uint32_t)j->count, job_items(j));

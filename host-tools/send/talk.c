@@ -37,6 +37,22 @@ static bool send_frames(talk *t)
     }
 }
 
+static unfinished_machine machine_of(const talk *t)
+{
+    return (unfinished_machine){ t->port, t->sender.machine.boot,
+                                 loft_state_busy(t->sender.ack.state) };
+}
+
+static void note_job(talk *t)
+{
+    const unfinished_machine m = machine_of(t);
+
+    if (t->job == 0 || t->noted || t->sender.phase != LOFT_PHASE_STREAMING)
+        return;
+    unfinished_begin(&m, t->job, t->job_file);
+    t->noted = true;
+}
+
 /* Read what has arrived before sending anything: if this program did not run for a while, the
  * answers that are waiting are not late. */
 bool talk_pump(talk *t, int most_ms)
@@ -54,6 +70,7 @@ bool talk_pump(talk *t, int most_ms)
         wire_text_push(&t->up, t->log, tool_clock() - t->began, bytes, (size_t)got);
     for (long i = 0; i < got; i++)
         (void)loft_sender_push(&t->sender, bytes[i], now_ms());
+    note_job(t);
     return send_frames(t);
 }
 
@@ -89,12 +106,6 @@ const char *talk_inputs(uint16_t inputs, char text[256])
     return text;
 }
 
-static unfinished_machine machine_of(const talk *t)
-{
-    return (unfinished_machine){ t->port, t->sender.machine.boot,
-                                 loft_state_busy(t->sender.ack.state) };
-}
-
 int talk_certain(const talk *t)
 {
     const unfinished_machine m = machine_of(t);
@@ -107,13 +118,11 @@ int talk_certain(const talk *t)
                : unfinished_check(&m);
 }
 
-void talk_begun(talk *t, uint32_t id, const char *file)
+void talk_begins(talk *t, uint32_t id, const char *file)
 {
-    const unfinished_machine m = machine_of(t);
-
-    if (!t->noted)
-        unfinished_begin(&m, id, file);
-    t->noted = true;
+    t->job      = id;
+    t->job_file = file;
+    t->noted    = false;
 }
 
 /* After an emergency stop the place stays in doubt, and a restart would forget that. */
@@ -126,6 +135,7 @@ void talk_over(talk *t)
 
     if ((reported || ended_by_us) && !(s->ack.flags & LOFT_FLAG_LOST))
         unfinished_end(t->port);
+    t->job = 0;
     t->noted = false;
 }
 

@@ -20,7 +20,9 @@ typedef struct {
     FILE *log;                          /* everything that passes, in words, or NULL */
     wire_text down, up;
     double began;
-    bool noted;                         /* that a job began, in a file: see unfinished.h */
+    uint32_t job;                       /* to be noted when it begins (unfinished.h); 0: none */
+    const char *job_file;
+    bool noted;
 } talk;
 
 /* Where the machine is: options of a command, into o.port, o.baud and o.wait. */
@@ -52,9 +54,10 @@ int  talk_vanished(const talk *t, const char *where);
  * after printing one line. */
 int talk_certain(const talk *t);
 
-/* The machine has taken job `id` of `file`, or goes on with it: once in each run of the job. The
- * job is over, as the sender's phase tells. The place of these axes is known again. */
-void talk_begun(talk *t, uint32_t id, const char *file);
+/* Job `id` of `file`, which stays, is about to begin: when the machine has taken it, and before any
+ * item is sent, that is noted. The job is over, as the sender's phase tells. The place of these axes
+ * is known again. */
+void talk_begins(talk *t, uint32_t id, const char *file);
 void talk_over(talk *t);
 void talk_placed(const talk *t, unsigned axes);
 
