@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/progress.h"
+#include "base/say.h"
 #include "base/tool.h"           /* tool_clock */
 
 #define BAR 24
@@ -65,7 +66,9 @@ void progress_show(progress *p, double done, const char *text)
     bar[BAR] = '\0';
     if (p->left < 360000)
         snprintf(eta, sizeof eta, "%d:%02d", (int)p->left / 60, (int)p->left % 60);
-    snprintf(line, sizeof line, "[%s] %3.0f %%  %s left  %s", bar, floor(100 * part), eta, text);
+    const int used = snprintf(line, sizeof line, "[%s] %3.0f %%  %s left  ", bar, floor(100 * part),
+                              eta);
+    say_copy(line + used, sizeof line - (size_t)used, text);
     fprintf(stderr, "\r%.*s\033[K", columns() - 1, line);
     fflush(stderr);
     drawn = true;

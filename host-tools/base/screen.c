@@ -14,6 +14,7 @@
 #undef columns                  /* a macro of term.h */
 
 #include "base/keys.h"           /* keys_leave_by */
+#include "base/say.h"
 #include "base/screen.h"
 #include "base/tool.h"
 
@@ -95,8 +96,10 @@ void screen_size(int *rows, int *columns)
 
 void screen_put(int row, int column, const char *text)
 {
+    char shown[1024];
+
     if (row >= 0 && row < LINES && column >= 0 && column < COLS)
-        (void)mvaddnstr(row, column, text, COLS - column);
+        (void)mvaddnstr(row, column, say_copy(shown, sizeof shown, text), COLS - column);
 }
 
 void screen_show(void)

@@ -11,6 +11,7 @@
 
 #include "base/describe.h"   /* describe_command */
 #include "base/progress.h"   /* progress_clear_any */
+#include "base/say.h"
 #include "base/screen.h"     /* screen_close */
 #include "base/tool.h"
 #include "loft.h"            /* LOFT_VERSION */
@@ -28,7 +29,7 @@ int tool_error(int code, const char *format, ...)
     screen_close();
     fputs("loft: ", stderr);
     va_start(values, format);
-    vfprintf(stderr, format, values);
+    (void)say_list(stderr, format, values);
     va_end(values);
     if (code == EX_OK && strict)
         fputs(" (an error by --strict)", stderr);

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/say.h"
 #include "base/tool.h"           /* tool_clock */
 #include "base/waits.h"
 
@@ -29,6 +30,8 @@ bool waits_due(waits *w, const char *what)
 
 void waits_for(waits *w, const char *what)
 {
-    if (waits_due(w, what))
-        fprintf(stderr, "%swaiting: %s\n", isatty(STDERR_FILENO) ? "\r\033[K" : "", w->what);
+    if (waits_due(w, what)) {
+        fputs(isatty(STDERR_FILENO) ? "\r\033[K" : "", stderr);
+        (void)say(stderr, "waiting: %s\n", w->what);
+    }
 }

@@ -12,6 +12,7 @@
 
 #include "base/create.h"      /* create_refused */
 #include "base/c_name.h"
+#include "base/say.h"
 #include "base/source.h"        /* source_name */
 #include "base/spool.h"         /* spool_passed */
 #include "base/tool.h"
@@ -129,7 +130,7 @@ static void write_table(const drawing *d, const char *output, FILE *out)
     fill(&t, d);
     write_header(&t, d, name, out);
     if (output != NULL) {
-        printf("%s: ", output);
+        (void)say(stdout, "%s: ", output);
         print_words(&t, stdout);
         printf("\n");
     }

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "base/keys.h"           /* keys_next */
+#include "base/say.h"
 #include "base/scan.h"           /* scan_number */
 #include "base/tool.h"
 #include "plan/table.h"          /* table_ends */
@@ -96,9 +97,10 @@ static void show_place(const jog *g)
 
     if (!isatty(STDERR_FILENO))
         return;
-    fprintf(stderr,
-            "\r%s  step %g mm  (arrows or wasd: x y, page or r f: z, 1-4 step, q ends)\033[K",
-            mover_text(g->v.at, text), sizes[g->size]);
+    fputs("\r", stderr);
+    (void)say(stderr, "%s  step %g mm  (arrows or wasd: x y, page or r f: z, 1-4 step, q ends)",
+              mover_text(g->v.at, text), sizes[g->size]);
+    fputs("\033[K", stderr);
 }
 
 /* Errors that the user can move away from do not end jogging. */

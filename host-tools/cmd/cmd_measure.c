@@ -12,6 +12,7 @@
 
 #include "num/status.h"     /* LOFT_SINGULAR */
 
+#include "base/say.h"
 #include "engine/element.h"
 #include "engine/print.h"   /* print_words */
 #include "engine/stretches.h"
@@ -28,7 +29,7 @@ typedef struct {
     double tol, at[ENGINE_AXES], distance;
 } measuring;
 
-static void print_name(const element *x) { printf("%s:%u", x->file, x->of->line); }
+static void print_name(const element *x) { (void)say(stdout, "%s:%u", x->file, x->of->line); }
 
 /* Print coordinates as separate fields. */
 static void print_fields(const measuring *m, const double point[ENGINE_AXES])

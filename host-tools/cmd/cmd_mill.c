@@ -8,6 +8,7 @@
 
 #include "base/create.h"      /* create_check */
 #include "base/progress.h"
+#include "base/say.h"
 #include "base/source.h"        /* source_name */
 #include "base/tool.h"
 #include "cmd/mill_chip.h"      /* mill_chip_run */
@@ -243,8 +244,9 @@ static int plot_left(tool_wish *w, const char *file, const char *record_file, co
                                     .azimuth = -55,
                                     .elevation = w->block.given ? 55 : 40 };
         code = surface_plot(&o);
-        if (code == 0 && printf("%s: %zu places of the tool, %.4f mm left at worst, %.4f mm cut\n",
-                                output, l.count, l.most[1], l.most[0]) < 0)
+        if (code == 0 &&
+            say(stdout, "%s: %zu places of the tool, %.4f mm left at worst, %.4f mm cut\n", output,
+                l.count, l.most[1], l.most[0]) < 0)
             code = EX_IOERR;
         left_free(&l);
     }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/create.h"      /* create_refused */
+#include "base/say.h"
 #include "base/source.h"         /* source_name */
 #include "draw/plan_plot.h"      /* plan_plot */
 #include "plan/certify.h"        /* certify_make */
@@ -47,7 +48,8 @@ static void print_row(const trace *t, const char *name, const char *line, const 
     char words[160];
 
     trace_words(t, p, words, sizeof words);
-    printf("%-8s %6s %11.3f %10.3f %9.2f  %s\n", name, line, p->length, p->seconds, p->top, words);
+    (void)say(stdout, "%-8s %6s %11.3f %10.3f %9.2f  %s\n", name, line, p->length, p->seconds,
+              p->top, words);
 }
 
 static void take_part(void *context, size_t n, const trace_part *p)
@@ -76,7 +78,7 @@ static void print_sums(const report *r)
     print_row(r->t, "drawn", "", &r->drawn);
     print_row(r->t, "travel", "", &r->travelled);
     print_row(r->t, "in all", "", &r->all);
-    printf("drawing: %s\n", page_words(r->d, words));
+    (void)say(stdout, "drawing: %s\n", page_words(r->d, words));
 }
 
 

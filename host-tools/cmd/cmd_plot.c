@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/say.h"
 #include "engine/curve.h"
 #include "draw/plot.h"
 #include "draw/surface_plot.h"
@@ -21,11 +22,13 @@ static int print_result(const plot_options *o, const plot_result *found)
         count -= o->d->curve[i].feed < 0;       /* a rapid draws nothing */
 
     if (o->r == NULL)
-        return printf("%s: %zu curve%s\n", o->output, count, tool_s(count)) < 0 ? EX_IOERR : EX_OK;
-    printf("%s: %zu curve%s, %zu pulses with the pen down, path error %.4f mm at worst, at "
-           "%.3f,%.3f, %.4f mm on average",
-           o->output, count, tool_s(count), found->drawing_pulses, found->worst,
-           found->worst_point[0], found->worst_point[1], found->mean);
+        return say(stdout, "%s: %zu curve%s\n", o->output, count, tool_s(count)) < 0 ? EX_IOERR
+                                                                                     : EX_OK;
+    (void)say(stdout,
+              "%s: %zu curve%s, %zu pulses with the pen down, path error %.4f mm at worst, at "
+              "%.3f,%.3f, %.4f mm on average",
+              o->output, count, tool_s(count), found->drawing_pulses, found->worst,
+              found->worst_point[0], found->worst_point[1], found->mean);
     if (found->inset)
         printf(", inset: corner at %.3f,%.3f", found->corner[0], found->corner[1]);
     return printf("\n") < 0 ? EX_IOERR : EX_OK;
@@ -122,8 +125,9 @@ static int plot_surfaces(const plot_options *p, const surface_wishes *w, const s
                           "--wire and --curvature: give one of them: a wire has no colour");
     const int code = surface_plot(&o);
     return code                                                                           ? code
-           : printf("%s: %zu surface%s\n", p->output, all->count, tool_s(all->count)) < 0 ? EX_IOERR
-                                                                                          : EX_OK;
+           : say(stdout, "%s: %zu surface%s\n", p->output, all->count, tool_s(all->count)) < 0
+               ? EX_IOERR
+               : EX_OK;
 }
 
 /* The content of the file decides what is drawn. */

@@ -3,6 +3,7 @@
  */
 #include <stdio.h>
 
+#include "base/say.h"
 #include "send/talk.h"           /* talk_open */
 #include "send/transport.h"      /* transport_ports */
 #include "base/tool.h"
@@ -24,7 +25,8 @@ static int ask_port(const char *name, unsigned baud)
 
     if (code != 0)
         return code;
-    printf("%s\tloft, %u axes, %u ticks/s, %u slots, queue of %u spans or %u points", name,
+    (void)say(stdout, "%s", name);
+    printf("\tloft, %u axes, %u ticks/s, %u slots, queue of %u spans or %u points",
            t.sender.machine.axes, t.sender.machine.tick_hz, t.sender.machine.slots,
            t.sender.machine.queue, t.sender.machine.points);
     for (int i = 0; i < LOFT_AXES; i++)
@@ -44,6 +46,15 @@ typedef struct {
     unsigned baud, count;
 } asking;
 
+static void put_row(const transport_port *port)
+{
+    (void)say(stdout, "%s", port->name);
+    (void)say((putchar('\t'), stdout), "%s", port->description);
+    if (port->usb[0])
+        (void)say((putchar('\t'), stdout), "usb %s", port->usb);
+    putchar('\n');
+}
+
 static void print_port(void *context, const transport_port *port)
 {
     asking *a = context;
@@ -52,8 +63,7 @@ static void print_port(void *context, const transport_port *port)
     if (a->who)
         (void)ask_port(port->name, a->baud);
     else
-        printf("%s\t%s%s%s\n", port->name, port->description, port->usb[0] ? "\tusb " : "",
-               port->usb);
+        put_row(port);
 }
 
 static int run_ports(const tool_command *self, int argc, char **argv)

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/say.h"
 #include "base/tool.h"
 #include "send/grbl.h"
 #include "send/settings.h"
@@ -18,7 +19,7 @@ static const char *origin_of(const settings *s)
 
 static void print_settings(const machine_file *m, const char *title, FILE *out)
 {
-    fprintf(out, "# settings of %s\n", title);
+    (void)say(out, "# settings of %s\n", title);
     machine_print(m, MACHINE_OBEYS, out);
     machine_print(m, MACHINE_TEXT, out);
 }
@@ -34,7 +35,7 @@ static int save_settings(const machine_file *m, const char *title, const char *f
     if ((ferror(out) | fclose(out)) != 0)
         return tool_error(EX_IOERR, "%s: is not complete: %s: is the disk full?", file,
                           strerror(errno));
-    printf("saved: %s, a file for --machine and for `loft set`\n", file);
+    (void)say(stdout, "saved: %s, a file for --machine and for `loft set`\n", file);
     return 0;
 }
 

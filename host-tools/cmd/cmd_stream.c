@@ -8,6 +8,7 @@
 #include "wire/action_code.h"    /* LOFT_OUTPUTS_MOST */
 
 #include "base/keys.h"           /* keys_start, keys_hasty */
+#include "base/say.h"
 #include "cmd/stream_grbl.h"     /* stream_grbl, stream_parts */
 #include "send/change.h"         /* change_tool */
 #include "plan/check.h"          /* check_print */
@@ -97,7 +98,7 @@ static void print_page(const drawing *d)
 {
     char words[160];
 
-    printf("drawing: %s\n", page_words(d, words));
+    (void)say(stdout, "drawing: %s\n", page_words(d, words));
 }
 
 /* Print what a part takes, and add it to the sum. */
@@ -107,12 +108,12 @@ static void print_part(const stream_options *o, const stream_parts *all, size_t 
     const tools_part *p = &all->part[k];
 
     if (p->tool != NULL)
-        printf("tool %s: ", p->tool->name);
+        (void)say(stdout, "tool %s: ", p->tool->name);
     else if (all->count > 1)
         printf("no tool: ");
     print_plan(&w->j, &w->path, o->p.tol);
     if (p->tool != NULL && *p->tool->pause != '\0')
-        printf("tool %s: before it: %s\n", p->tool->name, p->tool->pause);
+        (void)say(stdout, "tool %s: before it: %s\n", p->tool->name, p->tool->pause);
     report_planned(&(report_job){ .file = all->file,
                                   .tool = p->tool ? p->tool->name : NULL,
                                   .path = &w->path,
@@ -267,8 +268,8 @@ static int stream_drawing(const stream_options *o, const stream_parts *all, talk
     for (size_t k = old < all->count ? old : all->first; k < all->count && code == 0; k++) {
         const machine_tool *tool = all->part[k].tool;
         if (k == old)
-            fprintf(stderr, "%s%s%s", tool ? "tool " : "", tool ? tool->name : "",
-                    tool ? ": " : "");
+            (void)say(stderr, "%s%s%s", tool ? "tool " : "", tool ? tool->name : "",
+                      tool ? ": " : "");
         else if (tool != NULL && !loft_state_busy(t->sender.ack.state))
             code = change(o, tool, t);
         if (code == 0)

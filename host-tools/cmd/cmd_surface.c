@@ -3,6 +3,7 @@
  */
 #include <stdio.h>
 
+#include "base/say.h"
 #include "draw/mesh.h"
 #include "draw/refine.h"
 #include "base/create.h"      /* create_check */
@@ -40,8 +41,8 @@ static int refine(const surfaces *all, const char *file, const engine *e, double
     if (code == 0)
         code = mesh_write(m, output, &triangles);
     if (code == 0) {
-        printf("%s: %zu surface%s, %zu triangles\n", output, all->count, tool_s(all->count),
-               triangles);
+        (void)say(stdout, "%s: %zu surface%s, %zu triangles\n", output, all->count,
+                  tool_s(all->count), triangles);
         print_body(&r, tol);
     }
     refined_free(&r);
@@ -90,8 +91,8 @@ static int run_surface(const tool_command *self, int argc, char **argv)
         code = mesh_make(&m, &all, source_name(argv[first]), e, n, n);
     if (code == 0)
         code = mesh_write(&m, output, &triangles);
-    if (code == 0 && printf("%s: %zu surface%s, %zu triangles\n", output, all.count,
-                            tool_s(all.count), triangles) < 0)
+    if (code == 0 && say(stdout, "%s: %zu surface%s, %zu triangles\n", output, all.count,
+                         tool_s(all.count), triangles) < 0)
         code = EX_IOERR;
     mesh_free(&m);
     surfaces_free(&all);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/keys.h"           /* keys_start, keys_hasty */
+#include "base/say.h"
 #include "base/source.h"         /* source_name */
 #include "base/tool.h"
 #include "cmd/mill_chip.h"
@@ -59,9 +60,9 @@ static int plan_work(const mill_chip *c, const surface *s, const char *file,
 
 static void tell(const milling *m, const surface *s, const char *file)
 {
-    printf("%s:%u: %u lines of %u curves, %.3f m on it, %.3f m above, in %zu items\n",
-           source_name(file), s->line, m->patch.head.rows + 1u, m->patch.head.columns,
-           m->w.path.drawn / 1000, m->w.path.travelled / 1000, m->w.j.count);
+    (void)say(stdout, "%s:%u: %u lines of %u curves, %.3f m on it, %.3f m above, in %zu items\n",
+              source_name(file), s->line, m->patch.head.rows + 1u, m->patch.head.columns,
+              m->w.path.drawn / 1000, m->w.path.travelled / 1000, m->w.j.count);
 }
 
 static int dry_run(mill_chip *c, const surfaces *all, const char *file)

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/say.h"
 #include "base/spool.h"         /* spool_passed */
 #include "base/tool.h"
 #include "cmd/stream_grbl.h"
@@ -42,7 +43,9 @@ static int draw_part(const stream_options *o, const stream_parts *all, size_t k,
                         &(report_job){ all->file, o->port, p->tool ? p->tool->name : NULL, &path,
                                        o->p.tol, 0 });
     if (code == 0 && g == NULL && p->tool != NULL)
-        printf("(tool %s)\n%s", p->tool->name, *p->tool->pause ? "M0\n" : "");
+        (void)say(stdout, "(tool %s)\n", p->tool->name);
+    if (code == 0 && g == NULL && p->tool != NULL && *p->tool->pause)
+        puts("M0");
     for (size_t i = 0; code == 0 && g == NULL && i < lines.count; spool_passed(i++))
         puts(gcode_text(&lines, i));
     if (path.count > 0)

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/say.h"
 #include "base/source.h"         /* source_name */
 #include "base/tool.h"           /* tool_s */
 #include "plan/check.h"
@@ -75,15 +76,16 @@ void check_print(const machine_file *m, const char *file, const drawing *d, cons
         if (asked > may * (1 + 1e-9))
             note(&fast, c->line, asked, may, axis);
     }
-    printf("box: %s\n", table_words(d, path, words));
+    (void)say(stdout, "box: %s\n", table_words(d, path, words));
     if (most > 0)
         printf("feeds: %.6g to %.6g mm/s\n", least, most);
     if (fast.count > 0)
-        printf("%s:%u: a feed of %.6g mm/s, and %c allows %.6g there: %zu curve%s %s drawn "
-               "slower\n",
-               source_name(file), fast.line, fast.is, "xyz"[fast.axis], fast.may, fast.count,
-               tool_s(fast.count), fast.count == 1 ? "is" : "are");
+        (void)say(stdout,
+                  "%s:%u: a feed of %.6g mm/s, and %c allows %.6g there: %zu curve%s %s drawn "
+                  "slower\n",
+                  source_name(file), fast.line, fast.is, "xyz"[fast.axis], fast.may, fast.count,
+                  tool_s(fast.count), fast.count == 1 ? "is" : "are");
     if (low.count > 0)
-        printf("%s:%u: a rapid at z %.6g, below 0: %zu of them go sideways there\n",
-               source_name(file), low.line, low.is, low.count);
+        (void)say(stdout, "%s:%u: a rapid at z %.6g, below 0: %zu of them go sideways there\n",
+                  source_name(file), low.line, low.is, low.count);
 }

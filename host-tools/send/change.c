@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "base/keys.h"              /* keys_answer, keys_interrupted */
+#include "base/say.h"
 #include "base/tool.h"              /* tool_error, tool_clock */
 #include "send/change.h"
 
@@ -38,7 +39,7 @@ int change_tool(const machine_tool *tool, bool asks)
     enum answer now = *tool->pause == '\0' ? GOES_ON : asks ? WAITS : LEAVES;
 
     if (now == WAITS)
-        fprintf(stderr, "tool %s: %s: Enter goes on, q leaves\n", tool->name, tool->pause);
+        (void)say(stderr, "tool %s: %s: Enter goes on, q leaves\n", tool->name, tool->pause);
     while (now == WAITS && !keys_interrupted())
         now = next_answer();
     if (now == GOES_ON)

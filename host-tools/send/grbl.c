@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/say.h"
 #include "send/grbl_talk.h"
 #include "send/near_move.h"      /* near_move */
 #include "send/grbl_words.h"     /* grbl_error_text, grbl_alarm_text */
@@ -298,9 +299,11 @@ int grbl_run(grbl *g, const gcode *code, const report_job *job)
     report_end();
     g->code = NULL;
     if (result == 0)
-        printf("drawn: %zu curve%s, %.3f m, %zu lines of G-code in %.1f s, %s at %.3f %.3f %.3f\n",
-               job->path->curves, tool_s(job->path->curves), job->path->drawn / 1000, code->count,
-               tool_clock() - began, g->name[0] != '\0' ? g->name : "the controller is stopped",
-               g->place[0], g->place[1], g->place[2]);
+        (void)say(
+            stdout,
+            "drawn: %zu curve%s, %.3f m, %zu lines of G-code in %.1f s, %s at %.3f %.3f %.3f\n",
+            job->path->curves, tool_s(job->path->curves), job->path->drawn / 1000, code->count,
+            tool_clock() - began, g->name[0] != '\0' ? g->name : "the controller is stopped",
+            g->place[0], g->place[1], g->place[2]);
     return result;
 }

@@ -2,13 +2,13 @@
  * SPDX-License-Identifier: MIT
  */
 #include <inttypes.h>
-#include <libxml/xmlstring.h>    /* xmlCheckUTF8 */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "base/say.h"
 #include "base/screen.h"         /* screen_check */
 #include "base/tool.h"
 #include "send/report.h"
@@ -32,17 +32,25 @@ static struct {
 // JSON
 // ----
 
-/* A text in quotes. Bytes that are no UTF-8 are taken for Latin 1. */
+/* A text in quotes. Bytes that are no UTF-8 are taken for Latin 1. What does not print is written in
+ * digits, beyond U+FFFF as two surrogates: a terminal may show this, too. */
 static void put_text(const char *text)
 {
-    const bool utf8 = xmlCheckUTF8((const unsigned char *)text);
+    int32_t c;
 
     putc('"', now.out);
-    for (const unsigned char *c = (const unsigned char *)text; *c != '\0'; c++)
-        if (*c < 0x20 || *c == '"' || *c == '\\' || (*c >= 0x7f && !utf8))
-            fprintf(now.out, "\\u%04x", *c);
-        else
-            putc(*c, now.out);
+    for (int size; *text != '\0'; text += size) {
+        size = say_character(text, &c);
+        if (c < 0)
+            c = (unsigned char)*text;
+        else if (!say_hides(c) && c != '"' && c != '\\') {
+            fwrite(text, 1, (size_t)size, now.out);
+            continue;
+        }
+        if (c > 0xffff)
+            fprintf(now.out, "\\u%04x", (unsigned)(0xd7c0 + (c >> 10)));
+        fprintf(now.out, "\\u%04x", (unsigned)(c > 0xffff ? 0xdc00 + (c & 0x3ff) : c));
+    }
     putc('"', now.out);
 }
 
@@ -180,7 +188,7 @@ void report_line(const char *format, ...)
     va_end(values);
     if (now.form == REPORT_BAR) {
         progress_clear(&now.bar);
-        fprintf(stderr, "%s\n", now.line);
+        (void)say(stderr, "%s\n", now.line);
     } else if (now.form == REPORT_JSON) {
         put_event("line");
         put_pair("text", now.line);

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/say.h"
 #include "read/record.h"         /* record_worst_error */
 #include "send/stream_end.h"
 #include "base/tool.h"
@@ -174,7 +175,7 @@ static int report_drawn(talk *t, job *j, const stream_subject *about)
             "the machine is at steps %s, commanded were %s: home it, and please report this",
             steps_text(s->report.position, text), steps_text(want, other));
     if (s->collected)
-        fprintf(stderr, "this job was drawn already: its report is\n");
+        (void)say(stderr, "this job was drawn already: its report is\n");
     const int code = error_text(s, about, error);
     if (code != 0)
         return code;

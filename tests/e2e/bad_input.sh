@@ -22,6 +22,22 @@ case_bad_drawings() {
     printf '0,0 1,1\n0,zero\n'   >"$tmp/word.txt"
     one_line 65 'word.txt:1' "$loft" eval "$tmp/word.txt"
 }
+case_words_of_others_are_made_visible() {
+    local odd=$'\e[31mred\u9b\u202e\n.nc'
+    one_line 66 '\\x1b.31mred\\u009b\\u202e\\x0a.nc: no such file' "$loft" plan "$tmp/$odd"
+    visible err
+    printf 'G1 X5 F600\n(MSG, \033]0;owned\007\302\233 turn)\nM0\nG1 X0\n' >"$tmp/$odd"
+    run 0 "$loft" stream "$tmp/$odd" --check; visible out; visible err
+    machine m
+    "$loft" stream "$tmp/$odd" --port "$tmp/m" >"$tmp/paused" 2>&1 </dev/null & local sender=$!
+    for _ in $(seq 3000); do grep -q '^pause: ' "$tmp/paused" && break; sleep 0.02; done
+    kill -INT $sender; wait $sender
+    says paused 'x1b.0;owned'; visible paused
+    printf '1 2 x\033[2J\n' >"$tmp/odd.csv"
+    one_line 65 'odd.csv:1' "$loft" plan "$tmp/odd.csv"; visible err
+    one_line 64 'x1b' "$loft" plan $'--\e[1m'; visible err
+    one_line 64 'x1b' "$loft" $'\e[1m'; visible err
+}
 # what the library refuses is told as what it is there, never as another cause
 case_a_refused_argument_is_told_by_its_place() {
     one_line 65 'copositive: these numbers do not suit: give a symmetric matrix' \

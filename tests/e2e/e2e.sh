@@ -100,6 +100,12 @@ is_empty() {
     ! grep -qv '^waiting: ' "$tmp/$1" || job_fails "says: $(head -c 200 "$tmp/$1")"
 }
 
+# visible FILE: it has no byte that a terminal obeys
+visible() {
+    ! LC_ALL=C grep -q '[^[:print:][:space:]]' "$tmp/$1" \
+        || job_fails "control bytes: $(head -c 200 "$tmp/$1" | cat -v)"
+}
+
 # one_line CODE PATTERN COMMAND..: the error has exactly one line, with the key word of the remedy
 one_line() {
     local code=$1 pattern=$2; shift 2

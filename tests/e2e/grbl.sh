@@ -76,6 +76,8 @@ case_grbl_troubles_are_told() {
     refuses 'locked after an alarm: home it' 78 --locked
     refuses 'alarm 2 at line [0-9]* of [0-9]*: .*travel' 76 --alarm 20
     refuses 'error 2 at line [0-9]* of [0-9]*, `G.*: a number that cannot be read' 76 --error 20
+    refuses 'error Unsupported command.x1b.2J at line [0-9]* of [0-9]*, `G' 76 --error 20 --words
+    visible err
     refuses 'the controller restarted at line [0-9]*' 76 --reset 20
     refuses '[0-9]* lines were not answered' 76 --mute 20
     cubics='--wait 1'
@@ -123,4 +125,11 @@ case_grbl_says_what_it_is() {           # $$: its table, its unit, a file for --
     kill "$peer"; gone "$peer"
     awk -F, '!/#/ { if ($1 == 0 && was > 0 && was != 30) exit 1; was = $1 }' "$tmp/inches.csv" \
         || job_fails "inches were taken for mm: $(head -5 "$tmp/inches.csv")"
+}
+case_grbl_says_what_a_terminal_would_obey() {
+    peer odd --coloured
+    run 0 "$loft" stream tests/drawings/outline12.csv --grbl --feed 50 --port "$tmp/odd"
+    visible out; says out '^drawn: .*Grbl 1.1h.x1b.0;owned'
+    run 0 "$loft" settings --grbl --port "$tmp/odd"; visible out; visible err
+    kill "$peer"; gone "$peer"
 }

@@ -4,11 +4,12 @@
 # SPDX-License-Identifier: MIT
 """usage: grbl_peer.py LINK PATH_FILE [--g5] [--locked] [--error LINE] [--alarm LINE] [--reset LINE]
                     [--mute LINE] [--mpos] [--nowco] [--late MS] [--twice] [--babble]
-                    [--table MM] [--corner] [--inches]
+                    [--table MM] [--corner] [--inches] [--words] [--coloured]
 
 Written from grbl's wiki (Interface, Commands, Configuration) alone. A line takes a millisecond to
 be read, the machine draws at 40 times the feed; 15 moves are planned ahead, then lines wait in a
 buffer of 128 bytes: one more and the job has failed.
+--words: errors are words, as some firmware writes them; --coloured: its greeting has control bytes.
 --late: as a boot loader it hears nothing for so long after the first byte; --twice: it answers, and
 is reset when it is first asked for $I; --nowco: MPos, and WCO never; --babble: another baud rate.
 --table: x and y have MM of travel and soft limits, and the work coordinates begin 10 mm from the
@@ -46,7 +47,8 @@ class Peer:
 
     def greet(self):
         self.say("")
-        self.say("Grbl 1.1h ['$' for help]")
+        colour = "\x1b]0;owned\x07\x1b[31m" if self.o.get("coloured") else ""
+        self.say("Grbl 1.1h" + colour + " ['$' for help]")
 
     def offset(self):
         """Where the work zero is for the machine."""
@@ -164,7 +166,7 @@ class Peer:
         if self.state == "Alarm":
             return "error:9"
         if self.o.get("error") == self.lines:
-            return "error:2"
+            return "error:Unsupported command\x1b[2J" if self.o.get("words") else "error:2"
         words = WORD.findall(text)
         if "".join(a + b for a, b in words) != text:
             return "error:2"

@@ -95,6 +95,11 @@ rm "$result.included"
 grep -nE '^[[:space:]]*#.*LOFT_(NUM|Q16|F32|F64)\b' $sources | grep -v '^lib/num/' |
     rule "only num/ tests LOFT_NUM"
 
+# ... and lines for people pass one place, where words of others are made visible
+grep -nE 'printf\(stderr|perror\(' host-tools/*.c host-tools/*/*.c |
+    grep -vE '^host-tools/base/(progress|least)\.c:' |
+    rule "host-tools/ say what people read by base/say.h"
+
 # 5. every public function of lib/ is documented:
 # a comment stands above it, or above the group it opens
 for header in $headers; do
