@@ -92,13 +92,20 @@ static void obey_program(planning *p, const drawing *d)
         p->tol = fmin(fmax(d->within, TOL_MIN), TOL_MAX);
 }
 
+/* A small tolerance is left to the machine as far as that needs it. Motors that no straight line
+ * maps need more (planning_joints). */
 static int smooth_within(const planning *p, double *within)
 {
-    *within = p->smooth < 0 ? SMOOTH_PART * p->tol : p->smooth;
-    if (*within > p->tol / 2)
+    const bool straight = p->machine.k.kind == ENGINE_CARTESIAN;
+    const double spare = straight ? fmax(p->tol * (1 - 1e-12) - TOL_MIN, 0) : p->tol;
+
+    *within = p->smooth < 0 ? fmin(SMOOTH_PART * p->tol, spare) : p->smooth;
+    if (*within > p->tol / 2 || *within > spare)
         return tool_error(
-            EX_USAGE, "--smooth %g: leave at least half of the tolerance of %g mm to the machine",
-            *within, p->tol);
+            EX_USAGE,
+            "--smooth %g: leave half of the tolerance of %g mm to the machine, and at "
+            "least 0.00098 mm",
+                          *within, p->tol);
     return 0;
 }
 

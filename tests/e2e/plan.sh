@@ -98,6 +98,15 @@ case_plan_is_certified() {
         --machine "$tmp/delta.txt"
     one_line 64 'give -o FILE'       "$loft" plan "$tmp/small.csv" --certify --spans
 }
+case_plan_within_the_least_tolerance() {    # a chain of chords: smoothing takes what is left
+    awk 'BEGIN { print "G21 F1800"; for (k = 0; k < 80; k++)
+        printf "G1 X%.4f Y%.4f\n", 2 * cos(k / 40), 2 * sin(k / 40); print "M2" }' >"$tmp/chords.nc"
+    for tol in 0.00098 0.001 0.0011; do
+        run 0 "$loft" plan "$tmp/chords.nc" --tol $tol --certify; is_empty err
+        one_line 64 'at least 0.00098 mm' "$loft" plan "$tmp/chords.nc" --tol $tol --smooth 0.0003
+    done
+    one_line 64 'from 0.00098 to 1' "$loft" plan "$tmp/chords.nc" --tol 0.0009
+}
 case_plan_stops_exactly_at_corners() {
     local rests='NR > 1 { for (k = 6; k < 15; k += 4) if ($(k - 1) != $k) next; print $6, $10 }'
     printf '%s\n' "0,0 10,0 20,0 30,0" "30,0 30,10 30,20 30,30" "30,30 30,31 30,32 31,40" |
