@@ -133,9 +133,27 @@ build/effort/%: test_%.c $(patsubst %.c,build/effort/%.o,$(CHIP_SRC))
 	    $(CHIP_FLAGS) $< $(filter %.o,$^) -lm -o $@
 -include $(patsubst %.c,build/effort/%.d,$(CHIP_SRC)) $(CHIP_TESTS:%=build/effort/%.d)
 
+# with more axes than most boards have: way-points
+ARM_SRC := $(foreach r,num geom basis curve path motion,$(sort $(wildcard lib/$(r)/*.c)))
+define arm_test
+build/effort/$(1)/lib/%.o: lib/%.c | lib/names.h
+	@mkdir -p $$(@D)
+	$$(SAY) "  CC  $$@"
+	$$(Q)$$(CC) $$(INCLUDE) $$(TESTED) $$(STD) $$(DEPS) $$(SANITIZE) $$(CHIP_FLAGS) \
+	    -DLOFT_AXES=$(1) -c $$< -o $$@
+build/effort/$(1)/waypoints: test_waypoints.c $(patsubst %.c,build/effort/$(1)/%.o,$(ARM_SRC))
+	$$(SAY) "  LD  $$@"
+	$$(Q)$$(CC) $$(LDFLAGS) $$(INCLUDE) -Itests $$(TESTED) $$(STD) $$(DEPS) -MF $$@.d -MT $$@ \
+	    $$(SANITIZE) $$(CHIP_FLAGS) -DLOFT_AXES=$(1) $$< $$(filter %.o,$$^) -lm -o $$@
+-include $(patsubst %.c,build/effort/$(1)/%.d,$(ARM_SRC)) build/effort/$(1)/waypoints.d
+CHIP_EACH += build/effort/$(1)/waypoints
+endef
+CHIP_EACH := $(CHIP_TESTS:%=build/effort/%)
+$(foreach a,4 6,$(eval $(call arm_test,$(a))))
+
 ## Run the planner's tests with the effort of a chip, LOFT_PLAN_EFFORT 1
 .PHONY: test-effort
-test-effort: $(CHIP_TESTS:%=build/effort/%)
+test-effort: $(CHIP_EACH)
 	@for t in $^; do echo "echo '-- $$t'; $$t"; done | bash tests/house/beside.sh
 
 # --- exact results: one line per CSV of a folder --------------------------------------------------

@@ -19,12 +19,15 @@ typedef struct {
     int32_t    top;         /* the most that speed allows v2 to be, up to the next knot */
     int32_t    goal;        /* the most that all limits allow an even one, up to the next knot */
     int32_t    aim;         /* what v2 is moved to, at first: aim.h */
+#if LOFT_PLAN_EFFORT < 2 && LOFT_AXES > 3
+    loft_coord at[LOFT_AXES - 3];   /* the rest of a place, which is kept while there is a v2 */
+#endif
     int32_t    v2;          /* control value of the squared pace, 2^-24: timing.h */
 } loft_knot_pace;
 
 /* A path is smoothed first, and then it is timed. With little effort both use the same memory:
  * `on` is known until a knot is placed, its `at` until the next one is; then it has a pace, and all
- * of it when the next but one is placed. The guess (guess.h) goes on with the places. */
+ * of it when the next but one is placed. So v2 lies behind `at`. The guess (guess.h) goes on with the places. */
 #if LOFT_PLAN_EFFORT > 1
 typedef struct {
     loft_path_place on;     /* what is given */
