@@ -19,7 +19,8 @@ LOFT_BEGIN_C
  * end.
  *
  *   range   count <= LOFT_BARRIER_KNOTS, loaded by loft_timing_load
- *   error   limits are held where they are looked at, but for rounding: a guess
+ *   error   a guess: between the places that are looked at, limits are exceeded by up to 3/10; 8
+ *           steps take at most 1.1 times as long as 40
  *   cost    steps * count * about 130 products for each axis that moves
  */
 void loft_barrier_time(const loft_period *period, loft_knot knot[], unsigned count, unsigned tied,

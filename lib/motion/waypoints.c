@@ -26,13 +26,34 @@ enum loft_status loft_waypoints_init(loft_waypoints *w, loft_plan *plan, const l
     return status;
 }
 
-enum loft_plan_state loft_waypoints_next(loft_waypoints *w, loft_span *out)
+/* Push the segments that there is room for; false: none was, nor did the plan learn that it stops
+ * before the next one. */
+static bool push_more(loft_waypoints *w)
 {
+    enum loft_status status = LOFT_OK;
+    bool more = false;
     loft_move move;
 
-    while (w->next + 1 < w->spline.count && loft_plan_room(w->plan) > 0 &&
-           segment(w, w->next, &move) == LOFT_OK && loft_plan_push(w->plan, &move) == LOFT_OK)
-        if (++w->next + 1 == w->spline.count)
+    while (status == LOFT_OK && w->next + 1 < w->spline.count && loft_plan_room(w->plan) > 0) {
+        status = segment(w, w->next, &move);
+        if (status == LOFT_OK)
+            status = loft_plan_push(w->plan, &move);
+        if (status == LOFT_OK && ++w->next + 1 == w->spline.count)
             loft_plan_end(w->plan);
-    return loft_plan_next(w->plan, out);
+        more = more || status == LOFT_OK || status == LOFT_ERR_SPACE;
+    }
+    return more;
+}
+
+/* A plan that waits has dropped a segment at least, or has room; one that rests before the last
+ * segment has room as well. */
+enum loft_plan_state loft_waypoints_next(loft_waypoints *w, loft_span *out)
+{
+    enum loft_plan_state state;
+
+    (void)push_more(w);
+    do
+        state = loft_plan_next(w->plan, out);
+    while (state != LOFT_PLAN_SPAN && push_more(w));
+    return state;
 }

@@ -6,19 +6,28 @@
 
 #define COUNT 6
 #define MOVES 4
+#define LOOK_MOST 400
+#define LOOPS     (LOFT_PLAN_EFFORT > 1 ? 9 : 30)
+#define LOOK      112       /* knots of a chip */
 
 static loft_plan plan;
 static loft_move moves[MOVES];
-static loft_knot ahead[160];
+static loft_knot ahead[LOOK_MOST];
 static loft_natural_knot knots[COUNT];
 
-static const loft_limits limits = {
-    .max_speed = { LOFT_REAL(100), LOFT_REAL(100), LOFT_REAL(100) },
-    .max_accel = { LOFT_REAL(1000), LOFT_REAL(1000), LOFT_REAL(1000) },
-    .corner = LOFT_REAL(0.01),
-    .tol = LOFT_REAL(0.01),
-    .tick_hz = 1000,
-};
+static loft_limits limits_of(int32_t speed, int32_t accel, uint32_t jerk)
+{
+    loft_limits l = { .corner = LOFT_REAL(0.01), .tol = LOFT_REAL(0.01), .tick_hz = 1000 };
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        l.max_speed[i] = loft_real_from_int(speed);
+        l.max_accel[i] = loft_real_from_int(accel);
+        l.max_jerk[i] = jerk;
+    }
+    return l;
+}
+
+static loft_limits usual(void) { return limits_of(100, 1000, 0); }
 
 static uint32_t arb_points(arb *a, loft_vec p[COUNT])
 {
@@ -57,6 +66,7 @@ static void each_point_is_passed_in_turn(arb *a)
 {
     loft_vec p[COUNT];
     const uint32_t count = arb_points(a, p);
+    const loft_limits limits = usual();
     loft_waypoints w;
     loft_span s;
     uint32_t next = 0;
@@ -81,6 +91,7 @@ static void what_cannot_be_moved_is_refused(arb *a)
 {
     loft_vec p[COUNT];
     const uint32_t count = arb_points(a, p);
+    const loft_limits limits = usual();
     loft_waypoints w;
 
     CHECK(loft_plan_init(&plan, &limits, moves, MOVES, ahead, 160) == LOFT_OK);
@@ -93,9 +104,106 @@ static void what_cannot_be_moved_is_refused(arb *a)
     CHECK(loft_waypoints_init(&w, &plan, p, count, LOFT_REAL(50), knots) == LOFT_SINGULAR);
 }
 
+/* Points near each other: less than a launch. */
+static uint32_t arb_near_points(arb *a, loft_vec p[COUNT])
+{
+    const uint32_t count = arb_points(a, p);
+
+    for (uint32_t i = 0; i < count; i++)
+        for (int k = 0; k < LOFT_AXES; k++)
+            p[i].axis[k] = loft_real_from_int((int32_t)arb_below(a, 9)) +
+                           (k == 0 ? loft_real_from_int(10 * (int32_t)i) : 0);
+    return count;
+}
+
+/* A plan with any memory, which may stop at joints. */
+static void arb_plan(arb *a)
+{
+    const uint16_t room = (uint16_t)(1 + arb_below(a, MOVES));
+    const uint32_t most = arb_below(a, 2) ? 8 : 160 - LOFT_PLAN_KNOTS_MIN;
+    loft_limits l = limits_of(200, 2000, 50000);
+
+    if (arb_below(a, 2))
+        l.exact = arb_below(a, 2) ? LOFT_REAL(0.02) : LOFT_REAL(0.5);
+    CHECK(loft_plan_init(&plan, &l, moves, room, ahead,
+                         (uint16_t)(LOFT_PLAN_KNOTS_MIN + arb_below(a, most + 1))) == LOFT_OK);
+}
+
+/* The loop of waypoints.h, with any memory. */
+static void the_loop_of_its_header_comes_to_the_end(arb *a)
+{
+    loft_vec p[COUNT];
+    const uint32_t count = arb_near_points(a, p);
+    loft_waypoints way;
+    loft_span span = { .ticks = 0 };
+
+    arb_plan(a);
+    if (loft_waypoints_init(&way, &plan, p, count, LOFT_REAL(200), knots) == LOFT_OK)
+        while (loft_waypoints_next(&way, &span) == LOFT_PLAN_SPAN)
+            CHECK(span.ticks > 0);
+    CHECK(span.ticks > 0 && loft_vec_equal(span.p[3], p[count - 1]));
+}
+
+/* The loop of plan.h. Each turn of it pushes a curve or gives a span, but for one at most. */
+static void so_does_that_of_a_plan(arb *a)
+{
+    loft_vec p[COUNT];
+    const uint32_t count = arb_near_points(a, p);
+    loft_span span = { .ticks = 0 };
+    uint32_t next = 0;
+
+    arb_plan(a);
+    for (int idle = 0; idle < 3; idle++) {
+        const loft_vec *q = &p[next];
+        loft_move curve = { .feed = LOFT_REAL(200) };
+        while (next + 1 < count) {
+            q = &p[next];
+            curve.curve = (loft_cubic){ { q[0], loft_vec_lerp(q[0], q[1], loft_unit_of(1, 3)),
+                                          loft_vec_lerp(q[0], q[1], loft_unit_of(2, 3)), q[1] } };
+            if (loft_plan_push(&plan, &curve) != LOFT_OK)
+                break;
+            next++;
+            idle = 0;
+        }
+        if (next + 1 == count)
+            loft_plan_end(&plan);
+        while (loft_plan_next(&plan, &span) == LOFT_PLAN_SPAN)
+            idle = 0;
+    }
+    CHECK(next + 1 == count && loft_vec_equal(span.p[3], p[count - 1]));
+}
+
+/* Ticks through the points with so many knots. */
+static uint32_t ticks_with(uint16_t room, const loft_vec p[COUNT], uint32_t count)
+{
+    const loft_limits fast = limits_of(200, 2000, 50000);
+    loft_waypoints w;
+    loft_span s;
+    uint32_t ticks = 0;
+
+    CHECK(loft_plan_init(&plan, &fast, moves, MOVES, ahead, room) == LOFT_OK);
+    CHECK(loft_waypoints_init(&w, &plan, p, count, LOFT_REAL(200), knots) == LOFT_OK);
+    while (loft_waypoints_next(&w, &s) == LOFT_PLAN_SPAN)
+        ticks += s.ticks;
+    return ticks;
+}
+
+/* However many axes move. Where a place and its pace share memory, none spoils the other. */
+static void the_memory_of_a_chip_is_enough(arb *a)
+{
+    loft_vec p[COUNT];
+    const uint32_t count = arb_points(a, p), few = ticks_with(LOOK, p, count),
+                   many = ticks_with(LOOK_MOST, p, count);
+
+    CHECK(few <= many + many / 20);
+}
+
 int main(void)
 {
     PROPERTY(each_point_is_passed_in_turn, 25);
+    PROPERTY(the_loop_of_its_header_comes_to_the_end, LOOPS);
+    PROPERTY(so_does_that_of_a_plan, LOOPS);
+    PROPERTY(the_memory_of_a_chip_is_enough, LOOPS / 3);
     PROPERTY(what_cannot_be_moved_is_refused, 200);
     return check_failures();
 }
