@@ -7,6 +7,7 @@
  * point of an outline towards the next one, by the part of the way round that lies behind it.
  */
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,6 +17,7 @@
 #include "plan/region.h"
 
 #define REACH 3.0               /* distances: the next outline is nearer than this, everywhere */
+#define NONE  SIZE_MAX         /* no outline */
 #define LEAST 0.001             /* mm: shorter lines are left out */
 
 typedef struct {
@@ -27,10 +29,18 @@ typedef struct {
     double at[2];
 } drawer;
 
-/* The outlines of one size, and which of them are drawn. */
+/* The boxes of the lines of an outline, and of pairs of them, and of pairs of those: number 1 is
+ * around all, 2 k and 2 k + 1 are in number k, and those of lines come last. */
+typedef struct {
+    double (*box)[2][2];
+    size_t leaves;
+} tree;
+
+/* The outlines of one size, and which of them are drawn; their trees, if they were needed. */
 typedef struct {
     region_rings rings;
     bool *drawn;
+    tree *trees;
 } layer;
 
 static double apart(const double a[2], const double b[2])
@@ -38,21 +48,80 @@ static double apart(const double a[2], const double b[2])
     return hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-/* The nearest point of an outline, and the corner before it. Returns the distance. */
-static double nearest_on(const region_ring *r, const double at[2], double out[2], size_t *corner)
+static void join_boxes(double to[2][2], const double a[2][2], const double b[2][2])
 {
-    double least = HUGE_VAL;
+    for (int i = 0; i < 2; i++) {
+        to[0][i] = fmin(a[0][i], b[0][i]);
+        to[1][i] = fmax(a[1][i], b[1][i]);
+    }
+}
 
-    for (size_t i = 0; i < r->count; i++) {
-        const double *a = r->point[i], *b = r->point[(i + 1) % r->count],
-                     by[2] = { b[0] - a[0], b[1] - a[1] }, square = by[0] * by[0] + by[1] * by[1];
-        const double along = (at[0] - a[0]) * by[0] + (at[1] - a[1]) * by[1],
-                     t     = square > 0 ? fmin(fmax(along / square, 0), 1) : 0,
-                     p[2]  = { a[0] + t * by[0], a[1] + t * by[1] }, way = apart(p, at);
-        if (way < least) {
-            least  = way;
-            out[0] = p[0];
-            out[1] = p[1];
+static void plant(tree *t, const region_ring *r)
+{
+    for (t->leaves = 1; t->leaves < r->count;)
+        t->leaves *= 2;
+    t->box = tool_grow(NULL, 2 * t->leaves * sizeof *t->box);
+    for (size_t i = 0; i < t->leaves; i++) {
+        const size_t k = i < r->count ? i : 0;
+        const double *a = r->point[k], *b = r->point[(k + 1) % r->count];
+        const double ends[2][2][2] = { { { a[0], a[1] }, { a[0], a[1] } },
+                                       { { b[0], b[1] }, { b[0], b[1] } } };
+        join_boxes(t->box[t->leaves + i], ends[0], ends[1]);
+    }
+    for (size_t k = t->leaves - 1; k > 0; k--)
+        join_boxes(t->box[k], (const double(*)[2])t->box[2 * k],
+                   (const double(*)[2])t->box[2 * k + 1]);
+}
+
+static double away_from(const double (*box)[2], const double at[2])
+{
+    const double x = fmax(fmax(box[0][0] - at[0], at[0] - box[1][0]), 0),
+                 y = fmax(fmax(box[0][1] - at[1], at[1] - box[1][1]), 0);
+
+    return hypot(x, y);
+}
+
+/* The nearest point of a line of an outline. Returns the distance. */
+static double nearest_on_line(const region_ring *r, size_t i, const double at[2], double out[2])
+{
+    const double *a = r->point[i], *b = r->point[(i + 1) % r->count],
+                 by[2] = { b[0] - a[0], b[1] - a[1] }, square = by[0] * by[0] + by[1] * by[1];
+    const double along = (at[0] - a[0]) * by[0] + (at[1] - a[1]) * by[1],
+                 t     = square > 0 ? fmin(fmax(along / square, 0), 1) : 0;
+
+    out[0] = a[0] + t * by[0];
+    out[1] = a[1] + t * by[1];
+    return apart(out, at);
+}
+
+/* The nearest point of an outline, and the corner before it, the first of equal ones. Returns the
+ * distance. */
+static double nearest_on(layer *of, size_t which, const double at[2], double out[2], size_t *corner)
+{
+    const region_ring *r = &of->rings.ring[which];
+    tree *t              = &of->trees[which];
+    size_t stack[2 * 64], n = 0;
+    double least = HUGE_VAL, p[2];
+
+    if (t->box == NULL)
+        plant(t, r);
+    stack[n++] = 1;
+    while (n > 0) {
+        const size_t k = stack[--n];
+        if (away_from((const double(*)[2])t->box[k], at) > least * (1 + 1e-12))
+            continue;
+        if (k < t->leaves) {
+            const size_t near = 2 * k + (away_from((const double(*)[2])t->box[2 * k + 1], at) <
+                                         away_from((const double(*)[2])t->box[2 * k], at));
+            stack[n++] = near ^ 1;
+            stack[n++] = near;
+            continue;
+        }
+        const size_t i = k - t->leaves;
+        const double way = i < r->count ? nearest_on_line(r, i, at, p) : HUGE_VAL;
+        if (way < least || (way <= least && i < *corner)) {
+            least = way;
+            memcpy(out, p, sizeof p);
             *corner = i;
         }
     }
@@ -86,8 +155,8 @@ static int line_to(drawer *w, const double to[2])
 
 /* Once round from `from`, which lies behind `corner`. With a next outline the way bends towards it;
  * it then ends there, and `from` is that place. */
-static int draw_ring(drawer *w, const region_ring *r, double from[2], size_t corner,
-                     const region_ring *next)
+static int draw_ring(drawer *w, const region_ring *r, double from[2], size_t corner, layer *inner,
+                     size_t next)
 {
     double all = 0, way = 0, before[2], end[2];
     size_t any;
@@ -101,8 +170,8 @@ static int draw_ring(drawer *w, const region_ring *r, double from[2], size_t cor
         double to[2]    = { p[0], p[1] };
         way += apart(before, p);
         memcpy(before, p, sizeof before);
-        if (next != NULL) {
-            (void)nearest_on(next, p, end, &any);
+        if (next != NONE) {
+            (void)nearest_on(inner, next, p, end, &any);
             const double part = k <= r->count ? fmin(way / all, 1) : 1;
             to[0] += part * (end[0] - p[0]);
             to[1] += part * (end[1] - p[1]);
@@ -113,53 +182,60 @@ static int draw_ring(drawer *w, const region_ring *r, double from[2], size_t cor
     return code;
 }
 
-/* The outline of the next size that follows this one, or NULL. */
-static region_ring *follower(const contour_options *o, layer *next, const region_ring *r)
+/* The outline of the next size that follows this one, or NONE. */
+static size_t follower(const contour_options *o, layer *now, size_t which, layer *next)
 {
+    const region_ring *r = &now->rings.ring[which];
+
     for (size_t i = 0; i < next->rings.count; i++) {
-        region_ring *other = &next->rings.ring[i];
+        const region_ring *other = &next->rings.ring[i];
         double most = 0, at[2];
         size_t corner;
         if (next->drawn[i] || other->hole != r->hole)
             continue;
         for (size_t k = 0; k < other->count && most <= REACH * o->distance; k++)
-            most = fmax(most, nearest_on(r, other->point[k], at, &corner));
+            most = fmax(most, nearest_on(now, which, other->point[k], at, &corner));
         for (size_t k = 0; k < r->count && o->spiral && most <= REACH * o->distance; k++)
-            most = fmax(most, nearest_on(other, r->point[k], at, &corner));
+            most = fmax(most, nearest_on(next, i, r->point[k], at, &corner));
         if (most <= REACH * o->distance) {
             next->drawn[i] = true;
-            return other;
+            return i;
         }
     }
-    return NULL;
+    return NONE;
 }
 
-/* Draw an outline, and what follows it inwards. */
-static int draw_chain(drawer *w, layer all[], size_t layers, size_t k, const region_ring *r)
+/* Draw outline number i of a size, and what follows it inwards. */
+static int draw_chain(drawer *w, layer all[], size_t layers, size_t k, size_t i)
 {
-    double from[2] = { r->point[0][0], r->point[0][1] };
-    size_t corner  = 0;
-    int code       = 0;
-    bool first     = true;
+    double from[2];
+    size_t corner = 0;
+    int code      = 0;
+    bool first    = true;
 
-    begin_at(w, from);
-    while (r != NULL && code == 0) {
-        const region_ring *next = k + 1 < layers ? follower(w->o, &all[k + 1], r) : NULL;
+    begin_at(w, all[k].rings.ring[i].point[0]);
+    memcpy(from, w->at, sizeof from);
+    while (i != NONE && code == 0) {
+        const region_ring *r = &all[k].rings.ring[i];
+        layer *inner         = &all[k + 1];
+        const size_t next    = k + 1 < layers ? follower(w->o, &all[k], i, inner) : NONE;
         if (w->o->spiral && first)                  /* the outermost is drawn whole */
-            code = draw_ring(w, r, from, corner, NULL);
-        if (code == 0 && (!w->o->spiral || next != NULL || !first))
-            code = draw_ring(w, r, from, corner, w->o->spiral ? next : NULL);
-        if (next != NULL) {
-            (void)nearest_on(next, w->at, from, &corner);
+            code = draw_ring(w, r, from, corner, NULL, NONE);
+        if (code == 0 && (!w->o->spiral || next != NONE || !first))
+            code = draw_ring(w, r, from, corner, inner, w->o->spiral ? next : NONE);
+        if (next != NONE) {
+            (void)nearest_on(inner, next, w->at, from, &corner);
             if (!w->o->spiral)
                 begin_at(w, from);
         }
         first = false;
-        r     = next;
+        i     = next;
         k++;
     }
     return code;
 }
+
+static void *zeroed(size_t bytes) { return memset(tool_grow(NULL, bytes), 0, bytes); }
 
 static int shrink_all(const contour_options *o, region *area, layer **all, size_t *layers,
                       const char *file)
@@ -171,7 +247,8 @@ static int shrink_all(const contour_options *o, region *area, layer **all, size_
         region_outlines(area, &one.rings);
         if (one.rings.count == 0)
             return 0;
-        one.drawn        = memset(tool_grow(NULL, one.rings.count), 0, one.rings.count);
+        one.drawn       = zeroed(one.rings.count);
+        one.trees       = zeroed(one.rings.count * sizeof *one.trees);
         *all             = tool_grow(*all, (*layers + 1) * sizeof **all);
         (*all)[*layers] = one;
         ++*layers;
@@ -192,10 +269,13 @@ int contour_fill(const contour_options *o, const drawing *d, size_t first, size_
         for (size_t i = 0; i < all[k].rings.count && code == 0; i++)
             if (!all[k].drawn[i]) {
                 all[k].drawn[i] = true;
-                code = draw_chain(&w, all, layers, k, &all[k].rings.ring[i]);
+                code = draw_chain(&w, all, layers, k, i);
             }
     for (size_t k = 0; k < layers; k++) {
+        for (size_t i = 0; i < all[k].rings.count; i++)
+            free(all[k].trees[i].box);
         region_rings_free(&all[k].rings);
+        free(all[k].trees);
         free(all[k].drawn);
     }
     free(all);
