@@ -17,12 +17,24 @@
 /* bytes; a drawing with the largest number of curves is smaller */
 #define FILE_MAX ((size_t)512 << 20)
 
+/* What unpacks to more than this, and to so many times its size, is a trap: text that somebody wrote
+ * packs to a fiftieth at best, and gzip packs nothing to less than 1/1032. */
+#define TRAP_LEAST ((size_t)32 << 20)
+#define TRAP_TIMES 400
+
 #define SLICE_MAX (64u << 20)           /* bytes; requested at once */
 #define PART      (256u << 10)          /* bytes of whole lines */
 #define LINE_MOST (1 << 20)
 
+static bool is_trap(gzFile stream, size_t used)
+{
+    const z_off_t packed = used > TRAP_LEAST && stream != NULL ? gzoffset(stream) : -1;
+
+    return packed > 0 && used / TRAP_TIMES > (size_t)packed;
+}
+
 /* Read all of `stream`. Returns NULL on failure and sets errno (EFBIG: more than FILE_MAX; EBADMSG:
- * damaged gzip). */
+ * damaged gzip; EOVERFLOW: a trap). */
 static char *slurp_stream(gzFile stream, size_t *size)
 {
     size_t room = 1u << 16, used = 0;
@@ -44,8 +56,8 @@ static char *slurp_stream(gzFile stream, size_t *size)
             *size = used;
             return text;
         }
-        if (used > FILE_MAX) {
-            errno = EFBIG;
+        if (used > FILE_MAX || is_trap(stream, used)) {
+            errno = used > FILE_MAX ? EFBIG : EOVERFLOW;
             break;
         }
         if (used == room)
@@ -90,6 +102,10 @@ static int unreadable(const char *file)
     case EBADMSG:
         return tool_error(
             EX_DATAERR, "%s: is compressed, and damaged or cut off: fetch or pack it again", file);
+    case EOVERFLOW:
+        return tool_error(EX_DATAERR,
+                          "%s: unpacks to more than %d times its size: unpack it, if that is right",
+                          file, TRAP_TIMES);
     case EFBIG:
         return tool_error(EX_DATAERR, "%s: more than %zu MB: split the file", file, FILE_MAX >> 20);
     default:     return tool_error(EX_IOERR, "%s: cannot be read: %s", file, strerror(errno));
@@ -262,6 +278,10 @@ int source_rest(source *s)
 
     s->buffer[s->size] = s->held;
     while (code == 0 && s->stream != NULL && s->used <= FILE_MAX && !s->large) {
+        if (is_trap(s->stream, s->used)) {
+            errno = EOVERFLOW;
+            return unreadable(s->file);
+        }
         widen(s);
         code = fill(s);
     }

@@ -111,6 +111,27 @@ static void packed_files_are_unpacked(arb *a)
     REFUSES_FILE("\x1F\x8B\x08", "is compressed, and damaged or cut off");
 }
 
+/* A small file that unpacks to a large one is refused before all of it is in memory. */
+static void what_unpacks_to_too_much_is_refused(arb *a)
+{
+    static const char text[] = "<svg xmlns='http://www.w3.org/2000/svg'>";
+    static char packed[400000], blank[1 << 20];
+    char name[64];
+    (void)a;
+    memset(blank, ' ', sizeof blank);
+    snprintf(name, sizeof name, "%s/z", folder);
+    gzFile z = gzopen(name, "wb");
+    CHECK(z != NULL && gzwrite(z, text, sizeof text - 1) == (int)sizeof text - 1);
+    for (int i = 0; i < 100; i++)
+        CHECK(gzwrite(z, blank, sizeof blank) == (int)sizeof blank);
+    CHECK(gzclose(z) == Z_OK);
+    FILE *f = fopen(name, "rb");
+    const size_t size = fread(packed, 1, sizeof packed, f);
+    fclose(f);
+    remove(name);
+    check_refused(packed, size, "unpacks to more than 400 times its size", __LINE__);
+}
+
 static void files_that_cannot_be_read(arb *a)
 {
     drawing d = { 0 };
@@ -326,6 +347,7 @@ int main(void)
     PROPERTY(files_are_told_apart_by_content, 1);
     PROPERTY(files_of_other_programs_are_named, 1);
     PROPERTY(packed_files_are_unpacked, 1);
+    PROPERTY(what_unpacks_to_too_much_is_refused, 1);
     PROPERTY(files_that_cannot_be_read, 1);
     PROPERTY(curves_as_numbers, 1);
     PROPERTY(lengths_are_true, 1);
