@@ -281,6 +281,11 @@ int drawing_winding(const drawing_curve *c, const double at[2])
                  y[4] = { c->p[0][1], c->p[1][1], c->p[2][1], c->p[3][1] };
     double t[3];
     int turn[3], sum = 0;
+
+    if (fmin(fmin(x[0], x[1]), fmin(x[2], x[3])) >= at[0])
+        return 0;
+    if (fmax(fmax(x[0], x[1]), fmax(x[2], x[3])) < at[0])   /* all crossings count, up and down */
+        return (y[3] > at[1]) - (y[0] > at[1]);
     const int count = drawing_crossings(y, at[1], t, turn);
 
     for (int k = 0; k < count; k++)

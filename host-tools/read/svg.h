@@ -103,7 +103,8 @@ typedef struct {
     bool clipping;              /* what is drawn now is a clip path */
     bool masking, plain;        /* or a mask; it is white, as a clip path would do */
     bool boxing;                /* or what an element consists of, for its box */
-    unsigned long long compared;/* pairs of curves, to stop a flood of them */
+    unsigned long long compared;/* boxes of pairs of curves, to stop a flood of them; */
+    unsigned long long tiling, since;   /* for patterns; before the outermost pattern under way */
     svg_vertices *vertices;     /* of the current shape; NULL: it has no markers */
     const xmlNode *marking[SVG_MARKINGS];   /* what is drawn now is in these markers, patterns */
     unsigned markings;

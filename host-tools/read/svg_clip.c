@@ -19,7 +19,8 @@
 #define ALONG    1e-3           /* mm: so near to the outline, a piece stays */
 #define LEAST    1e-9           /* of the parameter, between two cuts */
 
-#define WORK_MAX 20000000u      /* pairs of curves that are compared: a few seconds */
+#define MEETING  200u           /* boxes: what it takes to find where two curves meet, 4 us */
+#define WORK_MAX 500000000ull   /* boxes: ten seconds */
 
 drawing_curve svg_within(const drawing_curve *c, const svg_matrix *m)
 {
@@ -126,14 +127,13 @@ static bool add_cuts(svg_reader *r, const drawing *outline, const drawing_curve 
     set_piece(&whole, c);
     r->compared += outline->count + 1;
     if (r->compared > WORK_MAX)
-        return svg_fail(r,
-                        "clipping takes too long: more than %u pairs of curves: clip in the editor",
-                        WORK_MAX);
+        return svg_fail(r, "clipping takes too long: clip in the editor, or by simpler paths");
     for (size_t k = 0; k < outline->count; k++) {
         size_t found;
         if (!are_near(&outline->curve[k], c))
             continue;
         set_piece(&edge, &outline->curve[k]);
+        r->compared += MEETING;
         const int status = engine_f64.measure->meet(&whole, &edge, MEET_TOL, meeting, &found);
         if (status != 0)
             return svg_fail(r, "clip-path: %s", engine_status(status, NULL));
@@ -160,8 +160,8 @@ static bool find_cuts(svg_reader *r, const drawing *outline, const drawing_curve
 }
 
 /* Append the parts of a curve that are inside. *drawn: it goes on where the one before ended. */
-static void keep_parts(const drawing *outline, const drawing_curve *c, const cuts *at, bool fresh,
-                       bool *drawn, drawing *out)
+static void keep_parts(svg_reader *r, const drawing *outline, const drawing_curve *c,
+                       const cuts *at, bool fresh, bool *drawn, drawing *out)
 {
     double begin = 0;
     bool in      = false;
@@ -172,6 +172,7 @@ static void keep_parts(const drawing *outline, const drawing_curve *c, const cut
         if (to - from < LEAST && to < 1)
             continue;
         drawing_eval(c, (from + to) / 2, middle);
+        r->compared += 5 * outline->count;
         const bool now = is_kept(outline, middle);
         if (now && !in)
             begin = from;
@@ -272,7 +273,7 @@ bool svg_cut(svg_reader *r, const drawing *outline, size_t first)
             seen.fill &= ~(unsigned)DRAWING_FILLED;
         good = good && find_cuts(r, outline, c, &at);
         if (good)
-            keep_parts(outline, &seen, &at, fresh, &drawn, &out);
+            keep_parts(r, outline, &seen, &at, fresh, &drawn, &out);
     }
     if (good) {
         d->count = first;

@@ -14,6 +14,7 @@
 #define TILES_MAX    10000u     /* of a drawing */
 #define ELEMENTS_MAX 200000.0   /* drawn for one shape */
 #define PAIRS_MAX    5e6        /* of curves, which are compared to cut the tiles of one shape */
+#define WORK_MAX     30000000ull    /* boxes compared for the patterns of a drawing: 0.7 s */
 #define LINKS        8
 
 /* A pattern, and those that it refers to. */
@@ -172,8 +173,8 @@ static bool draw_tile(svg_reader *r, const tiling *t, const svg_space *style, in
 /* May so many tiles be drawn? The first one tells what each takes. */
 static bool is_bearable(svg_reader *r, double tiles, double elements, double curves, double edges)
 {
-    if (r->tiles + tiles <= TILES_MAX && tiles * elements <= ELEMENTS_MAX &&
-        tiles * curves * edges <= PAIRS_MAX)
+    if (r->tiling + r->compared - r->since <= WORK_MAX && r->tiles + tiles <= TILES_MAX &&
+        tiles * elements <= ELEMENTS_MAX && tiles * curves * edges <= PAIRS_MAX)
         return true;
     svg_warn(r, SVG_WARN_PATTERN,
              "a pattern of %.0f tiles is left out: make its tiles larger, or fewer (%u in a "
@@ -199,6 +200,8 @@ static bool draw_tiles(svg_reader *r, const tiling *t, const svg_space *style,
             if (i == t->first[0] && j == t->first[1])
                 whole = is_bearable(r, tiles, r->visited - visited, (double)(r->d->count - first),
                                     (double)outline->count);
+            else
+                whole = is_bearable(r, tiles, 1, 1, 1);
         }
     if (!whole)
         r->d->count = first;
@@ -225,11 +228,15 @@ bool svg_pattern(svg_reader *r, const svg_space *of)
     if (seen)
         place_tiles(r, &c, of, &outline, &t);
     if (good && seen && t.last[0] >= t.first[0] && t.last[1] >= t.first[1]) {
+        if (r->markings == 0)
+            r->since = r->compared;
         r->marking[r->markings++] = of->pattern;
         good = svg_enter_from_root(r, t.content, &style, scope, SVG_DEPTH_MAX, &scopes, &shown);
         r->node = was;
         good    = good && (!shown || draw_tiles(r, &t, &style, &outline));
         r->markings--;
+        if (r->markings == 0)
+            r->tiling += r->compared - r->since;
     }
     while (scopes > 0)
         svg_scope_close(&scope[--scopes]);

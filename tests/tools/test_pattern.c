@@ -64,6 +64,30 @@ static void too_many_are_left_out_and_told(arb *a)
     CHECK(caught_lines == 0);
 }
 
+/* Patterns in the tiles of others: 1.4 kB would take minutes. */
+static void nested_ones_are_bounded(arb *a)
+{
+    char text[3000] = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'>";
+    drawing d;
+    (void)a;
+    for (int i = 0; i < 3; i++) {
+        const double w = 100 / exp2(i + 1);
+        sprintf(text + strlen(text),
+                "<pattern id='p%d' patternUnits='userSpaceOnUse' width='%g' height='%g' "
+                "patternTransform='rotate(%d)'>",
+                i, w, w, 7 * i + 3);
+        for (int k = 0; k < 4; k++)
+            sprintf(text + strlen(text),
+                    "<path d='M0 %gC%g 0 0 %g %g %gS%g 0 0 0z' stroke='red' fill='url(#p%d)'/>",
+                    k * w / 4, w, w, w, w, w / 2, i + 1);
+        strcat(text, "</pattern>");
+    }
+    strcat(text, "<path d='M0 0C90 0 0 90 100 100H0z' fill='url(#p0)'/><path d='M0 0H9'/></svg>");
+    CHECK(read_svg(&d, text) == 0 && caught_lines == 1 && strstr(caught, "is left out") != NULL);
+    CHECK(d.count == 1);
+    drawing_free(&d);
+}
+
 /* One line, and the shapes are filled without what is at fault. */
 static void faults_in_them_are_told(arb *a)
 {
@@ -85,6 +109,7 @@ static void faults_in_them_are_told(arb *a)
 int main(void)
 {
     PROPERTY(faults_in_them_are_told, 10);
+    PROPERTY(nested_ones_are_bounded, 1);
     PROPERTY(tiles_are_cut_at_the_shape, 1);
     PROPERTY(their_size_may_be_that_of_the_shape, 1);
     PROPERTY(they_inherit_from_where_they_refer_to, 1);
