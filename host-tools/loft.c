@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/describe.h"   /* describe_all */
+#include "base/progress.h"   /* progress_watch */
 #include "base/tool.h"       /* tool_command */
 #include "loft.h"            /* LOFT_VERSION */
 
@@ -50,12 +51,29 @@ static int flushed(int code)
     return code;
 }
 
+/* Those that talk to a machine say themselves what they wait for. */
+static bool waits_for_machine(const tool_command *c)
+{
+    static const tool_command *const those[] = {
+        &command_stream, &command_simulate, &command_monitor, &command_zero,  &command_home,
+        &command_unlock, &command_go,       &command_jog,     &command_probe, &command_pen,
+        &command_park,   &command_ports,    &command_set,     &command_settings
+    };
+
+    for (size_t i = 0; i < sizeof those / sizeof *those; i++)
+        if (c == those[i])
+            return true;
+    return false;
+}
+
 static int run(const char *name, int argc, char **argv)
 {
     const tool_command *c = find(name);
 
     if (c == NULL)
         return tool_error(EX_USAGE, "unknown command %s: see `loft --help`", name);
+    if (!waits_for_machine(c))
+        progress_watch(c->name);
     return flushed(c->run(c, argc, argv));
 }
 

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "base/keys.h"
+#include "base/progress.h"       /* progress_watch */
 
 static struct termios before;
 static volatile sig_atomic_t raw, stops, at_once;
@@ -61,6 +62,7 @@ static void fall(int number)
 void keys_hasty(bool hasty)
 {
     at_once = hasty;
+    progress_watch(hasty ? "planning" : NULL);
     if (hasty && stops > 0)
         stop(SIGINT);
 }

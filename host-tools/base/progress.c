@@ -1,11 +1,14 @@
 /* host-tools/base/progress.c -- a progress bar with the remaining time
  * SPDX-License-Identifier: MIT
  */
+#include <errno.h>
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include "base/progress.h"
@@ -14,7 +17,7 @@
 
 #define BAR 24
 
-static bool drawn;          /* some bar is on the terminal */
+static volatile sig_atomic_t drawn;     /* some bar is on the terminal */
 
 static int columns(void)
 {
@@ -88,4 +91,57 @@ void progress_clear_any(void)
     if (drawn)
         fputs("\r\033[K", stderr);
     drawn = false;
+}
+
+
+// Silence
+// -------
+
+/* A signal handler reaches globals only. */
+static struct {
+    char text[128];
+    size_t size;
+    volatile sig_atomic_t seconds, due;
+} watched;
+
+/* Only async-signal-safe calls. */
+static void tell_silence(int number)
+{
+    const int before = errno;
+    char line[160], digits[12];
+    size_t used = 0, count = 0;
+
+    (void)number;
+    watched.seconds = watched.seconds + 1;
+    if (!drawn && watched.seconds >= watched.due) {
+        watched.due = 10 * watched.due;
+        for (int n = watched.seconds; n > 0; n /= 10)
+            digits[count++] = (char)('0' + n % 10);
+        for (; used < watched.size; used++)
+            line[used] = watched.text[used];
+        while (count > 0)
+            line[used++] = digits[--count];
+        for (const char *rest = " s by now; ^C ends it\n"; *rest != '\0'; rest++)
+            line[used++] = *rest;
+        if (write(STDERR_FILENO, line, used) < 0)
+            watched.due = 0;
+    }
+    errno = before;
+}
+
+void progress_watch(const char *what)
+{
+    const struct itimerval each = { { what ? 1 : 0, 0 }, { what ? 1 : 0, 0 } };
+    struct sigaction action     = { .sa_flags = SA_RESTART };
+
+    if (!isatty(STDERR_FILENO))
+        return;
+    watched.seconds = 0;
+    watched.due     = 1;
+    if (what != NULL)
+        watched.size = (size_t)snprintf(watched.text, sizeof watched.text,
+                                        "working: %.80s: ", what);
+    action.sa_handler = what != NULL ? tell_silence : SIG_IGN;
+    (void)sigaction(SIGALRM, &action, NULL);
+    (void)setitimer(ITIMER_REAL, &each, NULL);
 }

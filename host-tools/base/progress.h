@@ -29,4 +29,8 @@ void progress_rest(progress *p);
 void progress_clear(progress *p);
 void progress_clear_any(void);
 
+/* From now on the program computes: on a terminal, a line says so after 1 s, 10 s and so on, if no
+ * bar is drawn. `what` must stay; NULL: it does not compute any more. */
+void progress_watch(const char *what);
+
 #endif

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/say.h"
-#include "base/tool.h"           /* tool_grow */
 
 #define ESCAPED 12          /* bytes of an escaped character, at most, with its end */
 
@@ -96,13 +95,16 @@ int say_list(FILE *out, const char *format, va_list values)
     va_copy(again, values);
     const int length = vsnprintf(short_text, sizeof short_text, format, values);
     if (length >= (int)sizeof short_text) {
-        text = tool_grow(NULL, (size_t)length + 1);
-        (void)vsnprintf(text, (size_t)length + 1, format, again);
+        text = malloc((size_t)length + 1);
+        if (text != NULL)
+            (void)vsnprintf(text, (size_t)length + 1, format, again);
+        else
+            text = short_text;          /* its beginning is better than nothing */
     }
     va_end(again);
     const size_t size = strlen(format);
     const bool line   = length > 0 && size > 0 && format[size - 1] == '\n';
-    if (line)
+    if (line && strlen(text) == (size_t)length)
         text[length - 1] = '\0';
     for (const char *at = text; length > 0 && *at != '\0';) {
         at += put(at, one);

@@ -38,10 +38,10 @@ static int draw_curve(pen *out)
     const int opened = drawn_pieces(out->c, draw_piece, out),
               status = opened != 0 ? opened : out->status;
 
-    if (status != 0)
-        return tool_error(EX_DATAERR, "%s:%u: %s: %s", out->file, out->c->line,
-                          curve_name(out->c->kind), curve_status(out->c, status));
-    return out->code;
+    if (out->code != 0 || status == 0)      /* the first fault is told alone */
+        return out->code;
+    return tool_error(EX_DATAERR, "%s:%u: %s: %s", out->file, out->c->line,
+                      curve_name(out->c->kind), curve_status(out->c, status));
 }
 
 int drawing_read_curves(drawing *d, const char *file, const char *text)

@@ -46,10 +46,21 @@ static int ask_nets(net_question *q, engine_net_visit *visit)
     return status;
 }
 
+static int open_only(void *context, loft_net net, const engine_net_part *part)
+{
+    (void)context;
+    (void)net;
+    (void)part;
+    return LOFT_OK;
+}
+
+/* One that cannot be asked is told before another is, which may take long; a row is told at once. */
 static int ask_each(net_question *q, engine_net_visit *visit, void (*tell)(const net_question *q))
 {
     int status = LOFT_OK;
 
+    for (q->number = 0; q->number < q->in->surfaces->count && status == LOFT_OK; q->number++)
+        status = ask_nets(q, open_only);
     for (q->number = 0; q->number < q->in->surfaces->count && status == LOFT_OK; q->number++) {
         q->found = false;
         q->proved = true;
@@ -59,6 +70,7 @@ static int ask_each(net_question *q, engine_net_visit *visit, void (*tell)(const
         status = ask_nets(q, visit);
         if (status == LOFT_OK)
             tell(q);
+        fflush(stdout);
     }
     return status;
 }

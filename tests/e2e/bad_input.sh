@@ -38,6 +38,29 @@ case_words_of_others_are_made_visible() {
     one_line 64 'x1b' "$loft" plan $'--\e[1m'; visible err
     one_line 64 'x1b' "$loft" $'\e[1m'; visible err
 }
+# a terminal hears of a long computation within seconds; what cannot be asked is told before it
+case_a_long_computation_says_so() {
+    printf 'octant 91.0741\n0.187034 0.333294 6.99643\n' >"$tmp/long.loft"
+    timeout 60 python3 - "$loft" measure "$tmp/long.loft" >"$tmp/out" <<'PY'
+import os, pty, signal, sys
+pid, fd = pty.fork()
+if pid == 0:
+    os.execv(sys.argv[1], sys.argv[1:])
+got = b''
+while b'ends it' not in got:
+    got += os.read(fd, 1000)
+os.kill(pid, signal.SIGKILL)
+print(got.decode())
+PY
+    says out '^working: measure: 1 s by now; ^C ends it'
+    { cat "$tmp/long.loft"; echo 'bicubic'; for i in 1 2 3 4; do
+          for k in 1 2 3 4; do echo "$i 9$k $k"; done; done; } |
+        sed '$s/.*/132.659 2147483648 143.245/' >"$tmp/both.loft"
+    one_line 65 'area: the numbers do not fit' timeout 10 "$loft" measure "$tmp/both.loft"
+    printf 'bezier\n0 0\n1 1\n2 0\n3 1\n4 0\n5 1\n6 0\n7 1\n8 0\n9 1\n10 0\n1e38 2\n' \
+        >"$tmp/two.loft"
+    one_line 65 'two.loft:1: .* mm is beyond' "$loft" plan "$tmp/two.loft"
+}
 # what the library refuses is told as what it is there, never as another cause
 case_a_refused_argument_is_told_by_its_place() {
     one_line 65 'copositive: these numbers do not suit: give a symmetric matrix' \

@@ -340,6 +340,28 @@ static void long_files_are_read_in_parts(arb *a)
     remove(name);
 }
 
+/* Curves of each degree, some of whose numbers no drawing has. */
+static void one_fault_has_one_line(arb *a)
+{
+    static const double scales[] = { 1, 100, 1e4, 1e5, 1e9, 1e38, 1e300 };
+    const unsigned degree = 1 + arb_below(a, 15);
+    char text[2000] = "bezier\n";
+    drawing d       = { 0 };
+
+    for (unsigned k = 0; k <= degree; k++) {
+        const double scale = arb_below(a, 3) ? 1 : scales[arb_below(a, 7)];
+        const size_t used  = strlen(text);
+        snprintf(text + used, sizeof text - used, "%g %g\n",
+                 scale * (double)arb_below(a, 1000) / 100,
+                 scale * (double)arb_below(a, 1000) / 100);
+    }
+    caught[0]    = '\0';
+    caught_lines = 0;
+    const int code = drawing_read_curves(&d, "x.loft", text);
+    CHECK(caught_lines == (code != 0));
+    drawing_free(&d);
+}
+
 int main(void)
 {
     if (mkdtemp(folder) == NULL)
@@ -350,6 +372,7 @@ int main(void)
     PROPERTY(what_unpacks_to_too_much_is_refused, 1);
     PROPERTY(files_that_cannot_be_read, 1);
     PROPERTY(curves_as_numbers, 1);
+    PROPERTY(one_fault_has_one_line, 300);
     PROPERTY(lengths_are_true, 1);
     PROPERTY(boxes_are_tight, 500);
     PROPERTY(the_demo_drawing_is_whole, 1);
