@@ -2,15 +2,36 @@
  * SPDX-License-Identifier: MIT
  */
 #include <errno.h>
+#include <fcntl.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/create.h"
 #include "base/tool.h"
 
+static bool is_followed(const char *name) { return strncmp(name, "/dev/", 5) == 0; }
+
+FILE *create_file(const char *name)
+{
+    const int fd = open(
+        name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | (is_followed(name) ? 0 : O_NOFOLLOW),
+        0666);
+    FILE *file   = fd >= 0 ? fdopen(fd, "w") : NULL;
+    if (fd >= 0 && file == NULL)
+        close(fd);
+    return file;
+}
+
 int create_refused(const char *name, int why)
 {
+    if (why == ELOOP)
+        return tool_error(EX_CANTCREAT,
+                          "%s: is a symbolic link, and no file is written through one: name the "
+                          "file that it points to, or remove the link",
+                          name);
     return tool_error(
         EX_CANTCREAT,
         "%s: cannot be written: %s: name a place in a folder that exists and is yours", name,
@@ -20,9 +41,12 @@ int create_refused(const char *name, int why)
 int create_check(const char *name)
 {
     char folder[4096];
+    struct stat info;
 
     if (name == NULL || strcmp(name, "-") == 0)
         return 0;
+    if (!is_followed(name) && lstat(name, &info) == 0 && S_ISLNK(info.st_mode))
+        return create_refused(name, ELOOP);
     if (access(name, F_OK) == 0)
         return access(name, W_OK) == 0 ? 0 : create_refused(name, errno);
     size_t length = strlen(name);

@@ -4,6 +4,13 @@
 #ifndef LOFT_CREATE_H
 #define LOFT_CREATE_H
 
+#include <stdio.h>
+
+/* fopen to write a file that is made or emptied. What a symbolic link points to is not touched:
+ * links that somebody put there would lead to any file of the user. Those of /dev are followed, as
+ * /dev/stdout. NULL, with errno: ELOOP for a link. */
+FILE *create_file(const char *name);
+
 /* Tell that a file could not be made, and why: an `errno`. Returns EX_CANTCREAT. */
 int create_refused(const char *name, int why);
 

@@ -160,9 +160,10 @@ static void man_command(const tool_command *self, const tool_option options[])
     puts(".TP\n\\fB\\-\\-help\\fR\nPrint a summary of these options.\n"
          ".SH \"EXIT STATUS\"\n"
          "0, or a code of\n.IR sysexits.h :\n"
-         "64 usage, 65 data, 66 no such file, 69 no machine, 70 a fault of loft, 73 a file cannot "
-         "be written,\n74 reading or writing failed, 75 try again, 76 the machine does not "
-         "understand, 78 the machine refuses.\n"
+         "64 usage, 65 data, 66 no such file, 68 no such host, 69 no machine, 70 a fault of loft,\n"
+         "71 no memory or files left, 73 a file cannot be written, or is a symbolic link,\n"
+         "74 reading or writing failed, 75 try again, 76 the machine does not understand,\n"
+         "77 not permitted, 78 the machine refuses.\n"
          ".SH \"SEE ALSO\"\n.BR loft (1)");
 }
 

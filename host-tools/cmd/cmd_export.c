@@ -226,7 +226,7 @@ static int write_form(const export_wishes *w, enum form form, const drawing *d,
 static int write_file(const export_wishes *w, enum form form, const drawing *d,
                       const drawing *smooth)
 {
-    FILE *out = w->output ? fopen(w->output, "w") : stdout;
+    FILE *out = w->output ? create_file(w->output) : stdout;
 
     if (out == NULL)
         return create_refused(w->output, errno);

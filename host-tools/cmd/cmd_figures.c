@@ -14,6 +14,7 @@
 
 #include "engine/engine.h"
 #include "study/figures.h"
+#include "base/create.h"         /* create_file */
 #include "base/tool.h"
 
 #define LINE   2048
@@ -103,10 +104,10 @@ static int run_line(const exhibition *x, const char *line, FILE *to)
 
 static FILE *open_file(const char *name, const char *mode)
 {
-    FILE *f = fopen(name, mode);
+    FILE *f = *mode == 'r' ? fopen(name, mode) : create_file(name);
 
     if (f == NULL)
-        tool_error(EX_CANTCREAT, "%s: %s: name another folder", name, strerror(errno));
+        (void)create_refused(name, errno);
     return f;
 }
 

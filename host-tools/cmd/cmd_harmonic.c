@@ -162,7 +162,7 @@ static int write_table(const harmonic_series *s, const engine *e, const char *ou
                        strcmp(output + length - 4 * (length > 4), ".csv") != 0))
         return tool_error(EX_USAGE, "%s: what kind of file: give a name that ends with .h or .csv",
                           output);
-    FILE *out = fopen(output, "w");
+    FILE *out = create_file(output);
     if (out == NULL)
         return create_refused(output, errno);
     c_name_of(output, name);

@@ -166,7 +166,7 @@ static int open_rows(report *r)
 
     if (!(r->o->rate > 0) && !r->o->spans)
         return 0;
-    r->rows = name == NULL ? stdout : fopen(name, "w");
+    r->rows = name == NULL ? stdout : create_file(name);
     return r->rows != NULL ? 0 : create_refused(name, errno);
 }
 

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/create.h"
 #include "base/say.h"
 #include "base/tool.h"
 #include "send/grbl.h"
@@ -26,11 +27,10 @@ static void print_settings(const machine_file *m, const char *title, FILE *out)
 
 static int save_settings(const machine_file *m, const char *title, const char *file)
 {
-    FILE *out = fopen(file, "w");
+    FILE *out = create_file(file);
 
     if (out == NULL)
-        return tool_error(EX_CANTCREAT, "%s: %s: name a file that can be written", file,
-                          strerror(errno));
+        return create_refused(file, errno);
     print_settings(m, title, out);
     if ((ferror(out) | fclose(out)) != 0)
         return tool_error(EX_IOERR, "%s: is not complete: %s: is the disk full?", file,

@@ -129,7 +129,7 @@ int mesh_write(const mesh *m, const char *output, size_t *triangles)
 
     if (!stl && !ends_with(output, ".ply"))
         return tool_error(EX_USAGE, "%s: give a name that ends with .stl or .ply", output);
-    FILE *file = fopen(output, "wb");
+    FILE *file = create_file(output);
     if (file == NULL)
         return create_refused(output, errno);
     *triangles = every_triangle(m, NULL, NULL);

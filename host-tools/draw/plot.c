@@ -354,7 +354,7 @@ cairo_surface_t *plot_begin(plot_view *v, const char *output)
     bool png;
 
     (void)plot_known(output, &png);
-    v->file   = fopen(output, "wb");
+    v->file   = create_file(output);
     v->failed = v->file == NULL ? errno : 0;
     cairo_surface_t *canvas =
         png ? cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)ceil(v->width),

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,6 +22,30 @@
 // Reading
 // -------
 
+/* Refuse options that were given, and say nothing about a file of this kind. */
+static bool other_options(const drawing *d, const char *file, bool svg, bool gcode)
+{
+    char line[24];
+    const struct {
+        bool suits;
+        const char *option, *value, *why;
+    } given[] = {
+        { svg, "layer", d->layers, "only SVG has layers" },
+        { svg, "only", d->only, "only SVG has colours" },
+        { svg, "text", d->text, "only SVG has text" },
+        { gcode, "from-line", d->from_line > 0 ? line : NULL,
+          "only G-code has lines that are run" },
+        { gcode, "dialect", d->dialect != GCODE_ANY ? "" : NULL, "only G-code has dialects" },
+    };
+
+    snprintf(line, sizeof line, "%u", d->from_line);
+    for (size_t i = 0; i < sizeof given / sizeof *given; i++)
+        if (!given[i].suits && given[i].value != NULL)
+            return tool_error(EX_USAGE, "%s: --%s%s%s: %s: leave it out", file, given[i].option,
+                              given[i].value[0] ? " " : "", given[i].value, given[i].why) != 0;
+    return false;
+}
+
 /* The source has given its first part, which is all of the file unless it is of lines. */
 static int read_parts(drawing *d, const char *file, source *s)
 {
@@ -31,25 +56,21 @@ static int read_parts(drawing *d, const char *file, source *s)
         return tool_error(EX_DATAERR,
                           "%s: is empty: a drawing is expected, SVG, G-code, CSV or .loft", file);
     if (source_is_xml(text))
-        return drawing_read_svg(d, file, text, size);
+        return other_options(d, file, true, false) ? EX_USAGE
+                                                   : drawing_read_svg(d, file, text, size);
     if (foreign_refuse(file, text, size) != 0)
         return EX_DATAERR;
-    if (d->layers != NULL)
-        return tool_error(EX_USAGE, "%s: --layer %s: only SVG has layers: leave it out", file,
-                          d->layers);
-    if (d->only != NULL)
-        return tool_error(EX_USAGE, "%s: --only %s: only SVG has colours: leave it out", file,
-                          d->only);
     if (strlen(text) != size)
         return tool_error(
             EX_DATAERR, "%s: is not text: a drawing is expected, SVG, G-code, CSV or .loft", file);
     if (s->stream != NULL && text[size - 1] != '\n')
         return tool_error(EX_DATAERR, "%s:1: a line of more than 1 MB: split it", file);
-    if (curves_is_text(file, text))
+    const bool loft = curves_is_text(file, text), gcode = !loft && gcode_is_text(file, text);
+    if (other_options(d, file, false, gcode))
+        return EX_USAGE;
+    if (loft)
         return drawing_read_curves(d, file, text);
-    if (gcode_is_text(file, text))
-        return drawing_gcode_parts(d, file, s);
-    return drawing_csv_parts(d, file, s);
+    return gcode ? drawing_gcode_parts(d, file, s) : drawing_csv_parts(d, file, s);
 }
 
 /* Can it be read in parts? */

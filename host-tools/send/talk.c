@@ -5,6 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/create.h"
 #include "base/keys.h"           /* keys_interrupted */
 #include "send/talk.h"
 #include "send/unfinished.h"
@@ -192,10 +193,8 @@ static int open_log(talk *t, const char *file)
         return 0;
     wire_text_init(&t->down, '>');
     wire_text_init(&t->up, '<');
-    t->log = fopen(file, "w");
-    return t->log != NULL ? 0
-                          : tool_error(EX_CANTCREAT, "%s: %s: name a log that can be written", file,
-                                       strerror(errno));
+    t->log = create_file(file);
+    return t->log != NULL ? 0 : create_refused(file, errno);
 }
 
 int talk_open(talk *t, const char *port, unsigned baud, double seconds, const char *log)

@@ -18,7 +18,7 @@ int host_memory_open(const char *name)
     memset(memory, 0xFF, sizeof memory);
     if (!name)
         return 0;
-    file = open(name, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    file = open(name, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (file >= 0 && read(file, memory, sizeof memory) >= 0)
         return 0;
     fprintf(stderr, "loft: %s: %s: name a file that can be written, for the settings\n", name,

@@ -4,6 +4,7 @@
 #include "host/record.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <string.h>
 #include <sysexits.h>
 
@@ -30,12 +31,21 @@ static void write_header(FILE *file, const struct loft_host_options *o)
     fprintf(file, "\n");
 }
 
+/* A link is not followed, except those of /dev. */
+static FILE *create(const char *name)
+{
+    const int follow = strncmp(name, "/dev/", 5) == 0 ? 0 : O_NOFOLLOW,
+              fd     = open(name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | follow, 0666);
+
+    return fd >= 0 ? fdopen(fd, "w") : NULL;
+}
+
 int host_record_open(struct host_record *r, const struct loft_host_options *o)
 {
     memset(r, 0, sizeof *r);
     if (!o->record)
         return 0;
-    r->file = strcmp(o->record, "-") == 0 ? stdout : fopen(o->record, "we");
+    r->file = strcmp(o->record, "-") == 0 ? stdout : create(o->record);
     if (!r->file)
         return report_error(o);
     write_header(r->file, o);

@@ -22,6 +22,52 @@ case_bad_drawings() {
     printf '0,0 1,1\n0,zero\n'   >"$tmp/word.txt"
     one_line 65 'word.txt:1' "$loft" eval "$tmp/word.txt"
 }
+case_options_of_other_files_are_refused() {
+    local o
+    printf '<svg xmlns="http://www.w3.org/2000/svg" width="9mm" height="9mm">%s</svg>' \
+        '<path stroke="red" d="M0,0L5,5"/>' >"$tmp/a.svg"
+    printf 'G1 X5 F100\n' >"$tmp/a.nc"
+    printf 'bezier\n0 0\n1 1\n' >"$tmp/a.loft"
+    for o in '--from-line 3' '--dialect grbl'; do
+        for f in a.svg a.loft small.csv; do
+            one_line 64 "$f: ${o%% *}.*only G-code has" "$loft" plan "$tmp/$f" $o
+        done
+    done
+    for o in '--layer 1' '--only red' '--text none'; do
+        for f in a.nc a.loft small.csv; do
+            one_line 64 "$f: $o: only SVG has" "$loft" stream --dry-run "$tmp/$f" $o
+        done
+    done
+}
+# every exit code that the program can give is in the table of host-tools/README.md
+case_exit_codes_are_documented() {
+    local code name number
+    grep -hoE '\bEX_[A-Z]+' host-tools/*.c host-tools/*/*.[ch] | sort -u | while read -r name; do
+        number=$(printf '#include <sysexits.h>\n%s\n' "$name" | cc -E -P - | tail -1)
+        [ "$number" = 0 ] || echo "$number"
+    done >"$tmp/given"
+    sed -n '/^| code |/,/^$/s/^| \([0-9, ]*\) |.*/\1/p' host-tools/README.md | tr -d ' ' |
+        tr ',' '\n' >"$tmp/told"
+    run 0 "$loft" stream --help=man
+    [ "$(wc -l <"$tmp/given")" -gt 9 ] || job_fails "the codes were not found"
+    for code in $(cat "$tmp/given"); do
+        grep -qx "$code" "$tmp/told" || job_fails "exit code $code is in no table"
+        grep -qE "(^|[ ,])$code [a-z]" "$tmp/out" || job_fails "exit code $code is not in man"
+    done
+}
+case_links_are_not_written_through() {
+    printf 'precious\n' >"$tmp/kept"
+    for name in link link.svg link.h; do ln -s kept "$tmp/$name"; done
+    one_line 73 'is a symbolic link' "$loft" plan "$tmp/small.csv" --spans -o "$tmp/link"
+    one_line 73 'is a symbolic link' "$loft" plot "$tmp/small.csv" -o "$tmp/link.svg"
+    one_line 73 'is a symbolic link' "$loft" export "$tmp/small.csv" -o "$tmp/link.h"
+    one_line 73 'is a symbolic link' "$loft" stream "$tmp/small.csv" --port "$tmp/none" \
+        --log "$tmp/link"
+    run 73 "$loft" simulate --record "$tmp/link" --link "$tmp/l"
+    run 73 "$loft" simulate --keep "$tmp/link" --link "$tmp/l"
+    run 0 "$loft" plan "$tmp/small.csv" --spans -o /dev/stdout; [ -s "$tmp/out" ] || job_fails empty
+    [ "$(cat "$tmp/kept")" = precious ] || job_fails "written through a link"
+}
 case_words_of_others_are_made_visible() {
     local odd=$'\e[31mred\u9b\u202e\n.nc'
     one_line 66 '\\x1b.31mred\\u009b\\u202e\\x0a.nc: no such file' "$loft" plan "$tmp/$odd"
@@ -254,7 +300,7 @@ case_bad_places_for_files() {
             timeout 10 "$loft" $job
     done
     one_line 73 'folder' "$loft" figures family -o "$none"
-    one_line 73 'name a log' "$loft" stream "$tmp/small.csv" --port "$tmp/no" --log "$none"
+    one_line 73 'name a place in a folder' "$loft" stream "$tmp/small.csv" --port "$tmp/no" --log "$none"
     one_line 73 'name a file that can be written' "$loft" simulate --record "$none" --link "$tmp/l"
     one_line 73 'name a place in a folder that exists' "$loft" simulate --link "$none"
     one_line 73 'name a file that can be written' "$loft" simulate --link "$tmp/l" --keep "$none"

@@ -150,7 +150,7 @@ case_settings_that_cannot_be() {
     one_line 78 'queue is part of the machine.s firmware' "$loft" set queue=9 "${to[@]}"
     one_line 78 'tolerance is about the plan' "$loft" set tolerance=0.1 "${to[@]}"
     one_line 78 'this board cannot do it: pulse' "$loft" set pulse=9 "${to[@]}"
-    one_line 73 'name a file that can be written' \
+    one_line 73 'name a place in a folder' \
         "$loft" settings "${to[@]}" --save "$tmp/none/saved.txt"
     run 0 "$loft" settings "${to[@]}"; says out 'it keeps none yet'      # nothing was changed
     run 0 "$loft" set x.travel=100 "${to[@]}"
