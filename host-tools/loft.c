@@ -4,8 +4,10 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/describe.h"   /* describe_all */
+#include "base/near.h"       /* near_try */
 #include "base/progress.h"   /* progress_watch */
 #include "base/tool.h"       /* tool_command */
 #include "loft.h"            /* LOFT_VERSION */
@@ -66,12 +68,35 @@ static bool waits_for_machine(const tool_command *c)
     return false;
 }
 
+static int unknown_command(const char *name)
+{
+    static const char *const others[][2] = { { "draw", "stream" },   { "send", "stream" },
+                                             { "print", "stream" },  { "show", "plot" },
+                                             { "preview", "plot" },  { "view", "plot" },
+                                             { "convert", "export" } };
+    near_words near = { .word = name, .length = strlen(name) };
+    char meant[160];
+
+    if (access(name, F_OK) == 0)
+        return tool_error(EX_USAGE,
+                          "%s: is a file, and no command: `loft plot %s` shows it, `loft stream %s "
+                          "--port PORT` draws it: see `loft --help`",
+                          name, name, name);
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        if (strcmp(others[i][0], name) == 0)
+            near = (near_words){ others[i][1], strlen(others[i][1]), { 0 }, { 0 } };
+    for (size_t i = 0; i < COMMANDS; i++)
+        near_try(&near, commands[i]->name);
+    return tool_error(EX_USAGE, "unknown command %s%s: see `loft --help`", name,
+                      near_text(&near, "", meant));
+}
+
 static int run(const char *name, int argc, char **argv)
 {
     const tool_command *c = find(name);
 
     if (c == NULL)
-        return tool_error(EX_USAGE, "unknown command %s: see `loft --help`", name);
+        return unknown_command(name);
     if (!waits_for_machine(c))
         progress_watch(c->name);
     return flushed(c->run(c, argc, argv));

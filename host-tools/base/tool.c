@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "base/describe.h"   /* describe_command */
+#include "base/near.h"       /* near_try */
 #include "base/progress.h"   /* progress_clear_any */
 #include "base/say.h"
 #include "base/screen.h"     /* screen_close */
@@ -183,6 +184,17 @@ static bool is_abbreviated(char **argv, const char *name)
     return strncmp(word, "--", 2) == 0 && strcspn(word + 2, "=") != strlen(name);
 }
 
+static int unknown_option(const tool_command *self, const tool_option options[], const char *word)
+{
+    near_words near = { .word = word + 2, .length = strcspn(word + 2, "=") };
+    char meant[160];
+
+    for (int i = 0; strncmp(word, "--", 2) == 0 && options[i].kind != TOOL_END; i++)
+        near_try(&near, options[i].name);
+    return tool_error(EX_USAGE, "%s is not an option of %s%s: see `loft %s --help`", word,
+                      self->name, near_text(&near, "--", meant), self->name);
+}
+
 static int parse_options(const tool_command *self, const tool_option options[], size_t count,
                          int argc, char **argv)
 {
@@ -213,8 +225,7 @@ static int parse_options(const tool_command *self, const tool_option options[], 
             code = tool_error(EX_USAGE, "%s needs a value: see `loft %s --help`", argv[optind - 1],
                               self->name);
         } else if (c != 0) {
-            code = tool_error(EX_USAGE, "%s is not an option of %s: see `loft %s --help`",
-                              argv[optind - 1], self->name, self->name);
+            code = unknown_option(self, options, argv[optind - 1]);
         } else if (is_abbreviated(argv, options[which].name)) {
             code = tool_error(EX_USAGE, "--%s: write the whole name: see `loft %s --help`",
                               options[which].name, self->name);

@@ -23,6 +23,11 @@ static int refuse(const char *file, unsigned line, int count, const char *rest)
         return tool_error(
             EX_DATAERR, "%s:%u: more than eight numbers: a curve is x0,y0,x1,y1,x2,y2,x3,y3 in mm",
             file, line);
+    if ((count == 2 || count == 3) && (*rest == '\0' || *rest == '\n' || *rest == '#'))
+        return tool_error(EX_DATAERR,
+                          "%s:%u: %d numbers: a curve is x0,y0,x1,y1,x2,y2,x3,y3 in mm; rows of "
+                          "points become a polyline by a line `line` before them, in LOFT.md",
+                          file, line, count);
     if (*rest == '\0' || *rest == '\n' || *rest == '#')
         return tool_error(EX_DATAERR, "%s:%u: %d numbers: a curve is x0,y0,x1,y1,x2,y2,x3,y3 in mm",
                           file, line, count);

@@ -15,6 +15,7 @@ typedef struct {
 
 #define CONVERT "convert it, as with `inkscape FILE --export-filename=drawing.svg`"
 #define TRACE   "trace it to paths, as with `potrace --svg` or in inkscape"
+#define GERBER  "convert it, as with `gerbv -x svg`, or to G-code with pcb2gcode"
 #define UNPACK  "unpack it first"
 #define KIND(start, name, remedy) { start, sizeof start - 1, name, remedy }
 
@@ -25,7 +26,7 @@ static const foreign kinds[] = {
     KIND("AutoCAD Binary DXF", "DXF", CONVERT),
     KIND("AC10", "DWG", "save it as SVG in the program that drew it"),
     KIND("ISO-10303-21", "STEP", "save the outline as SVG in the program that drew it"),
-    KIND("%FS", "Gerber", "convert it, as with `gerbv -x svg`"),
+    KIND("%FS", "Gerber", GERBER),
     KIND("\x89PNG", "a PNG picture", TRACE),
     KIND("\xFF\xD8\xFF", "a JPEG picture", TRACE),
     KIND("GIF8", "a GIF picture", TRACE),
@@ -77,6 +78,36 @@ static bool is_hpgl(const char *text)
     return false;
 }
 
+/* A word at the start of one of the first lines, behind comments and blank ones. */
+static bool has_line(const char *text, const char *word)
+{
+    for (int line = 0; line < 20 && *text != '\0'; line++) {
+        if (strncmp(text, word, strlen(word)) == 0)
+            return true;
+        text += strcspn(text, "\n");
+        text += *text == '\n';
+    }
+    return false;
+}
+
+/* Files of boards and solids in text: Gerber and Excellon look like G-code. */
+static const foreign *workshop_kind(const char *text)
+{
+    static const foreign gerber   = { "", 0, "Gerber", GERBER },
+                         excellon = { "", 0, "Excellon, holes of a board",
+                                      "convert it, as with `pcb2gcode` or `gerbv -x svg`" },
+                         stl      = { "", 0, "STL, a solid",
+                                      "cut it to outlines in a slicer, and save those as SVG" };
+
+    if (has_line(text, "%FS") || has_line(text, "%MO") || has_line(text, "%ADD"))
+        return &gerber;
+    /* M48 alone is a command of LinuxCNC */
+    if (has_line(text, "M48") &&
+        (has_line(text, "METRIC") || has_line(text, "INCH") || has_line(text, "FMAT")))
+        return &excellon;
+    return strncmp(text, "solid", 5) == 0 && strstr(text, "facet") != NULL ? &stl : NULL;
+}
+
 static const foreign *foreign_kind(const char *text, size_t size)
 {
     static const foreign dxf = { "", 0, "DXF", CONVERT }, hpgl = { "", 0, "HP-GL", CONVERT };
@@ -84,7 +115,7 @@ static const foreign *foreign_kind(const char *text, size_t size)
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
         if (size >= kinds[i].length && memcmp(text, kinds[i].start, kinds[i].length) == 0)
             return &kinds[i];
-    return is_dxf(text) ? &dxf : is_hpgl(text) ? &hpgl : NULL;
+    return is_dxf(text) ? &dxf : is_hpgl(text) ? &hpgl : workshop_kind(text);
 }
 
 int foreign_refuse(const char *file, const char *text, size_t size)

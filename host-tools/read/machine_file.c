@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "read/machine_file.h"
+#include "base/near.h"         /* near_try */
 #include "base/scan.h"           /* scan_number, scan_space */
 #include "base/source.h"         /* source_read */
 #include "base/tool.h"
@@ -203,13 +204,16 @@ static int read_grbl(reading *r, const char *s)
 
 static int unknown_key(const reading *r, const char *s, size_t length)
 {
-    char all[800] = "kinematics";
+    const char *dot = memchr(s, '.', length), *key = dot != NULL && dot == s + 1 ? dot + 1 : s;
+    near_words near = { .word = key, .length = length - (size_t)(key - s) };
+    char meant[160];
 
-    for (size_t i = 0, used = strlen(all); i < ROWS; i++)
-        used += (size_t)snprintf(all + used, sizeof all - used, ", %s%s",
-                                 rows[i].axes ? "[x.]" : "", rows[i].key);
-    return tool_error(EX_DATAERR, "%s:%u: unknown key \"%.*s\": there are %s", r->file, r->line,
-                      (int)(length < 30 ? length : 30), s, all);
+    near_try(&near, "kinematics");
+    for (size_t i = 0; i < ROWS; i++)
+        near_try(&near, rows[i].key);
+    return tool_error(EX_DATAERR, "%s:%u: unknown key \"%.*s\"%s: host-tools/MACHINE.md has all",
+                      r->file, r->line, (int)(length < 30 ? length : 30), s,
+                      near_text(&near, "", meant));
 }
 
 /* `s` is after the key. */
@@ -423,6 +427,13 @@ int machine_read(machine_file *m, const char *file)
 
     if (text == NULL)
         return code;
+    if (source_is_xml(text)) {
+        free(text);
+        return tool_error(EX_DATAERR,
+                          "%s: is a drawing or a page: --machine takes lines `key = "
+                          "value`, see host-tools/MACHINE.md",
+                          source_name(file));
+    }
     code = strlen(text) == size
                ? machine_text(m, source_name(file), text)
                : tool_error(EX_DATAERR,

@@ -3,8 +3,10 @@
  */
 #include <errno.h>
 #include <limits.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/file.h>
 
 #include "base/tool.h"
@@ -32,6 +34,11 @@ int transport_refused(const char *name, int error)
         return tool_error(EX_UNAVAILABLE, "%s: %s: start the machine's server first", name,
                           strerror(error));
     default:
+        if (error == ENOENT && strncasecmp(name, "COM", 3) == 0 && strpbrk(name, "0123456789"))
+            return tool_error(EX_UNAVAILABLE,
+                              "%s: no such port: here they are called /dev/ttyUSB0, /dev/ttyACM0: "
+                              "`loft ports` lists them",
+                              name);
         return tool_error(EX_UNAVAILABLE, "%s: %s: see `loft ports` for the ports there are", name,
                           strerror(error));
     }
@@ -40,12 +47,20 @@ int transport_refused(const char *name, int error)
 int transport_open(transport *t, const char *name, unsigned baud)
 {
     char real[PATH_MAX];
+    int used = 0;
+    unsigned port;
 
     *t = (transport){ .in = -1, .out = -1 };
     if (strcmp(name, "-") == 0)
         return transport_open_standard(t);
     if (strncmp(name, "unix:", 5) == 0 || strncmp(name, "tcp:", 4) == 0)
         return transport_open_socket(t, name);
+
+    const size_t host = strcspn(name, ":/");
+    if (name[host] == ':' && sscanf(name + host, ":%5u%n", &port, &used) == 1 &&
+        name[host + (size_t)used] == '\0')
+        return tool_error(EX_UNAVAILABLE, "%s: no such port: a socket is written tcp:%s", name,
+                          name);
 
     /* libserialport refuses symbolic links; a name without a slash is one of its own names, such as
      * COM3 */

@@ -55,6 +55,33 @@ case_exit_codes_are_documented() {
         grep -qE "(^|[ ,])$code [a-z]" "$tmp/out" || job_fails "exit code $code is not in man"
     done
 }
+case_what_was_meant_is_told() {
+    one_line 64 'unknown command strem: did you mean stream?' "$loft" strem
+    one_line 64 'unknown command draw: did you mean stream?' "$loft" draw
+    one_line 64 'small.csv: is a file, and no command: `loft plot' "$loft" "$tmp/small.csv"
+    one_line 64 'did you mean --centre?' "$loft" plot "$tmp/small.csv" --center
+    one_line 64 'did you mean --dry-run?' "$loft" stream "$tmp/small.csv" --dryrun
+    printf 'x.max_sped = 3\n' >"$tmp/m.txt"
+    one_line 65 'm.txt:1: unknown key "x.max_sped": did you mean max_speed' \
+        "$loft" plan "$tmp/small.csv" --machine "$tmp/m.txt"
+    echo '<svg xmlns="http://www.w3.org/2000/svg"/>' >"$tmp/m.svg"
+    one_line 65 'm.svg: is a drawing or a page: --machine takes lines' \
+        "$loft" plan "$tmp/small.csv" --machine "$tmp/m.svg"
+    one_line 69 'a socket is written tcp:127.0.0.1:1$' \
+        "$loft" stream "$tmp/small.csv" --port 127.0.0.1:1
+    one_line 69 'COM3: no such port: here they are called /dev/tty' \
+        "$loft" stream "$tmp/small.csv" --port COM3
+    printf 'G04 a board*\n%%FSLAX46Y46*%%\nG01*\n' >"$tmp/a.gbr"
+    one_line 65 'is Gerber: convert it' "$loft" plan "$tmp/a.gbr"
+    printf '; holes\nM48\nMETRIC\nT1C0.8\n%%\n' >"$tmp/a.drl"
+    one_line 65 'is Excellon, holes of a board: convert it' "$loft" plan "$tmp/a.drl"
+    printf 'solid x\nfacet normal 0 0 1\n' >"$tmp/a.stl"
+    one_line 65 'is STL, a solid: ' "$loft" plan "$tmp/a.stl"
+    printf '0,0\n10,10\n' >"$tmp/xy.csv"
+    one_line 65 'xy.csv:1: 2 numbers: .*by a line `line` before them' "$loft" plan "$tmp/xy.csv"
+    { echo line; cat "$tmp/xy.csv"; } >"$tmp/xy.loft"; run 0 "$loft" plan "$tmp/xy.loft" --total
+    printf 'M48\nG1 X5 F100\nM2\n' >"$tmp/a.nc"; run 0 "$loft" plan "$tmp/a.nc" --total
+}
 case_links_are_not_written_through() {
     printf 'precious\n' >"$tmp/kept"
     for name in link link.svg link.h; do ln -s kept "$tmp/$name"; done

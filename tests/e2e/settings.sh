@@ -22,7 +22,7 @@ case_machines_as_text() {
         printf "$1" >"$tmp/bad.txt"
         one_line 65 "bad.txt:$2" timeout 5 "$loft" simulate --machine "$tmp/bad.txt"
     }
-    bad_machine '\nx.speed = 3\n'         '2: unknown key "x.speed": there are'
+    bad_machine '\nx.speed = 3\n'         '2: unknown key "x.speed": did you mean .*max_speed'
     bad_machine 'max_accel 5\n'           '1: no `=` behind max_accel'
     bad_machine 'z.max_accel = fast\n'    '1: max_accel is not a number: give one in mm/s'
     bad_machine 'slots = 3.5\n'           '1: slots is 3.5: give a whole number from 1 to 4096'
