@@ -113,8 +113,8 @@ void gcode_bound(gcode_program *g, unsigned lines);
 int  gcode_finish(gcode_program *g);
 void gcode_close(gcode_program *g);
 
-/* All lines of a part of a text, which ends with a whole line; all of a text and its end. Returns 0,
- * or an exit code after printing one line. */
+/* All lines of a part of a text, which ends with a whole line; all of a text and its end. Returns
+ * 0, or an exit code after printing one line. */
 int  gcode_lines(gcode_program *g, const char *text, size_t size);
 int  gcode_read(gcode_program *g, const char *text, size_t size);
 

@@ -39,7 +39,7 @@ typedef struct {
 typedef struct {
     const char *file;
     unsigned line;
-    bool printer;               /* of a 3-D printer: many M words take text, a checksum may follow * */
+    bool printer;               /* of a 3-D printer: M words take text, checksums follow * */
     bool skip;                  /* leave out lines that begin with / */
     gcode_parameters *at;
     const struct gcode_program *of;     /* for what a parameter tells of it */
@@ -55,7 +55,9 @@ typedef struct {
     char unknown[24];           /* of a printer: a command that is no letter with a number, or "" */
 } gcode_block;
 
-#define GCODE_SHOWN(letter) ((letter) == GCODE_RADIUS ? '@' : (letter) == GCODE_ANGLE ? '^' : (letter))
+/* As it is written. */
+#define GCODE_SHOWN(letter) \
+    ((letter) == GCODE_RADIUS ? '@' : (letter) == GCODE_ANGLE ? '^' : (letter))
 #define GCODE_BIT(letter) (1u << ((letter) - 'A'))
 
 static inline bool gcode_has(const gcode_block *b, char letter)

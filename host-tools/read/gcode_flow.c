@@ -666,10 +666,8 @@ static int run_call(gcode_program *g, gcode_scanner *s, const o_word *o, unsigne
     go_behind(g, n);
     memcpy(new.saved, g->all.number + 1, sizeof new.saved);
     code = enter(g, o, &new);
-    if (code == 0) {
+    if (code == 0)
         memcpy(g->all.number + 1, given, sizeof given);
-        g->all.value = g->all.returned = 0;
-    }
     return code;
 }
 
@@ -747,6 +745,8 @@ static int obey(gcode_program *g)
     if (c != NULL && !c->plain)
         return gcode_fails(g, "M99 in a subroutine that was called by its O-word",
                            "end it with ENDSUB");
+    if (c != NULL)
+        g->all.value = g->all.returned = 0;
     if (c == NULL)
         g->ended = true;        /* a controller would begin the program anew */
     else if (--c->times > 0)

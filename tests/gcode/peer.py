@@ -146,7 +146,7 @@ class Maker:
     """A random program of what both run."""
 
     def __init__(self, seed):
-        self.r = random.Random(seed)
+        self.r, self.odd = random.Random(seed), seed % 2
 
     def number(self, most=50):
         return round(self.r.uniform(-most, most), self.r.choice((0, 1, 2, 3, 4)))
@@ -291,9 +291,10 @@ class Maker:
         """Of parameters that are set everywhere; small."""
         r = self.r
         return r.choice(('#1', '#2', '#3', '[#31 + %s]' % self.number(5), '#<own>', '#<_all>',
-                         '[#<own> * 0.5 - #1]', '[ABS[#2] MOD 7]', '[#<_all> + #3 / 3]', '#<_value>',
-                         '[[#1 LT #2] + 2 * [#3 GE #<own>]]', '[FIX[#<own>] + ROUND[#3]]', '#5420',
-                         '[EXISTS[#<own>] + EXISTS[#<none>]]', '#<_call_level>', str(self.number(9))))
+                         '[#<own> * 0.5 - #1]', '[ABS[#2] MOD 7]', '[#<_all> + #3 / 3]',
+                         '[[#1 LT #2] + 2 * [#3 GE #<own>]]', '#5420',
+                         '[FIX[#<own>] + ROUND[#3]]', '[EXISTS[#<own>] + EXISTS[#<none>]]',
+                         '#<_call_level>', str(self.number(9))))
 
     def assignment(self):
         return '%s = [%s MOD 20]' % (self.r.choice(('#1', '#2', '#3', '#31', '#<own>', '#<_all>')),
@@ -319,8 +320,8 @@ class Maker:
     def loop(self, depth, loops):
         o, n = self.label(), 100 + self.labels
         head, most, kind = '#%d = 0' % n, self.r.randint(0, 4), self.r.randint(0, 2)
-        # rs274 knows no break of a repeat
-        inner = ['#%d = [#%d + 1]' % (n, n)] + self.steps(depth, loops + [o] * (kind < 2))
+        # rs274 knows no break of a repeat, and after continue of a do it runs a repeat once more
+        inner = ['#%d = [#%d + 1]' % (n, n)] + self.steps(depth, loops + [(o, kind)] * (kind < 2))
         if kind == 0:
             return [head, '%s while [#%d LT %d]' % (o, n, most)] + inner + [o + ' endwhile']
         if kind == 1:
@@ -341,19 +342,21 @@ class Maker:
             elif kind < 0.7 and depth < 3:
                 lines += self.loop(depth + 1, loops)
             elif kind < 0.75 and loops:
-                o = self.label()
+                o, (of, kind) = self.label(), r.choice(loops[-1:] + loops)
                 lines += ['%s if %s' % (o, self.condition()),
-                          r.choice(loops[-1:] + loops) + r.choice((' break', ' continue')),
+                          of + r.choice((' break', ' break' if kind else ' continue')),
                           o + ' endif']
             elif kind < 0.85 and self.subs:
                 name, plain = r.choice(self.subs)
                 given = ' '.join('[%s]' % self.expression() for _ in range(r.randint(0, 4)))
                 lines.append('M98 P%d%s' % (name, r.choice(('', ' L2'))) if plain else
                              '%s call %s' % (name, given))
+                if r.random() < 0.5:    # rs274 sets it also where it only looks for an O-word
+                    lines.append('G1 X#<_value> Y#<_value_returned>')
             elif kind < 0.9 and self.inside:
                 o = self.label()
                 lines += ['%s if %s' % (o, self.condition()),
-                          '%s return%s' % (self.inside, r.choice(('', ' [%s]' % self.expression()))),
+                          self.inside + ' return' + r.choice(('', ' [%s]' % self.expression())),
                           o + ' endif']
         return lines
 
@@ -371,17 +374,17 @@ class Maker:
                          [name + ' sub'] + body + ['%s endsub%s' % (name, end)])
             self.subs.append((name, plain))
         self.inside = None
+        behind = any(plain for _, plain in self.subs) or r.random() < 0.5
         start = ['(a program from a seed)', 'G21 G17 G90 G94 F500', '#<own> = 1', '#<_all> = 2',
                  '#1 = 3', '#2 = 4', '#3 = 5', '#31 = 6', 'G0 X0 Y0 Z10']
         main = sum((self.steps(0, []) for _ in range(r.randint(1, 5))), [])
-        behind = any(plain for _, plain in self.subs) or r.random() < 0.5
         # it looks for a subroutine behind the call, unless it has met it before
         subs = sum(reversed(parts) if behind else parts, [])
         return '\n'.join(start + ([] if behind else subs) + main + ['M2'] +
                          (subs if behind else []) + [''])
 
     def program(self):
-        if self.r.random() < 0.4:
+        if self.odd:
             return self.structured()
         state = {'plane': 'G17', 'turns': self.r.random() < 0.5}
         lines = ['(a program from a seed)', 'G21 G17 G90 G94 F500', 'G0 X0 Y0 Z10']

@@ -288,6 +288,9 @@ static void subroutines_are_called(arb *a)
         "R 0 0 0 R 3 0 1 R 4 1 0");
     MOVES("G0 #7=20\nM98 P20 L2\nX1\nM30\nO20\n#1=[#1+1]\nX[#1]\nM99\n",
           "R 0 0 0 R 1 0 0 R 2 0 0 R 1 0 0");
+    MOVES("G0\no1 sub\no1 endsub [8]\nO2 sub\nX#<_value>\no2 endsub\no1 call\no2 call\nX#<_value>\n"
+          "o1 call\nM98 P9\nX#<_value>\nM2\nO9\nX#<_value>\nM99\n",
+          "R 0 0 0 R 8 0 0 R 0 0 0 R 8 0 0 R 0 0 0");
     MOVES("O1 (main)\nG0 X1\nM99\nX5\n", "R 1 0 0");
     MOVES("G0 #31=7\no[#31 + 1] call [1]\nM2\no8 sub\nX#1\no8 endsub\n", "R 0 0 0 R 1 0 0");
     MOVES("G0\no1 sub\no2 if [#1 gt 0]\nX#1\no1 call [#1 - 1]\no2 endif\no1 endsub\no1 call [3]\n",
