@@ -52,6 +52,15 @@ static law point_law(const rational *c, unsigned rows)
         law){ .lsb = 0.5L + rows * c->ratio / 1073741824, .gain = 1, .roundings = 6 * rows + 4 };
 }
 
+/* K of rational.h */
+static law extrapolated_law(const rational *c, loft_unit t)
+{
+    const long double x = exact_unit(t), l = fabsl(1 - x) + fabsl(x),
+                      k = powl(l, c->n) * c->heaviest / exact_eval(c->w, c->n, x);
+
+    return (law) { .lsb = 0.501L, .gain = k, .roundings = 4 * (c->n + 2) * k };
+}
+
 /* n w0 w1 / w^2 before the last step */
 static long double slope(const rational *c, loft_unit t)
 {
@@ -94,8 +103,14 @@ static void rational_eval(row *r)
     answer *p = answer_new(), *dp = answer_new();
 
     init(r, &c);
-    answer_vec(p, loft_rational_eval(&c.curve, t), c.d);
-    row_expect(r, "p", p, point_law(&c, c.n));
+    if (t >= 0 && t <= LOFT_UNIT(1)) {
+        answer_vec(p, loft_rational_eval(&c.curve, t), c.d);
+        row_expect(r, "p", p, point_law(&c, c.n));
+    } else {
+        answer_status(r, p, loft_rational_extrapolate(&c.curve, t, &v));
+        answer_vec(p, v, c.d);
+        row_expect(r, "p", p, extrapolated_law(&c, t));
+    }
     answer_status(r, dp, loft_rational_deriv(&c.curve, t, &v));
     answer_vec(dp, v, c.d);
     row_expect(r, "dp", dp,

@@ -200,21 +200,29 @@ static void tri_bernstein_iter(row *r)
 {
     const unsigned n = row_count(r, "n", LOFT_DEGREE_MAX), times = row_count(r, "k", 1 << 20);
     const loft_bary u = row_bary(r, "u_q16", false);
-    const long double s = n > 1 ? n * n * n * n / (3.0L * n - 3) : 0;
+    const long double s = n > 1 ? n * n * n * n / (3.0L * n - 3) : 0, l = growth3(u),
+                      power = powl(l, n);
     answer *value = answer_new(), *limit = answer_new();
     loft_vec p[MOST];
-    loft_real f[MOST], x = 0, y = 0;
+    loft_real f[MOST], x = 0, y = 0, z = 0;
 
     row_points(r, "f_q16", LOFT_TRIANGLE_POINTS(n), 1, p);
     for (unsigned k = 0; k < LOFT_TRIANGLE_POINTS(n); k++)
         f[k] = p[k].axis[0];
-    answer_status(r, value, times ? loft_triangle_iterate(f, n, times, u, &x) : LOFT_ERR_ARG);
+    answer_status(r, value,
+                  times ? loft_triangle_iterate_extrapolate(f, n, times, u, &x) : LOFT_ERR_ARG);
     answer_real(value, x);
     row_expect(r, "value", value,
-               (law){ .lsb = 0.5L + (n + s) / 131072, .gain = 1, .roundings = 4 * (n + s) });
-    answer_status(r, limit, loft_triangle_iterate(f, n, LOFT_FOREVER, u, &y));
+               (law){ .lsb = 0.5L + (n + s) * power / 131072,
+                      .gain = power,
+                      .roundings = 4 * (n + s) * power });
+    answer_status(r, limit, loft_triangle_iterate_extrapolate(f, n, LOFT_FOREVER, u, &y));
     answer_real(limit, y);
-    row_expect(r, "lim", limit, (law) { .lsb = 0.5L + 1 / 131072.0L, .gain = 1, .roundings = 4 });
+    row_expect(r, "lim", limit,
+               (law){ .lsb = 0.5L + l / 131072.0L, .gain = l, .roundings = 4 * l });
+    if (loft_bary_inside(u) && times &&
+        (loft_triangle_iterate(f, n, times, u, &z) != LOFT_OK || z < x || z > x))
+        row_complain(r, "inside the triangle iterate and its extrapolation differ");
 }
 
 static void bernstein_tri(row *r)

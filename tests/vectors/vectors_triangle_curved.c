@@ -65,7 +65,8 @@ static void pn_triangle(row *r)
 {
     static const unsigned inner[7] = { 1, 2, 3, 4, 5, 7, 8 };
     const loft_bary u = row_bary(r, "u_q16", false);
-    loft_vec corner[3], normal[3], net[10];
+    const long double l = growth3(u);
+    loft_vec corner[3], normal[3], net[10], at = { { 0 } };
     answer *b = answer_new(), *p = answer_new();
     loft_pn t;
 
@@ -82,10 +83,16 @@ static void pn_triangle(row *r)
         loft_pn_net(&t, net);
         for (unsigned k = 0; k < 7; k++)
             answer_vec(b, net[inner[k]], 3);
-        answer_vec(p, loft_pn_eval(&t, u), 3);
+        answer_status(r, p, loft_pn_extrapolate(&t, u, &at));
+        answer_vec(p, at, 3);
+        if (loft_bary_inside(u) && !loft_vec_equal(at, loft_pn_eval(&t, u)))
+            row_complain(r, "inside the triangle eval and extrapolate differ");
     }
     row_expect(r, "b", b, (law) { .lsb = 0.5L + 1 / 32768.0L, .gain = 4, .roundings = 16 + share });
-    row_expect(r, "p", p, (law) { .lsb = 0.5L + 1 / 16384.0L, .gain = 4, .roundings = 16 + share });
+    row_expect(r, "p", p,
+               (law){ .lsb = 0.5L + fmaxl(8, 2 * l * l * l + l * l + l + 1) / 131072.0L,
+                      .gain = 4 * l * l * l,
+                      .roundings = (16 + share) * l * l * l });
 }
 
 /* From the coordinates as they were read. */

@@ -178,6 +178,23 @@ static void mistakes_are_refused(arb *a)
           loft_bezier_reduce(&b, 2, q, &bound) == LOFT_ERR_ARG);
 }
 
+/* A parabola whose middle point is beyond all coordinates, though the cubic's points are not. */
+static void points_that_do_not_fit_are_refused(arb *a)
+{
+    const int32_t middle = 30000 + (int32_t)arb_below(a, 15000), third = 2 * middle / 3;
+    const int axis = (int)arb_below(a, LOFT_AXES);
+    loft_vec p[4] = { { { 0 } }, { { 0 } }, { { 0 } }, { { 0 } } }, q[4];
+    unsigned degree = 7;
+    loft_bezier b;
+
+    p[1].axis[axis] = p[2].axis[axis] = arb_below(a, 2) ? loft_real_from_int(third)
+                                                        : loft_real_from_int(-third);
+    CHECK(loft_bezier_init(&b, p, 3) == LOFT_OK);
+    const bool fits = BY_NUM(3 * third < 2 * 32768, true, true);
+    CHECK(loft_bezier_exact_degree(&b, &degree, q) == (fits ? LOFT_OK : LOFT_ERR_RANGE));
+    CHECK(degree == (fits ? 2 : 7));
+}
+
 int main(void)
 {
     PROPERTY(raised_curves_come_back,                           2000);
@@ -185,5 +202,6 @@ int main(void)
     PROPERTY(bounds_hold_far_from_the_origin,                    500);
     PROPERTY(reducing_a_raised_curve_gives_it_back,              300);
     PROPERTY(mistakes_are_refused,                                20);
+    PROPERTY(points_that_do_not_fit_are_refused,                 200);
     return check_failures();
 }

@@ -504,6 +504,7 @@ static void a_closed_limit_ends_jobs_and_lets_none_begin(arb *a)
               w.sender.closed == closed);
     const bool stop = w.sender.report.ended_by == LOFT_INPUT_STOP;
     CHECK(here(stop ? r.at : r.path[r.passed]) && r.passed < r.ticks);
+    CHECK(w.machine.lost == (stop ? (1u << LOFT_AXES) - 1 : 0));       /* each axis, or none */
 
     for (int turn = 0; turn < 2; turn++) {              /* refused each time, in its own session */
         another_job(turn ? (uint16_t)(LOFT_INPUT_ENDING & ~closed) : 0);

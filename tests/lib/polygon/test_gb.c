@@ -115,7 +115,13 @@ static void other_sizes_and_numbers_are_refused(arb *a)
     CHECK(loft_gb_init(&g, points.p, 5, 2) == LOFT_ERR_ARG &&
           loft_gb_init(&g, points.p, 5, 10) == LOFT_ERR_ARG);
     CHECK(loft_gb_middle(points.p, 5, 2, &v) == LOFT_ERR_ARG &&
-          loft_gb_from_boundary(points.p, 9, 3, other.p) == LOFT_ERR_ARG);
+          loft_gb_middle(points.p, 2, 5, &v) == LOFT_ERR_ARG &&
+          loft_gb_middle(points.p, 9, 5, &v) == LOFT_ERR_ARG &&
+          loft_gb_middle(points.p, 5, 10, &v) == LOFT_ERR_ARG);
+    CHECK(loft_gb_from_boundary(points.p, 9, 3, other.p) == LOFT_ERR_ARG &&
+          loft_gb_from_boundary(points.p, 2, 3, other.p) == LOFT_ERR_ARG &&
+          loft_gb_from_boundary(points.p, 3, 2, other.p) == LOFT_ERR_ARG &&
+          loft_gb_from_boundary(points.p, 3, 10, other.p) == LOFT_ERR_ARG);
 #if LOFT_NUM != LOFT_Q16
     points.p[arb_below(a, 46)].axis[0] = (loft_real)NAN;
     CHECK(loft_gb_init(&g, points.p, 5, 5) == LOFT_ERR_RANGE);

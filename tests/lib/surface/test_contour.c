@@ -287,6 +287,36 @@ static void sections_lie_in_their_plane(arb *a)
     }
 }
 
+/* The number itself, at any place: that of the point, and the point is that of the surface. */
+static void a_level_is_the_distance_of_its_point(arb *a)
+{
+    const scene *x = arb_scene(a);
+    const loft_unit u = arb_unit(a), v = (loft_unit)(LOFT_UNIT(1) - u) / 2;
+    const loft_vec want = point_at(&x->sheet, u, v);
+    const unsigned axis = arb_below(a, LOFT_AXES);
+    loft_vec direction = { { 0 } }, at;
+    long double along = 0, length = 0, most = 0;
+    loft_level level;
+    loft_acc off;
+
+    for (int i = 0; i < 3 && i < LOFT_AXES; i++) {
+        direction.axis[i] = arb_real(a, 100);
+        length += powl(exact_of(direction.axis[i]), 2);
+        along  += exact_of(direction.axis[i]) * exact_of(want.axis[i]);
+        most    = fmaxl(most, fabsl(exact_of(want.axis[i])));
+    }
+    CHECK(loft_level_axis(&level, axis, x->height) == LOFT_OK &&
+          loft_level_at(&level, &x->sheet, u, v, &at, &off) == LOFT_OK && same(&at, &want));
+    CHECK_EXACT(exact_acc(off), exact_of(want.axis[axis]) - exact_of(x->height),
+                BY_NUM(0, 0x1p-50L, 0x1p-50L) * (most + 1));
+    if (length == 0)
+        return;
+    CHECK(loft_level_plane(&level, direction, x->height) == LOFT_OK &&
+          loft_level_at(&level, &x->sheet, u, v, &at, &off) == LOFT_OK && same(&at, &want));
+    CHECK_EXACT(exact_acc(off), along / sqrtl(length) - exact_of(x->height),
+                BY_NUM(0x1p-32L, 0, 0) + 0x1p-48L * (most + fabsl(exact_of(x->height))));
+}
+
 /* z = (x^2 + y^2) / 8 over -8..8: its normal is (-x, -y, 4) / sqrt(x^2 + y^2 + 16). Its silhouette
  * in a direction (a, b, 0) is the line a x + b y = 0; isophotes from above are circles. */
 static void a_bowl_has_its_silhouettes_and_isophotes(arb *a)
@@ -399,6 +429,7 @@ int main(void)
     PROPERTY(a_sphere_has_rings, 60);
     PROPERTY(a_plane_has_a_line, 60);
     PROPERTY(sections_lie_in_their_plane, 100);
+    PROPERTY(a_level_is_the_distance_of_its_point, 300);
     PROPERTY(a_bowl_has_its_silhouettes_and_isophotes, 20);
     PROPERTY(what_is_wrong_is_refused, 20);
     PROPERTY(traces_are_lines_of_the_parameters, 60);
