@@ -319,9 +319,10 @@ class Maker:
 
     def loop(self, depth, loops):
         o, n = self.label(), 100 + self.labels
-        head, most, kind = '#%d = 0' % n, self.r.randint(0, 4), self.r.randint(0, 2)
-        # rs274 knows no break of a repeat, and after continue of a do it runs a repeat once more
-        inner = ['#%d = [#%d + 1]' % (n, n)] + self.steps(depth, loops + [(o, kind)] * (kind < 2))
+        head, most = '#%d = 0' % n, self.r.randint(0, 4)
+        kind = self.r.choice((0, 2) if self.breaks else (0, 1, 2))
+        # rs274 knows no break of a repeat; where a program has breaks, it counts `do` wrongly
+        inner = ['#%d = [#%d + 1]' % (n, n)] + self.steps(depth, loops + [o] * (kind < 2))
         if kind == 0:
             return [head, '%s while [#%d LT %d]' % (o, n, most)] + inner + [o + ' endwhile']
         if kind == 1:
@@ -341,10 +342,10 @@ class Maker:
                 lines += self.branch(depth + 1, loops)
             elif kind < 0.7 and depth < 3:
                 lines += self.loop(depth + 1, loops)
-            elif kind < 0.75 and loops:
-                o, (of, kind) = self.label(), r.choice(loops[-1:] + loops)
+            elif kind < 0.75 and loops and self.breaks:
+                o = self.label()
                 lines += ['%s if %s' % (o, self.condition()),
-                          of + r.choice((' break', ' break' if kind else ' continue')),
+                          r.choice(loops[-1:] + loops) + r.choice((' break', ' continue')),
                           o + ' endif']
             elif kind < 0.85 and self.subs:
                 name, plain = r.choice(self.subs)
@@ -364,6 +365,7 @@ class Maker:
         """Subroutines, branches and loops. A subroutine calls those before it alone."""
         r = self.r
         self.labels, self.subs, self.inside, parts = 0, [], None, []
+        self.breaks = r.random() < 0.5
         for n in range(r.randint(0, 4)):
             plain = r.random() < 0.3
             name  = 900 + n if plain else r.choice(('o<sub_%d>', 'o80%d')) % n
