@@ -23,10 +23,12 @@ LOFT_BEGIN_C
  *
  *   range   as loft_bezier_intersect. LOFT_SINGULAR: a stretch runs over another one. LOFT_MORE:
  *           there are more than `room`
- *   error   as loft_bezier_intersect, plus half an LSB (ulp) at each point. A loop that stays
- *           within 2 tol of its crossing may be missed
+ *   error   as loft_bezier_intersect, plus half an LSB (ulp) at each point. One crossing for each
+ *           connected stretch of s and t with points within tol of each other; none for the one
+ *           that holds s = t. So a cusp, and a bend or a loop as narrow as tol, is no crossing, nor
+ *           is a loop that stays within 2 tol of its crossing
  *   cost    for each pair of pieces that turn by less than 180 degrees, and that do not do so
- *           together, once loft_bezier_intersect; 10 kB of stack more than that in q16
+ *           together, once loft_bezier_intersect; 11 kB of stack more than that in q16
  *   see     a curve whose derivatives are all in one half-space does not cross itself: Farin,
  *           Curves and Surfaces for CAGD, hodographs
  */

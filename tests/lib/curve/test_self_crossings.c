@@ -53,6 +53,7 @@ static void the_loop_of_a_cubic_is_found(arb *a)
         return;
     const enum loft_status status = loft_bezier_self_crossings(&c.b, tol, out, ROOM, &count);
     CHECK(status == LOFT_OK || status == LOFT_SINGULAR);
+    CHECK(count <= 1);
     if (s.loops == 1 && exact_unit(s.loop[1]) - exact_unit(s.loop[0]) > 0.05L) {
         bool found = false;
         for (size_t k = 0; k < count; k++)
@@ -60,6 +61,68 @@ static void the_loop_of_a_cubic_is_found(arb *a)
                               fabsl(exact_unit(out[k].t) - exact_unit(s.loop[1])) < 0.02L);
         CHECK(found);
     }
+}
+
+/* A number as near to x as the type holds it on a grid of 2^-12. */
+static loft_real real_near(double x)
+{
+    return loft_real_from_int(1) / 4096 * (loft_real)(int32_t)floor(x * 4096 + 0.5);
+}
+
+/* Control points of degree 3 or 4 whose derivative is (t - u) times another polynomial. */
+static void arb_cusp(arb *a, curve *c, double u)
+{
+    const unsigned n = 3 + arb_below(a, 2);
+    double at[2] = { 0, 0 };
+
+    c->p[0] = (loft_vec){ { 0 } };
+    double v[2][3];
+    for (int axis = 0; axis < 2; axis++)
+        for (unsigned k = 0; k <= n - 2; k++)
+            v[axis][k] = (double)arb_below(a, 400) - 200;
+    for (unsigned k = 0; k < n; k++) {          /* Bernstein products: (t - u) is -u, 1 - u */
+        c->p[k + 1] = (loft_vec){ { 0 } };
+        for (int axis = 0; axis < 2; axis++) {
+            const double low = k <= n - 2 ? -u * v[axis][k] * (n - 1 - k) / (n - 1) : 0,
+                         high = k > 0 ? (1 - u) * v[axis][k - 1] * k / (n - 1) : 0;
+            at[axis] += (low + high) / n;
+            c->p[k + 1].axis[axis] = real_near(at[axis]);
+        }
+    }
+    CHECK(loft_bezier_init(&c->b, c->p, n) == LOFT_OK);
+}
+
+/* Points of a curve on both sides of a cusp are near each other, and no crossing. */
+static void a_cusp_is_no_crossing(arb *a)
+{
+    const loft_real tol = LOFT_REAL(0.0078125);
+    const double u = arb_below(a, 3) == 0 ? 0.5 : 0.1 + 0.8 * arb_below(a, 1000) / 1000.0;
+    loft_crossing out[ROOM];
+    size_t count;
+    curve c;
+
+    arb_cusp(a, &c, u);
+    CHECK(loft_bezier_self_crossings(&c.b, tol, out, ROOM, &count) >= 0);
+    for (size_t k = 0; k < count; k++)
+        CHECK(exact_unit(out[k].t_from) < u - 0.01 || exact_unit(out[k].s_to) > u + 0.01 ||
+              exact_unit(out[k].t) - exact_unit(out[k].s) > 0.1L);
+    CHECK(count <= (c.b.degree == 3 ? 0u : 2u));
+}
+
+/* The two sides of a bend narrower than tol are no crossing, however long they are. */
+static void a_narrow_bend_is_no_crossing(arb *a)
+{
+    const loft_real tol = LOFT_REAL(0.0625);
+    loft_crossing out[ROOM];
+    size_t count;
+    curve c;
+
+    arb_plane(a, &c, 2);
+    c.p[0].axis[0] = c.p[2].axis[0] = 0;
+    c.p[1].axis[0] = loft_real_from_int(1 + (int32_t)arb_below(a, 100));
+    for (int k = 0; k < 3; k++)
+        c.p[k].axis[1] = tol / 128 * (loft_real)(k * (1 + (int32_t)arb_below(a, 30)));
+    CHECK(loft_bezier_self_crossings(&c.b, tol, out, ROOM, &count) == LOFT_OK && count == 0);
 }
 
 /* Chords of the curve that cross are near a crossing; at a crossing both points are within tol. */
@@ -171,6 +234,8 @@ static void weights_of_a_projection_keep_parameters(arb *a)
 int main(void)
 {
     PROPERTY(the_loop_of_a_cubic_is_found, 200);
+    PROPERTY(a_cusp_is_no_crossing, 200);
+    PROPERTY(a_narrow_bend_is_no_crossing, 30);
     PROPERTY(each_crossing_of_chords_is_near_one, 60);
     PROPERTY(arches_have_none_and_ends_meet, 30);
     PROPERTY(weights_of_a_projection_keep_parameters, 60);
