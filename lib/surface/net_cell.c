@@ -301,6 +301,7 @@ static void limit(loft_sci start, loft_sci slope, loft_sci low, loft_sci high, l
 static enum loft_net_known limit_cell(const system *z, loft_sci inverse[3][3], loft_net_cell *out)
 {
     const loft_sci half = loft_sci_power2(-1), one = loft_sci_one(), slack = loft_sci_power2(-30);
+    loft_sci errors = loft_sci_zero();
     bool once = true;
 
     out->from = out->sure_from = loft_sci_zero();
@@ -309,6 +310,7 @@ static enum loft_net_known limit_cell(const system *z, loft_sci inverse[3][3], l
         if (k == out->loose)
             continue;
         const loft_sci error = row_error(z, out->loose, inverse[i], &once);
+        errors = loft_sci_add(errors, error);
         const loft_sci slope = loft_sci_neg(loft_sci_dot3(inverse[i], z->column[out->loose]));
         const loft_sci middle = loft_sci_sub(half, loft_sci_dot3(inverse[i], z->f));
         const loft_sci start = loft_sci_sub(middle, loft_sci_mul(slope, half));
@@ -323,6 +325,7 @@ static enum loft_net_known limit_cell(const system *z, loft_sci inverse[3][3], l
     }
     out->start[out->loose] = loft_sci_zero();
     out->slope[out->loose] = one;
+    out->spread = loft_sci_mul(loft_sci_mul(errors, out->size), loft_sci_from_int(2));
     return loft_sci_less(out->to, out->from) ? LOFT_NET_APART
            : once                            ? LOFT_NET_ONCE
                                              : LOFT_NET_OPEN;

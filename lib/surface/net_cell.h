@@ -24,6 +24,8 @@ typedef struct {
     unsigned loose, longest;
     loft_sci from, to, sure_from, sure_to, start[4], slope[4];
     loft_sci size;              /* the longest leg of both nets: at least their extents */
+    loft_sci spread;            /* of the places from their line start + slope f, in space:
+                                 * 2 size times the errors of the parameters, above sqrt(3) */
     loft_sci speed;             /* of the place where they meet, by `loose`, in the middle */
 } loft_net_cell;
 

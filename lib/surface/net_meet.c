@@ -8,6 +8,11 @@
  * values of f move the place by less than tol, nothing is left to do. So each branch is followed
  * once, and none is missed, whether or not it reaches a border.
  *
+ * Where a branch runs along a border of a surface, or along a cut of the cells, it is in the cell
+ * for no value of f for sure. The places of a cell are near a line: if they stray from it by less
+ * than tol / 4, and those at both ends of f and in the middle are in the cell, all others are within
+ * tol of the branch through them.
+ *
  * What is left at the size of tol is a touch, unless a branch runs by.
  */
 #include "surface/net_meet.h"
@@ -139,6 +144,22 @@ static void follow_from(search *z, const loft_net_place *s)
         trace(z, s);
 }
 
+/* Follow the branch through the places at from, to, and in between; false if one is not there. */
+static bool follow_three(search *z, const loft_dyad_box *pair, const loft_net_cell *cell,
+                         loft_sci from, loft_sci to)
+{
+    const loft_sci half = loft_sci_power2(-1);
+    loft_net_place s[3];
+
+    for (int k = 0; k < 3; k++)
+        if (!place_at(z, pair, cell,
+                      loft_sci_lerp(from, to, loft_sci_mul(loft_sci_from_int(k), half)), &s[k]))
+            return false;
+    for (int k = 0; k < 3; k++)
+        follow_from(z, &s[k]);
+    return true;
+}
+
 /* Is nothing left to do in a cell where they meet once for each f? */
 static bool is_once_done(search *z, const loft_dyad_box *pair, const loft_net_cell *cell)
 {
@@ -153,15 +174,14 @@ static bool is_once_done(search *z, const loft_dyad_box *pair, const loft_net_ce
         follow_from(z, &s);
         return true;
     }
+    const loft_sci four = loft_sci_from_int(4);
+    if (!loft_sci_less(z->both.wide, loft_sci_mul(four, cell->spread)) &&
+        follow_three(z, pair, cell, cell->from, cell->to))
+        return true;
     if (sure) {
         unsure = loft_sci_sub(unsure, loft_sci_sub(cell->sure_to, cell->sure_from));
-        for (int k = 0; k < 3; k++) {
-            const loft_sci f = loft_sci_lerp(cell->sure_from, cell->sure_to,
-                                             loft_sci_mul(loft_sci_from_int(k), half));
-            if (!place_at(z, pair, cell, f, &s))
-                return false;
-            follow_from(z, &s);
-        }
+        if (!follow_three(z, pair, cell, cell->sure_from, cell->sure_to))
+            return false;
     } else if (place_at(z, pair, cell, loft_sci_lerp(cell->from, cell->to, half), &s))
         follow_from(z, &s);
     return !loft_sci_less(z->both.wide, loft_sci_mul(two, loft_sci_mul(unsure, cell->speed)));

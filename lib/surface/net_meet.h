@@ -20,7 +20,7 @@
 
 LOFT_BEGIN_C
 
-#define LOFT_NET_MEET_PARTS ((uint32_t)1 << 16)
+#define LOFT_NET_MEET_PARTS ((uint32_t)1 << 19)
 
 /* A curve as a surface whose second parameter means nothing; its points must outlive it.
  *
