@@ -74,22 +74,42 @@ static void take_point(void *context, bool first, const double point[ENGINE_AXES
     memcpy(c->point[c->points++], point, sizeof c->point[0]);
 }
 
+/* Where the lines that were found may not be those of the surface. */
+static int warn_of_doubt(const contouring *c, const surface *s, engine_surface *held,
+                         const engine_doubt *doubt)
+{
+    double p[ENGINE_AXES];
+
+    if (doubt->parts == 0 || c->p.e->surface->eval(held, doubt->at[0], doubt->at[1], p) != 0)
+        return EX_OK;
+    return tool_error(
+        EX_OK,
+        "%s:%u: %s: near %.6g %.6g %.6g, and in %u parts of 1/1024 in all, the surface "
+        "runs along %s = %.9g: lines may be joined otherwise there: give another of "
+        "--heights",
+        c->file, s->line, surface_name(s->kind), p[0], p[1], p[2], doubt->parts,
+        level_name[c->level.of], c->level.value);
+}
+
 static int one_surface(contouring *c, const surface *s)
 {
     const engine_surfaces *make = c->p.e->surface;
     engine_surface *held;
-    int status = make->open(s, &held);
+    int status = make->open(s, &held), code = EX_OK;
 
     if (status == 0) {
-        for (size_t i = 0; i < c->heights.count && status == 0; i++) {
+        for (size_t i = 0; i < c->heights.count && status == 0 && code == EX_OK; i++) {
+            engine_doubt doubt;
             c->level.value = c->heights.value[i];
-            status = make->contour(held, &c->level, c->tol, c->n, take_point, c);
+            status = make->contour(held, &c->level, c->tol, c->n, &doubt, take_point, c);
             print_curve_of(c);
             c->points = 0;
+            if (status == 0)
+                code = warn_of_doubt(c, s, held, &doubt);
         }
         make->close(held);
     }
-    return status == 0 ? EX_OK
+    return status == 0 ? code
                        : tool_error(EX_DATAERR, "%s:%u: %s: %s", c->file, s->line,
                                     surface_name(s->kind), surface_status(s, status));
 }
@@ -229,7 +249,9 @@ const tool_command command_contour = {
     "height are found on a grid of N by N cells, and their points on the surface itself, in\n"
     "the number type. Prints a `line` in .loft for each curve, which all commands read. A\n"
     "closed curve ends in its first point. Seen from above, with u to the right and v upward,\n"
-    "the higher side is to the left. A peak between the corners of a cell is not found. `loft\n"
+    "the higher side is to the left. For heights and planes the grid is made finer, up to 1024\n"
+    "cells, until no line is missing or joined otherwise; where that is not certain a warning\n"
+    "says so. Of angles a ring between the corners of a cell is not found. `loft\n"
     "contour --flat FILE | loft stream -` draws a map.\n",
     run_contour
 };

@@ -44,6 +44,12 @@ static void print_more(const evaluation *v, const double p[ENGINE_AXES])
     print_words(&v->p, p);
 }
 
+/* f64 has more digits than 9. */
+static const char *text_of(const evaluation *v, double x)
+{
+    return number_text(v->p.e->lsb < 1e-12, x);
+}
+
 static void print_bend(const evaluation *v, const engine_bend *b)
 {
     for (int k = 0; k < 3 && v->deriv && b->derived; k++)
@@ -55,11 +61,11 @@ static void print_bend(const evaluation *v, const engine_bend *b)
     else if (v->normal)
         printf(" none");
     if (v->curvature && !b->stops)
-        printf(" %.9g", b->curvature);
+        printf(" %s", text_of(v, b->curvature));
     else if (v->curvature)
         printf(" none");
     if (v->curvature && v->p.solid && !b->straight)
-        printf(" %.9g", b->torsion);
+        printf(" %s", text_of(v, b->torsion));
     else if (v->curvature && v->p.solid)
         printf(" none");
     for (int k = 0; k < 3 && v->frame && !b->straight; k++)
@@ -111,16 +117,17 @@ static int print_points(evaluation *v, const curve *c, engine_curve *held)
 // -----
 
 /* Parameters are those of the whole curve. */
-static void print_places(const engine_shape *s, const curve *c, unsigned i)
+static void print_places(const evaluation *v, const engine_shape *s, const curve *c, unsigned i)
 {
     const double a = curve_break(c, i), b = curve_break(c, i + 1) - a;
 
     for (unsigned k = 0; k < s->inflections; k++)
-        printf("inflection at %.9g, ", a + b * s->inflection[k]);
+        printf("inflection at %s, ", text_of(v, a + b * s->inflection[k]));
     if (s->cusp)
-        printf("cusp at %.9g, ", a + b * s->cusp_at);
+        printf("cusp at %s, ", text_of(v, a + b * s->cusp_at));
     if (s->loop)
-        printf("loop from %.9g to %.9g, ", a + b * s->loop_at[0], a + b * s->loop_at[1]);
+        printf("loop from %s to %s, ", text_of(v, a + b * s->loop_at[0]),
+               text_of(v, a + b * s->loop_at[1]));
 }
 
 static int print_shapes(evaluation *v, const curve *c, engine_curve *held)
@@ -139,7 +146,7 @@ static int print_shapes(evaluation *v, const curve *c, engine_curve *held)
         printf("%zu.%u %s: ", v->number, i, curve_name(c->kind));
         if (s.type != NULL)
             printf("%s, ", s.type);
-        print_places(&s, c, i);
+        print_places(v, &s, c, i);
         printf("%s ", s.tight ? "box" : "hull");
         for (int k = 0; k < 2; k++) {
             print_words(&v->p, s.box[k]);
@@ -189,10 +196,10 @@ static int print_look(const evaluation *v, const engine_surface *held, double a,
     if (v->deriv && !look.derived)
         printf(" none");
     if (v->normal)
-        printf(" %.9g %.9g %.9g %.9g %.9g", look.normal[0], look.normal[1], look.normal[2],
-               look.gauss, look.mean);
+        printf(" %s %s %s %s %s", text_of(v, look.normal[0]), text_of(v, look.normal[1]),
+               text_of(v, look.normal[2]), text_of(v, look.gauss), text_of(v, look.mean));
     if (v->curvature)
-        printf(" %.9g %.9g", look.least, look.most);
+        printf(" %s %s", text_of(v, look.least), text_of(v, look.most));
     for (int k = 0; k < 2 && v->frame && look.directed; k++)
         print_more(v, look.direction[k]);
     if (v->frame && !look.directed)

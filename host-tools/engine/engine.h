@@ -128,6 +128,13 @@ extern const engine_measures engine_measures_q16, engine_measures_f32, engine_me
 /* A surface of any kind, in the representation of the library. */
 typedef struct engine_surface engine_surface;
 
+/* Parts of a surface where lines of a level may be joined otherwise, or a small one be missing; u
+ * and v of the first. */
+typedef struct {
+    unsigned parts;
+    double at[2];
+} engine_doubt;
+
 /* A point of a contour; `first`: it begins a curve. */
 typedef void engine_contour_sink(void *context, bool first, const double point[ENGINE_AXES]);
 
@@ -165,9 +172,10 @@ typedef struct {
     /* The same at u, v as eval takes them; nothing moves. */
     int (*local)(const engine_surface *s, double u, double v, engine_look *out);
     /* The lines of a level in their order, within tol in its unit. They are found on a grid of
-     * n x n cells (n sides: a multiple of them around). */
-    int (*contour)(const engine_surface *s, const engine_level *level, double tol, unsigned n,
-                   engine_contour_sink *sink, void *context);
+     * n x n cells (n sides: a multiple of them around), of more where these do not show the lines
+     * (engine_cells.h). */
+    int (*contour)(engine_surface *s, const engine_level *level, double tol, unsigned n,
+                   engine_doubt *doubt, engine_contour_sink *sink, void *context);
 } engine_surfaces;
 
 /* From the tool to the motors and back, as in lib/kinematics/kinematics.h. Geometry: polar: the

@@ -164,17 +164,35 @@ static void take_box(loft_box box, bool tight, engine_shape *out)
     out->tight = tight;
 }
 
-static int shape_of_cubic(const part *s, engine_shape *out)
+/* The kind of a piece. A plane cubic that has no inflection, cusp or crossing in 0..1 is an arch
+ * there, whatever the whole curve is. */
+static const char *name_of_shape(const loft_shape *s)
 {
     static const char *const names[] = { "point", "line", "parabola",        "serpentine",
                                          "cusp",  "loop", "cusp at infinity" };
+    switch (s->kind) {
+    case LOFT_SERPENTINE:
+        return s->inflections == 2   ? names[s->kind]
+               : s->inflections == 1 ? "serpentine (an inflection outside 0..1)"
+                                     : "arch (serpentine, inflections outside 0..1)";
+    case LOFT_CUSP: return s->cusps > 0 ? names[s->kind] : "arch (cusp outside 0..1)";
+    case LOFT_LOOP: return s->loops > 0 ? names[s->kind] : "arch (loop outside 0..1)";
+    case LOFT_CUSP_AT_INFINITY:
+        return s->inflections > 0 ? names[s->kind]
+                                  : "arch (cusp at infinity, inflection outside 0..1)";
+    default: return names[s->kind];
+    }
+}
+
+static int shape_of_cubic(const part *s, engine_shape *out)
+{
     const loft_cubic c = { { s->p[0], s->p[1], s->p[2], s->p[3] } };
     loft_shape shape;
     const int status = loft_cubic_shape(&c, &shape);
 
     if (status != LOFT_OK)
         return status;
-    out->type        = names[shape.kind];
+    out->type        = name_of_shape(&shape);
     out->inflections = shape.inflections;
     out->cusp        = shape.cusps > 0;
     out->loop        = shape.loops > 0;

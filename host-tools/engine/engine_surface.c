@@ -22,6 +22,7 @@
 #include "surface/triangle/triangle.h"              /* loft_triangle */
 #include "surface/triangle/triangle_rational.h"     /* loft_triangle_rational */
 
+#include "engine/engine_cells.h"
 #include "engine/engine_num.h"  /* real_of, vec_of, point_of */
 #include "engine/engine_sheet.h"
 #include "engine/engine_sided.h"
@@ -419,11 +420,12 @@ static int level_of(const engine_level *of, loft_level *out)
     }
 }
 
-static int surface_contour(const engine_surface *e, const engine_level *of, double tol, unsigned n,
-                           engine_contour_sink *sink, void *context)
+static int surface_contour(engine_surface *e, const engine_level *of, double tol, unsigned n,
+                           engine_doubt *doubt, engine_contour_sink *sink, void *context)
 {
-    const unsigned sides = surface_is_sided(e->s) ? sided_count(e->s) : 1,
-                   around = (n + sides - 1) / sides * sides;
+    const unsigned sides = surface_is_sided(e->s) ? sided_count(e->s) : 1;
+    int status = ENGINE_OF(engine_cells)(e, of, LOFT_CONTOUR_MAX / sides * sides, &n, doubt);
+    const unsigned around = (n + sides - 1) / sides * sides;
     const size_t bytes = LOFT_CONTOUR_BYTES((size_t)n, (size_t)around);
     enum loft_contour_step step;
     double point[ENGINE_AXES];
@@ -437,7 +439,8 @@ static int surface_contour(const engine_surface *e, const engine_level *of, doub
     if (!tol_of(tol, &within))
         return LOFT_ERR_RANGE;
     uint8_t *memory = tool_grow(NULL, bytes);
-    int status = level_of(of, &level);
+    if (status == LOFT_OK)
+        status = level_of(of, &level);
     if (status == LOFT_OK)
         status = contour_surface(e, &room, &target);
     if (status == LOFT_OK)

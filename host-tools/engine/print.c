@@ -24,6 +24,20 @@ void print_number(const engine *e, double x)
     fputs(text, stdout);
 }
 
+const char *number_text(bool all, double x)
+{
+    static char text[8][32];
+    static unsigned next;
+    char *const out = text[next++ % 8];
+
+    for (int digits = 9; digits <= (all ? 17 : 9); digits++) {
+        snprintf(out, sizeof text[0], "%.*g", digits, x);
+        if (!(fabs(strtod(out, NULL) - x) > 0))
+            break;
+    }
+    return out;
+}
+
 void print_words(const print_options *p, const double point[ENGINE_AXES])
 {
     for (int i = 0; i < (p->solid ? ENGINE_AXES : 2); i++) {

@@ -15,6 +15,10 @@ typedef struct {
 } print_options;
 
 void print_number(const engine *e, double x);
+
+/* A computed number as text, for up to 8 in one printf: 9 digits, and if `all` as many as tell it
+ * from other doubles. */
+const char *number_text(bool all, double x);
 void print_point(void *context, const double point[ENGINE_AXES]);
 
 /* Print knot k of `count`, in lines that begin with `head`. */

@@ -209,6 +209,74 @@ static int degree_of(void *context, const arc_piece *a, size_t number)
 
 static int answer_degree(const decide_input *in) { return visit_pieces(in, degree_of, (void *)in); }
 
+/* How far a coordinate of w p, or w, is from what was meant: half the last bit of its factors. */
+static double rounding_of(const decide_input *in, const loft_weighted *p, int axis)
+{
+    const double x = axis < LOFT_AXES ? double_of(p->p.axis[axis]) : 1, w = double_of(p->w);
+
+    return in->e->lsb * (in->e->fixed ? fabs(x) + fabs(w) : fabs(x * w));
+}
+
+static double homogeneous(const loft_weighted *p, int axis)
+{
+    return double_of(p->w) * (axis < LOFT_AXES ? double_of(p->p.axis[axis]) : 1);
+}
+
+/* A cubic is a conic if the third difference of its homogeneous points is 0. Written with weights
+ * that are rounded, such as 1/3, it is one within the sum of these roundings: then p[] is the conic
+ * of the first two points and the last, of its first half if the middle weight is near 0. */
+static bool conic_within_rounding(const decide_input *in, const loft_weighted w[4],
+                                  loft_weighted p[3])
+{
+    static const double times[4] = { -1, 3, -3, 1 };
+    double h[3][LOFT_AXES + 1];
+
+    for (int axis = 0; axis <= LOFT_AXES; axis++) {
+        double third = 0, within = 0, q[4];
+        for (int k = 0; k < 4; k++) {
+            q[k] = homogeneous(&w[k], axis);
+            third += times[k] * q[k];
+            within += fabs(times[k]) * rounding_of(in, &w[k], axis);
+        }
+        if (!(fabs(third) <= within))
+            return false;
+        h[0][axis] = q[0];
+        h[1][axis] = (3 * q[1] - q[0]) / 2;
+        h[2][axis] = q[3];
+    }
+    if (fabs(h[1][LOFT_AXES]) < 0.25 * fmax(fabs(h[0][LOFT_AXES]), fabs(h[2][LOFT_AXES])))
+        for (int axis = 0; axis <= LOFT_AXES; axis++) {     /* the half */
+            const double middle = h[1][axis];
+            h[1][axis] = (h[0][axis] + middle) / 2;
+            h[2][axis] = (h[0][axis] + 2 * middle + h[2][axis]) / 4;
+        }
+    for (int k = 0; k < 3; k++) {
+        p[k] = (loft_weighted){ { { 0 } }, 0 };
+        bool fits = real_of(h[k][LOFT_AXES], &p[k].w);
+        for (int axis = 0; axis < LOFT_AXES; axis++)
+            fits = fits && real_of(h[k][axis] / h[k][LOFT_AXES], &p[k].p.axis[axis]);
+        if (!fits)
+            return false;
+    }
+    return true;
+}
+
+/* An ellipse whose axes differ by what the roundings of its points and weights make of them. */
+static bool is_round(const decide_input *in, const loft_weighted p[3], const loft_conic *c)
+{
+    double largest = 0, off = 0;
+    loft_real axes[2];
+    loft_vec centre;
+
+    if (c->kind != LOFT_CONIC_ELLIPSE || loft_conic_axes(p, &centre, axes) != LOFT_OK)
+        return false;
+    for (int k = 0; k < 3; k++)
+        for (int axis = 0; axis < 2; axis++)
+            largest = fmax(largest, fabs(double_of(p[k].p.axis[axis])));
+    off = 8 * in->e->lsb * (in->e->fixed ? 1 + largest : largest);
+    return fabs(double_of(axes[0]) - double_of(axes[1])) <= off;
+}
+
 static int conic_of(void *context, const arc_piece *a, size_t number)
 {
     static const char *const word[] = { "ellipse", "parabola", "hyperbola",
@@ -219,29 +287,40 @@ static int conic_of(void *context, const arc_piece *a, size_t number)
     loft_vec centre, focus[2];
     loft_real axes[2];
     unsigned foci = 0;
+    bool rounded = false;
     int status = LOFT_OK;
 
     if (a->b.degree == 3) {
         status = loft_conic_from_cubic(a->w, p);
         if (status == LOFT_SINGULAR)        /* its middle weight may be 0 */
             status = loft_conic_from_half_cubic(a->w, p);
+        if (status == LOFT_SINGULAR && conic_within_rounding(in, a->w, p)) {
+            rounded = true;
+            status = LOFT_OK;
+        }
     } else if (a->b.degree != 2)
         return LOFT_ERR_ARG;
     for (unsigned k = 0; k < 3 && a->b.degree == 2; k++)
         p[k] = a->w[k];
     if (status == LOFT_SINGULAR) {
-        printf("%zu no conic\n", number);
+        printf("%zu no conic within the rounding of its numbers\n", number);
         return LOFT_OK;
     }
     if (status == LOFT_OK)
         status = loft_conic_init(&c, p);
     if (status != LOFT_OK)
         return status;
-    printf("%zu %s%s%s\n", number, c.circle ? "circle, " : "", word[c.kind],
-           c.kind < LOFT_CONIC_POINT && !c.finite ? ", through infinity" : "");
+    const bool round = !c.circle && is_round(in, p, &c);
+    printf("%zu %s%s%s%s\n", number, c.circle || round ? "circle, " : "", word[c.kind],
+           c.kind < LOFT_CONIC_POINT && !c.finite ? ", through infinity" : "",
+           rounded || round ? ", within the rounding of its numbers" : "");
     if (c.kind > LOFT_CONIC_HYPERBOLA)
         return LOFT_OK;
     status = loft_conic_foci(p, focus, &foci);
+    if (status == LOFT_OK && round) {
+        status = loft_conic_axes(p, &centre, axes);
+        focus[0] = focus[1] = centre;
+    }
     for (unsigned k = 0; k < foci && status == LOFT_OK; k++) {
         printf("focus ");
         print_vec(in, focus[k]);
@@ -277,17 +356,18 @@ static int bend_of(void *context, const arc_piece *a, size_t number)
         for (unsigned k = 1; k <= 2 && status == LOFT_OK; k++) {
             status = loft_tangent_deriv(&here, k, &d);
             if (status == LOFT_OK) {
-                printf("%zu t %.9g %s ", number, in->of->value[j], k == 1 ? "first" : "second");
+                printf("%zu t %s %s ", number, text_of(in->of->value[j]),
+                       k == 1 ? "first" : "second");
                 print_vec(in, d);
             }
         }
         if (status == LOFT_OK)
             status = loft_tangent_curvature(&here, !in->curves->solid, &curvature);
         if (status == LOFT_OK)
-            printf("%zu t %.9g curvature %.9g\n", number, in->of->value[j],
-                   double_of_acc(curvature));
+            printf("%zu t %s curvature %s\n", number, text_of(in->of->value[j]),
+                   text_of(double_of_acc(curvature)));
         if (status == LOFT_SINGULAR) {
-            printf("%zu t %.9g stops\n", number, in->of->value[j]);
+            printf("%zu t %s stops\n", number, text_of(in->of->value[j]));
             status = LOFT_OK;
         }
     }
@@ -349,8 +429,8 @@ static int answer_meet(const decide_input *in)
             if (status == LOFT_SINGULAR)
                 printf("%zu %zu overlap\n", i, j);
             for (unsigned k = 0; k < count && status == LOFT_OK; k++)
-                printf("%zu %zu %.9g %.9g multiplicity %u\n", i, j, double_of_unit(m[k].s),
-                       double_of_unit(m[k].t), m[k].multiplicity);
+                printf("%zu %zu %s %s multiplicity %u\n", i, j, text_of(double_of_unit(m[k].s)),
+                       text_of(double_of_unit(m[k].t)), m[k].multiplicity);
         }
     return status < 0 ? status : LOFT_OK;
 }
@@ -371,9 +451,10 @@ static int answer_enclosed(const decide_input *in)
         printf("area 0\n");
     if (status != LOFT_OK)
         return status == LOFT_SINGULAR ? LOFT_OK : status;
-    printf("area %.9g\ncentroid %.9g %.9g\nmoments %.9g %.9g %.9g\n", double_of_acc(e.area),
-           double_of_acc(e.centroid[0]), double_of_acc(e.centroid[1]), double_of_acc(e.xx),
-           double_of_acc(e.xy), double_of_acc(e.yy));
+    printf("area %s\ncentroid %s %s\nmoments %s %s %s\n", text_of(double_of_acc(e.area)),
+           text_of(double_of_acc(e.centroid[0])), text_of(double_of_acc(e.centroid[1])),
+           text_of(double_of_acc(e.xx)), text_of(double_of_acc(e.xy)),
+           text_of(double_of_acc(e.yy)));
     return status;
 }
 
@@ -392,7 +473,7 @@ static int under_of(void *context, const arc_piece *a, size_t number)
     if (status == LOFT_ERR_ARG)
         return decide_refuse(in, "a parameter is not in 0..1: give others");
     if (status == LOFT_OK)
-        printf("%zu %.9g\n", number, double_of_acc(area));
+        printf("%zu %s\n", number, text_of(double_of_acc(area)));
     return status;
 }
 

@@ -4,6 +4,8 @@
  * Two pieces of which one has weights are compared as cubics within tol / 16 of them, with tol / 2
  * (lib/curve/self_crossings.c).
  */
+#include <stdlib.h>
+
 #include "curve/self_crossings.h"   /* loft_rational_self_crossings */
 #include "curve/to_cubics.h"        /* loft_to_cubics */
 
@@ -77,26 +79,62 @@ static loft_unit place_in(const stretch *x, loft_unit t)
                : t;
 }
 
-static bool are_near(loft_unit a, loft_unit b)
+static bool touch(loft_unit from, loft_unit to, loft_unit from2, loft_unit to2)
 {
-    return fabs(double_of_unit(a) - double_of_unit(b)) < 0x1p-18;
+    return double_of_unit(from) <= double_of_unit(to2) + 0x1p-18 &&
+           double_of_unit(from2) <= double_of_unit(to) + 0x1p-18;
 }
 
-/* Keep a crossing of two pieces: not the place where neighbours are joined, and each one once. */
-static void keep_crossing(loops *l, const stretch *a, const stretch *b, bool joined,
-                          loft_crossing c)
+static void join_ends(loft_unit *from, loft_unit *to, loft_unit from2, loft_unit to2)
 {
-    c.s_to = place_in(a, c.s_to);
-    c.t_from = place_in(b, c.t_from);
-    c.s = place_in(a, c.s);
-    c.t = place_in(b, c.t);
-    if (joined && double_of_unit(c.s_to) >= 1 - 0x1p-20 && double_of_unit(c.t_from) <= 0x1p-20)
-        return;
-    for (size_t k = 0; k < l->count; k++)
-        if (are_near(l->found[k].s, c.s) && are_near(l->found[k].t, c.t))
-            return;
+    *from = from2 < *from ? from2 : *from;
+    *to   = to2 > *to ? to2 : *to;
+}
+
+/* Keep a crossing of two stretches. What touches is one (lib/curve/self_crossings.c). */
+static void keep_crossing(loops *l, const stretch *a, const stretch *b, loft_crossing c)
+{
+    loft_unit *const of_a[3] = { &c.s, &c.s_from, &c.s_to }, *const of_b[3] = { &c.t, &c.t_from,
+                                                                                &c.t_to };
+    for (int i = 0; i < 3; i++) {
+        *of_a[i] = place_in(a, *of_a[i]);
+        *of_b[i] = place_in(b, *of_b[i]);
+    }
+    for (size_t k = 0; k < l->count; ) {
+        loft_crossing *const d = &l->found[k];
+        if (!touch(d->s_from, d->s_to, c.s_from, c.s_to) ||
+            !touch(d->t_from, d->t_to, c.t_from, c.t_to)) {
+            k++;
+            continue;
+        }
+        loft_crossing one = d->distance < c.distance ? *d : c;
+        const loft_crossing other = d->distance < c.distance ? c : *d;
+        join_ends(&one.s_from, &one.s_to, other.s_from, other.s_to);
+        join_ends(&one.t_from, &one.t_to, other.t_from, other.t_to);
+        one.overlap = one.overlap || other.overlap;
+        c = one;
+        *d = l->found[--l->count];
+        k = 0;
+    }
     if (l->count < ROOM)
         l->found[l->count++] = c;
+}
+
+/* Drop the place where neighbours are joined. */
+static void drop_joint(loops *l)
+{
+    for (size_t k = 0; k < l->count; )
+        if (double_of_unit(l->found[k].s_to) >= 1 - 0x1p-20 &&
+            double_of_unit(l->found[k].t_from) <= 0x1p-20)
+            l->found[k] = l->found[--l->count];
+        else
+            k++;
+}
+
+static int in_order(const void *a, const void *b)
+{
+    const loft_crossing *const x = a, *const y = b;
+    return (x->s > y->s) - (x->s < y->s);
 }
 
 static int cross_pieces(loops *l, const arc_piece *a, const arc_piece *b, bool joined)
@@ -115,9 +153,12 @@ static int cross_pieces(loops *l, const arc_piece *a, const arc_piece *b, bool j
         while (status >= 0 && next_stretch(&second, &y)) {
             status = loft_bezier_intersect(&x.b, &y.b, tol, found, ROOM, &count);
             for (size_t k = 0; k < count && status >= 0; k++)
-                keep_crossing(l, &x, &y, joined, found[k]);
+                keep_crossing(l, &x, &y, found[k]);
         }
     }
+    if (joined)
+        drop_joint(l);
+    qsort(l->found, l->count, sizeof *l->found, in_order);
     return status;
 }
 
@@ -138,8 +179,13 @@ static void print_crossings(const loops *l, size_t i, size_t j)
 {
     for (size_t k = 0; k < l->count; k++) {
         const loft_crossing *c = &l->found[k];
-        printf("%zu %zu %.9g %.9g%s at ", i, j, double_of_unit(c->s), double_of_unit(c->t),
-               c->overlap ? " overlap" : "");
+        /* the distance is exact to tol / 4 (lib/curve/intersect.h) */
+        const bool near = double_of_acc(c->distance) > double_of(l->tol) / 4;
+        printf("%zu %zu ", i, j);
+        fputs(text_of(double_of_unit(c->s)), stdout);
+        putchar(' ');
+        fputs(text_of(double_of_unit(c->t)), stdout);
+        printf("%s at ", c->overlap ? " overlap" : near ? " near" : "");
         print_vec(l->in, c->point);
     }
 }

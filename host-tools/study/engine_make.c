@@ -98,7 +98,7 @@ static int lower_piece(void *context, const arc_piece *a, size_t number)
     if (status != LOFT_OK)
         return status;
     write_bezier(in, p, a->b.degree - times);
-    printf("# within %.9g\n", double_of_acc(bound));
+    printf("# within %s\n", text_of(double_of_acc(bound)));
     return status;
 }
 

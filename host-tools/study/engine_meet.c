@@ -55,7 +55,9 @@ static int meet_of(meeting *m, loft_net net)
 
     if (status == LOFT_MORE)
         snprintf(m->in->why, DECIDE_WHY,
-                 "they overlap, or meet in more than %d points: give a larger --of", ROOM);
+                 "they overlap, touch along a line, or are so near each other that %g mm does not "
+                 "tell where they meet: give another --of",
+                 m->in->of->value[0]);
     m->found = m->found || m->count > 0;
     return status == LOFT_MORE ? LOFT_ERR_SPACE : status < 0 ? status : LOFT_OK;
 }
@@ -168,8 +170,9 @@ static int pierce_net(void *context, loft_net net, const engine_net_part *part)
         const loft_net_meeting *o = &m->out[k];
         double at[2];
         engine_net_place(part, double_of_unit(o->at[2]), double_of_unit(o->at[3]), at);
-        printf("%zu %zu t %.9g u %.9g v %.9g%s at ", m->piece, m->first, double_of_unit(o->at[0]),
-               at[0], at[1], o->touch ? " touch" : "");
+        printf("%zu %zu t %s u %s v %s%s at ", m->piece, m->first,
+               text_of(double_of_unit(o->at[0])), text_of(at[0]), text_of(at[1]),
+               o->touch ? " touch" : "");
         write_solid(m->in, &o->point, 1);
     }
     return status;

@@ -94,8 +94,8 @@ static int nearest_of(void *context, loft_net net, const engine_net_part *part)
 
 static void tell_nearest(const net_question *q)
 {
-    printf("%zu u %.9g v %.9g distance %.9g%s at ", q->number, q->at[0], q->at[1],
-           double_of_acc(q->near.distance), q->proved ? "" : " (not proved)");
+    printf("%zu u %s v %s distance %s%s at ", q->number, text_of(q->at[0]), text_of(q->at[1]),
+           text_of(double_of_acc(q->near.distance)), q->proved ? "" : " (not proved)");
     print_vec(q->in, q->near.point);
 }
 
@@ -151,8 +151,8 @@ static int hits_of(void *context, loft_net net, const engine_net_part *part)
 static void tell_hits(const net_question *q)
 {
     for (unsigned k = 0; k < q->hits; k++)
-        printf("%zu t %.9g u %.9g v %.9g%s%s\n", q->number, double_of_acc(q->hit[k].t),
-               q->hit_at[k][0], q->hit_at[k][1], q->hit[k].edge ? " edge" : "",
+        printf("%zu t %s u %s v %s%s%s\n", q->number, text_of(double_of_acc(q->hit[k].t)),
+               text_of(q->hit_at[k][0]), text_of(q->hit_at[k][1]), q->hit[k].edge ? " edge" : "",
                q->hit[k].touch ? " touch" : "");
     if (q->more)
         printf("%zu more\n", q->number);
@@ -193,7 +193,10 @@ static int area_of(void *context, loft_net net, const engine_net_part *part)
     return status;
 }
 
-static void tell_area(const net_question *q) { printf("%zu area %.9g\n", q->number, q->area); }
+static void tell_area(const net_question *q)
+{
+    printf("%zu area %s\n", q->number, text_of(q->area));
+}
 
 int ENGINE_OF(answer_area)(const decide_input *in)
 {
@@ -256,7 +259,7 @@ static int tell_centroid(net_question *q)
     const int status = ask_each(q, moment_of, tell_nothing);
     fputs(status == LOFT_OK ? "centroid" : "", stdout);
     for (int k = 0; k < 3 && status == LOFT_OK; k++)
-        printf(" %.9g", double_of(q->point.axis[k]) + q->moment[k] / q->volume);
+        printf(" %s", text_of(double_of(q->point.axis[k]) + q->moment[k] / q->volume));
     fputs(status == LOFT_OK ? "\n" : "", stdout);
     return status;
 }
@@ -274,6 +277,6 @@ int ENGINE_OF(answer_volume)(const decide_input *in)
         return LOFT_ERR_RANGE;
     status = ask_each(&q, volume_of, tell_nothing);
     if (status == LOFT_OK)
-        printf("volume %.9g\n", q.volume);
+        printf("volume %s\n", text_of(q.volume));
     return status == LOFT_OK ? tell_centroid(&q) : status;
 }

@@ -106,7 +106,7 @@ static int lower_most(void *context, const arc_piece *a, size_t number)
         break;
     }
     ENGINE_OF(write_piece)(in, &low);
-    printf("# within %.9g\n", double_of_acc(best));
+    printf("# within %s\n", text_of(double_of_acc(best)));
     return LOFT_OK;
 }
 
@@ -227,7 +227,7 @@ static void print_direction(const char *name, const loft_sci d[3])
 
     printf(" %s", name);
     for (int i = 0; i < 3; i++)
-        printf(" %.9g", loft_sci_to_acc(d[i], &x) ? double_of_acc(x) : 0.0);
+        printf(" %s", text_of(loft_sci_to_acc(d[i], &x) ? double_of_acc(x) : 0.0));
 }
 
 typedef struct {
@@ -268,13 +268,13 @@ static int frame_at(framing *x, const loft_rational *r, double t, size_t number)
         status = x->begun ? loft_moving_frame_move(&x->moving, p, first)
                           : loft_moving_frame_start(&x->moving, p, first, axis_across(first));
     if (status == LOFT_SINGULAR) {
-        printf("%zu t %.9g no frame\n", number, t);
+        printf("%zu t %s no frame\n", number, text_of(t));
         return LOFT_OK;
     }
     if (status != LOFT_OK)
         return status;
     x->begun = true;
-    printf("%zu t %.9g", number, t);
+    printf("%zu t %s", number, text_of(t));
     print_direction("along", x->moving.along);
     print_direction("across", x->moving.across);
     if (loft_moving_frame_start(&bent, p, first, second) == LOFT_OK)
@@ -322,7 +322,7 @@ int ENGINE_OF(answer_power)(const decide_input *in)
         c[k] = loft_to_acc(b[k]);
     loft_bernstein_to_power(c, degree);
     for (unsigned k = 0; k <= degree; k++)
-        printf("%s%.9g", k ? " " : "power ", double_of_acc(c[k]));
+        printf("%s%s", k ? " " : "power ", text_of(double_of_acc(c[k])));
     putchar('\n');
     return LOFT_OK;
 }
@@ -342,7 +342,7 @@ int ENGINE_OF(answer_integral)(const decide_input *in)
                                          loft_unit_from(b[count + 1]), &part);
     if (status != LOFT_OK)
         return status;
-    printf("over 0..1 %.9g\npart %.9g\n", double_of_acc(whole), double_of_acc(part));
+    printf("over 0..1 %s\npart %s\n", text_of(double_of_acc(whole)), text_of(double_of_acc(part)));
     return LOFT_OK;
 }
 
@@ -383,7 +383,7 @@ static int inflections_of(void *context, const arc_piece *a, size_t number)
     if (status == LOFT_SINGULAR)
         printf("%zu straight\n", number);
     for (unsigned k = 0; k < count && status == LOFT_OK; k++)
-        printf("%zu t %.9g %s, multiplicity %u\n", number, double_of_unit(flat[k].t),
+        printf("%zu t %s %s, multiplicity %u\n", number, text_of(double_of_unit(flat[k].t)),
                flat[k].multiplicity % 2 ? "inflection" : "flat", flat[k].multiplicity);
     return status < 0 ? status : LOFT_OK;
 }

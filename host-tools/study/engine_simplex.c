@@ -37,7 +37,7 @@ static void print_wide(const char *name, const loft_acc x[], unsigned count)
 {
     printf("%s", name);
     for (unsigned k = 0; k < count; k++)
-        printf(" %.9g", double_of_acc(x[k]));
+        printf(" %s", text_of(double_of_acc(x[k])));
     putchar('\n');
 }
 
@@ -187,7 +187,7 @@ static int print_weights(const decide_input *in)
         return decide_refuse(in, "give a degree 0 to 9, and a parameter of 0 to 1");
     loft_bernstein_weights(n, LOFT_UNIT(t), w);
     for (unsigned k = 0; k <= n; k++)
-        printf("%u %u %.9g\n", n - k, k, double_of_acc(w[k]));
+        printf("%u %u %s\n", n - k, k, text_of(double_of_acc(w[k])));
     return LOFT_OK;
 }
 
@@ -215,11 +215,11 @@ int ENGINE_OF(answer_weights)(const decide_input *in)
         for (unsigned k = 0; k <= m; k++)
             for (unsigned l = 0; l <= (solid ? k : 0); l++) {
                 if (solid)
-                    printf("%u %u %u %u %.9g\n", n - m, m - k, k - l, l,
-                           double_of_acc(w[loft_tetra_place(m - k, k - l, l)]));
+                    printf("%u %u %u %u %s\n", n - m, m - k, k - l, l,
+                           text_of(double_of_acc(w[loft_tetra_place(m - k, k - l, l)])));
                 else
-                    printf("%u %u %u %.9g\n", n - m, m - k, k,
-                           double_of_acc(w[loft_triangle_place(m - k, k)]));
+                    printf("%u %u %u %s\n", n - m, m - k, k,
+                           text_of(double_of_acc(w[loft_triangle_place(m - k, k)])));
             }
     return LOFT_OK;
 }
@@ -294,7 +294,8 @@ int ENGINE_OF(answer_triangle_integral)(const decide_input *in)
     points_of(x, 3, 2, p);
     status = loft_triangle_integral(x + 6, n, p, &area, &integral);
     if (status == LOFT_OK)
-        printf("area %.9g\nintegral %.9g\n", double_of_acc(area), double_of_acc(integral));
+        printf("area %s\nintegral %s\n", text_of(double_of_acc(area)),
+               text_of(double_of_acc(integral)));
     return status;
 }
 

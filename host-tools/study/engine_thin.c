@@ -87,7 +87,7 @@ static void write_spline(const decide_input *in, const thinning *x, double far)
     for (unsigned k = 0; k < knots; k++)
         print_knot(in->e, "knots", double_of(x->k[0][k]), k, knots);
     if (far >= 0)
-        printf("# within %.9g\n", far);
+        printf("# within %s\n", text_of(far));
 }
 
 static int read_spline(const curve *c, thinning *x)

@@ -171,6 +171,23 @@ case_meet() {
              END { exit bad || length(corner) != 4 }' "$tmp/out" ||
             job_fails "cross $num: $(cat "$tmp/out")"
     done
+    # a wall stands on a plane: its border; two lines 0.22 mm apart; two planes that are one
+    floor='tensor 1 1\n-12 -12 0\n-12 12 0\n12 -12 0\n12 12 0\n'
+    printf "tensor 1 1\n0 0 0\n0 10 0\n0 0 10\n0 10 10\n$floor" >"$tmp/wall.loft"
+    printf "tensor 2 1\n-5 -5 1\n-5 5 1\n0 -5 -1.001\n0 5 -1.001\n5 -5 1\n5 5 1\n$floor" \
+        >"$tmp/near.loft"
+    for num in q16 f32 f64; do
+        run 0 "$loft" make meet --num $num --of 0.001 "$tmp/wall.loft"
+        awk '/^line/ { n++; next } { if ($1 || $3) bad = 1; last = $2 } n && first == "" { first = $2 }
+             END { exit bad || n != 1 || first + last != 10 || first * last != 0 }' "$tmp/out" ||
+            job_fails "wall $num: $(cat "$tmp/out")"
+        run 0 "$loft" make meet --num $num --of 0.001 "$tmp/near.loft"
+        [ "$(grep -c '^line' "$tmp/out")" = 2 ] || job_fails "two lines $num: $(cat "$tmp/out")"
+    done
+    printf 'tensor 1 1\n0 0 0\n0 1 0\n1 0 0\n1 1 0\ntensor 1 1\n0 0 0\n0 2 0\n2 0 0\n2 2 0\n' \
+        >"$tmp/one.loft"
+    one_line 65 'overlap, touch along a line, or are so near each other that 0.0005 mm does not tell' \
+        "$loft" make meet --num f64 --of 0.0005 "$tmp/one.loft"
     # a plane cuts a sphere in one circle over four octants; two spheres meet in one circle; lines
     # over spans end on the border
     printf 'sphere 8\n0 0 0\ntensor 1 1\n-9 -10 3\n-9 20 3\n20 -10 3\n20 20 3\n' >"$tmp/ball.loft"
@@ -628,6 +645,27 @@ case_waterlines() {
     done
     [ "$(grep -c 'fill:rgb(42%' "$tmp/at-5,6.5.svg") $(grep -c 'fill:rgb(42%' "$tmp/at-20.svg")" = \
         "10 0" ] || job_fails "$(grep -c 'fill:rgb(42%' "$tmp/at-5,6.5.svg") labels"
+    # a ridge of 0.14 mm between two rings, a peak within one of the 16 cells, a saddle at the height
+    # 0.001 - (x x + y y - 25)^2 / 100 on -10..10, of control points of x^2 and x^4
+    awk 'BEGIN { print "tensor 4 4"
+         split("100 0 -33.3333333333333333 0 100", c, " ")
+         split("10000 -10000 10000 -10000 10000", d, " ")
+         for (i = 1; i <= 5; i++) for (j = 1; j <= 5; j++) {
+             square = d[i] + d[j] + 2 * c[i] * c[j] - 50 * (c[i] + c[j]) + 625
+             printf "%g %g %.15g\n", 5 * i - 15, 5 * j - 15, 0.001 - square / 100 }
+         }' >"$tmp/ridge.loft"
+    run 0 "$loft" contour --num f64 --heights 0 --tol 0.00001 "$tmp/ridge.loft"; is_empty err
+    [ "$(grep -c '^line.*closed$' "$tmp/out")" = 2 ] || job_fails "ridge: $(grep line "$tmp/out")"
+    awk '/^[-0-9]/ { r = sqrt($1 * $1 + $2 * $2) - 5; r = r < 0 ? -r : r
+                     if (r < 0.02 || r > 0.05) exit 1 }' "$tmp/out" || job_fails "not at 5 +- 0.032"
+    awk 'BEGIN { print "tensor 2 2"; split("0.2209 -0.2491 0.2809", c, " ")
+         for (i = 1; i <= 3; i++) for (j = 1; j <= 3; j++)
+             printf "%g %g %.9g\n", 5 * i, 5 * j, 0.0005 - c[i] - c[j] }' >"$tmp/peak.loft"
+    run 0 "$loft" contour --num f64 --n 16 --heights 0 "$tmp/peak.loft"; is_empty err
+    [ "$(grep -c '^line.*closed$' "$tmp/out")" = 1 ] || job_fails "peak: $(cat "$tmp/out")"
+    printf 'tensor 1 1\n-1 -1 1\n-1 1 -1\n1 -1 -1\n1 1 1\n' >"$tmp/saddle.loft"
+    run 0 "$loft" contour --num f64 --n 16 --heights 0 "$tmp/saddle.loft"
+    says err 'saddle.loft:1: tensor: near .*: lines may be joined otherwise there: give another'
     one_line 65 'reach from z = -7 to 13 mm' "$loft" contour --heights 20 "$tmp/ball.loft"
     one_line 65 'no surface in it'          "$loft" contour "$tmp/small.csv"
     one_line 64 'give one of them'          "$loft" contour --heights 1 --levels 3 "$tmp/ball.loft"
