@@ -31,11 +31,12 @@ static int read_expected(table *t, const char *file, bool asked)
     char line[512];
 
     if (in == NULL)
-        return asked ? tool_error(EX_NOINPUT,
-                                  "%s: no such file: give one with rows "
-                                  "`figure;pentagon;quantity;coordinates;numbers`",
-                                  file)
-                     : 0;
+        return tool_error(EX_NOINPUT,
+                          asked ? "%s: no such file: give one with rows "
+                                  "`figure;pentagon;quantity;coordinates;numbers`"
+                                : "%s: not below this folder, so there is nothing to compare "
+                                  "with: give --expected FILE, or --pictures-only",
+                          file);
     t->file = asked ? file : NULL;
     while (fgets(line, sizeof line, in) != NULL) {
         t->line = tool_grow(t->line, (t->lines + 1) * sizeof *t->line);

@@ -1,9 +1,10 @@
 /* lib/curve/forward.h -- walk a Bezier curve at equal parameter steps, by exact forward differences
  * SPDX-License-Identifier: MIT
  *
- * Each point costs `degree` additions per axis and no multiplication. There is no drift. Use it to
- * trace a curve at a fixed rate. For single points use loft_bezier_eval; for steps that follow the
- * curvature use measure.h.
+ * Each point costs `degree` additions per axis and no multiplication. There is no drift: in q16 the
+ * differences are exact where n is a power of two, and for any other n they are rounded once, at
+ * the start, by what loft_forward_next states. Use it to trace a curve at a fixed rate. For single
+ * points use loft_bezier_eval; for steps that follow the curvature use measure.h.
  *
  *     loft_forward w;
  *     loft_vec     p;

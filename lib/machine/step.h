@@ -76,7 +76,7 @@ void loft_step_halt(loft_step *s, const int32_t position[LOFT_AXES]);
  *
  *   shape   gives the number of slots that it really lasts. This is more when the steps do not fit,
  *           or when an axis reverses and has to pulse at once. The machine is then slower than
- *           planned, and nothing is lost
+ *           planned, and nothing is lost: the steps are spread over the slots that it lasts
  *   range   loft_step_room(s); slots 1..LOFT_STEP_SLOTS_MAX; |target| <= LOFT_STEP_REACH; no axis
  *           moves more than LOFT_STEP_SLOTS_MAX steps
  *   error   within 1/2 step of the straight line from the last target to this one, after every slot

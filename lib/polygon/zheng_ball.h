@@ -93,8 +93,9 @@ enum loft_status loft_zheng_ball_lift(loft_unit b1, loft_unit b2, loft_sci u[]) 
  *   shape   u[sides], u[3]
  *   range   as params, as lift; u is undefined after an error
  *   error   values: that of params or lift. With r the larger of 1 - u_1 and 1 - u_2 (1 for three
- *           sides, at least 2^-8): first derivatives q16: 2^-56 / r^2   f32, f64: 2^-48 / r^2;
- *           second q16: 2^-54 / r^4   f32, f64: 2^-46 / r^4
+ *           sides), first derivatives q16: 2^-56 / r^2   f32, f64: 2^-48 / r^2; second q16: 2^-54 /
+ *           r^4   f32, f64: 2^-46 / r^4. That is for r >= 2^-8, which is not checked: nothing is
+ *           clamped, and for a smaller r no bound is stated
  *   cost    that of params or lift, and in products of polygon/jet.h: 3 sides 1 and a quotient, 5:
  *           1 and two quotients, 6: 44, a lift 11; q16: 1.5 kB of stack
  */

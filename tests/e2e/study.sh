@@ -21,6 +21,10 @@ case_study_of_a_patch() {
     done
     one_line 65 'cannot be read' "$loft" study gb --fine 4 --expected "$tmp"
     one_line 66 'none.csv: no such file' "$loft" study gb --expected "$tmp/none.csv"
+    local command=$loft             # elsewhere: nothing is compared, so nothing passes
+    [ "${command#/}" != "$command" ] || command=$PWD/$command
+    one_line 66 'nothing to compare with: give --expected FILE' \
+        env -C "$tmp" "$command" study gb --fine 4
     one_line 73 'name a place in a folder' "$loft" study gb --pictures-only -o "$tmp/none/deep"
 }
 case_harmonic_coordinates_as_a_table() {
