@@ -113,6 +113,7 @@ static int run_simulate(const tool_command *self, int argc, char **argv)
     tool_list steps = { .count = 0 }, fastest = { .count = 0 }, accel = { .count = 0 };
     const char *machine = NULL, *limits = NULL, *walls = NULL, *probe = NULL;
     const char *gantry = NULL;
+    tool_list halt = { .count = 0 };
     kinematics k;
     char text[KINEMATICS_TEXT];
     int first;
@@ -128,6 +129,11 @@ static int run_simulate(const tool_command *self, int argc, char **argv)
                   "keep the settings in FILE, as an EEPROM does (while it runs)"),
         TOOL_TEXT("record", "FILE", &o.record, "write every pulse with its time to FILE (CSV)"),
         TOOL_TEXT("speed", "real|fast", &speed, "real time, or fast: as fast as it goes (fast)"),
+        TOOL_LIST("halt", "TICK,..", &halt, 0, 4e9,
+                  "time stops at these ticks of jobs, one after the other, each until kill -USR2 "
+                  "(none)"),
+        TOOL_COUNT("line-baud", "RATE", &o.line_baud, 0, 4000000,
+                   "the line brings its bytes in simulated time; 0: at once (0)"),
         TOOL_SWITCH("once", &o.once, "end after one job"),
         TOOL_SWITCH("quiet", &o.quiet, "print only the name of the pseudo terminal, and errors"),
         TOOL_LIST("steps", "N,..", &steps, 0.01, 30000, "steps per mm, for all axes or each (80)"),
@@ -178,6 +184,14 @@ static int run_simulate(const tool_command *self, int argc, char **argv)
         (code = take_ends("probe", probe, false, o.probe)) != 0)
         return code;
     o.fast = strcmp(speed, "fast") == 0;
+    if (!o.fast && (halt.count > 0 || o.line_baud > 0))
+        return tool_error(EX_USAGE,
+                          "--halt and --line-baud are of simulated time: give --speed fast");
+    if (halt.count > LOFT_HOST_HALTS)
+        return tool_error(EX_USAGE, "--halt: give at most %d ticks", LOFT_HOST_HALTS);
+    o.halts = (unsigned)halt.count;
+    for (size_t i = 0; i < halt.count; i++)
+        o.halt[i] = halt.value[i];
     return simulate(&o, e);
 }
 
@@ -188,5 +202,8 @@ const tool_command command_simulate = { "simulate", "[--link PATH] [--record FIL
                                         "firmware, in any number type. Ends with ^C, which stops "
                                         "the machine on the path, or with --once after one job.\n"
                                         "kill -USR1 presses its emergency stop, and the next one "
-                                        "frees it.\n",
+                                        "frees it. Where --halt stops the time of a machine\n"
+                                        "with a sender it still talks: it prints `job ID halted at "
+                                        "tick N`, a hold or an abort shows at once, and kill\n"
+                                        "-USR2 lets time go on.\n",
                                         run_simulate };

@@ -6,10 +6,11 @@
  * and a tick after each slot.
  *
  * Real time: the clock makes slots due, in batches of about a millisecond. Simulated time: a batch
- * is due whenever the machine can continue whatever the speed of the line. That is so while the
- * queue is at least half full, when the end of the job is known, or when nothing has arrived for
- * GONE_MS of real time. In the last case the sender is gone, and the machine starves as it should.
- * Otherwise time stops. A board: slots are made ahead, and the board gives them in its own time
+ * is due whenever the machine can continue whatever the speed of this computer. That is so while
+ * the queue is at least half full, when the machine needs no more items to do what is asked, and
+ * when the sender is gone. Then the machine starves as it should. Otherwise time stops. A sender is
+ * gone when it no longer has the lock of the line; one that takes none, when nothing has arrived
+ * for GONE_MS of real time. A line of line_baud brings its bytes in simulated time. A board: slots are made ahead, and the board gives them in its own time
  * (board.h). In all cases the loop sleeps in poll while nothing moves.
  */
 #include "host/host.h"
@@ -35,10 +36,11 @@
 #define QUIET_MS    300
 /* a planning sender on a busy computer may not run for a second */
 #define GONE_MS     1500
-/* how long `once` waits for a sender to read the report of an ended job */
+/* how long `once` waits for a sender that takes no lock to read the report of an ended job */
 #define LEAVE_MS    5000
 #define STOP_MS     1000        /* how long it waits until the last answer is read */
 #define BATCH       20          /* ticks of simulated time between two checks of the line */
+#define LINE_KEPT   64          /* bytes that a slow line brings at once after a pause */
 #define KNOTS       400         /* of a plan: periods ahead, and 48 */
 #define PLANS       16          /* calls of the planner between two looks at the line */
 #define SAMPLES_MOST 100        /* ms without a look that count for a guard */
@@ -59,6 +61,11 @@ struct host {
     struct host_world world;                /* without a board                     */
     loft_switches switches;
     uint64_t slot;                          /* the number of slots so far          */
+    double credit;                          /* bytes that the line may bring       */
+    unsigned halts;                         /* passed                              */
+    bool halted;                            /* at the next one                     */
+    unsigned jobs, halt_job;                /* begun so far; the one that was halted last */
+    bool owned;                             /* the line, when it was last looked at */
     int64_t started;                        /* real time of slot 0, in ns          */
     int64_t heard;                          /* real time of the last bytes         */
     int64_t ended;                          /* end of the last job; 0: none        */
@@ -73,7 +80,7 @@ struct host {
     sigset_t during;                        /* the signal mask while the loop sleeps */
 };
 
-static volatile sig_atomic_t stop_wanted, stop_pressed;
+static volatile sig_atomic_t stop_wanted, stop_pressed, go_wanted;
 
 static void want_stop(int signal)
 {
@@ -86,6 +93,12 @@ static void press_stop(int signal)
 {
     (void)signal;
     stop_pressed = !stop_pressed;
+}
+
+static void want_go(int signal)
+{
+    (void)signal;
+    go_wanted = 1;
 }
 
 static int64_t now_ns(void)
@@ -184,8 +197,8 @@ static int start_machine(struct host *h)
     return 0;
 }
 
-/* SIGINT and SIGTERM are blocked except in poll, so none comes between the check of stop_wanted and
- * the sleep. */
+/* These signals are blocked except in poll, so none comes between the check of what it sets and the
+ * sleep. */
 static void catch_signals(struct host *h)
 {
     struct sigaction act;
@@ -196,14 +209,17 @@ static void catch_signals(struct host *h)
     sigemptyset(&block);
     sigaddset(&block, SIGINT);
     sigaddset(&block, SIGTERM);
+    sigaddset(&block, SIGUSR2);
     sigprocmask(SIG_BLOCK, &block, &h->during);
     sigaction(SIGINT, &act, NULL);
     sigaction(SIGTERM, &act, NULL);
     act.sa_handler = press_stop;
     sigaction(SIGUSR1, &act, NULL);
+    act.sa_handler = want_go;
+    sigaction(SIGUSR2, &act, NULL);
     act.sa_handler = SIG_IGN;
     sigaction(SIGPIPE, &act, NULL);
-    stop_wanted = stop_pressed = 0;
+    stop_wanted = stop_pressed = go_wanted = 0;
 }
 
 static void print_position(struct host *h)
@@ -254,6 +270,14 @@ static void print_job(struct host *h, const char *what)
     print_outputs(h);
 }
 
+/* `job 0badcafe halted at tick 1200`, `job 0badcafe asked to hold at tick 1200` */
+static void note_halt(const struct host *h, const char *what)
+{
+    printf("job %08lx %s at tick %.0f\n", (unsigned long)h->machine.job.id, what,
+           h->o->halt[h->halts]);
+    fflush(stdout);
+}
+
 /* Print a change of the job's state. */
 static void note_state(struct host *h)
 {
@@ -262,8 +286,10 @@ static void note_state(struct host *h)
     if (now == before)
         return;
     h->state = now;
-    if (loft_state_busy(now) && !loft_state_busy(before))
+    if (loft_state_busy(now) && !loft_state_busy(before)) {
+        h->jobs++;
         host_record_job(&h->record, h->machine.job.id);
+    }
     if (now == LOFT_STATE_DONE || now == LOFT_STATE_ABORTED) {
         h->ended = now_ns();
         if (h->record.file)
@@ -309,16 +335,30 @@ static bool board_rests(struct host *h)
     return slots_given(h) && now - h->moved >= h->board->settle_ms * 1000000LL;
 }
 
+static bool is_limited(const struct host *h)
+{
+    return h->o->fast && h->o->line_baud > 0 && loft_state_busy(h->machine.drive.state);
+}
+
+static size_t bytes_due(const struct host *h, size_t most)
+{
+    return !is_limited(h)        ? most
+           : h->credit < 1           ? 0
+           : h->credit < (double)most ? (size_t)h->credit
+                                      : most;
+}
+
 static void take_bytes(struct host *h)
 {
     uint8_t byte[256];
 
     if (!board_rests(h))
         return;
-    const size_t count = host_line_read(&h->line, byte, sizeof byte);
+    const size_t count = host_line_read(&h->line, byte, bytes_due(h, sizeof byte));
 
     if (count)
         h->heard = now_ns();
+    h->credit -= (double)count;
     loft_machine_push(&h->machine, byte, count);
 }
 
@@ -448,26 +488,88 @@ static void run_slots(struct host *h, uint64_t count)
     loft_machine_tick(&h->machine);
 }
 
-/* Simulated time: can the machine continue without the line? */
+/* Ends a halt if that was asked. Does the machine stand at one? Without a sender there is none. */
+static bool is_halted(struct host *h)
+{
+    const double *at = &h->o->halt[h->halts];
+    const bool now = h->halts < h->o->halts && loft_state_busy(h->machine.drive.state) &&
+                     h->machine.drive.ticks >= at[0] &&
+                     (h->jobs != h->halt_job || at[0] > at[-1]) &&
+                     (h->halted || host_line_owned(&h->line));
+
+    if (now && !h->halted)
+        note_halt(h, "halted");
+    h->halted = now && !(h->halted && go_wanted);
+    if (now && !h->halted) {
+        h->halt_job = h->jobs;
+        h->halts++;
+    }
+    go_wanted = 0;
+    return h->halted;
+}
+
+/* Is something asked that the state does not show yet, or does it need no more items? */
+static bool obeys(const loft_drive *d)
+{
+    return (d->abort && d->state != LOFT_STATE_STOPPING) ||
+           (d->hold ? d->state == LOFT_STATE_RUNNING
+                    : d->state == LOFT_STATE_HOLDING || d->state == LOFT_STATE_HELD);
+}
+
+static bool sender_is_gone(struct host *h)
+{
+    const bool owned = host_line_owned(&h->line);
+
+    if (h->owned && !owned)
+        h->heard = 0;
+    h->owned = owned;
+    return !owned && now_ns() - h->heard > GONE_MS * 1000000LL;
+}
+
+/* Simulated time: can the machine continue without the line, or does the line bring bytes? */
 static bool queue_supplied(struct host *h)
 {
     const loft_drive *d = &h->machine.drive;
     const unsigned most = d->kind == LOFT_POINTS ? h->config.info.points : h->config.info.queue;
 
-    return d->ended || d->abort || 2u * loft_drive_poll(&h->machine.drive).room <= most ||
-           now_ns() - h->heard > GONE_MS * 1000000LL;
+    return d->ended || d->abort || d->hold || obeys(d) ||
+           2u * loft_drive_poll(&h->machine.drive).room <= most ||
+           (is_limited(h) && host_line_waits(&h->line)) || sender_is_gone(h);
+}
+
+static void run_tick(struct host *h)
+{
+    const double each = h->o->line_baud / 10.0 / h->o->tick_hz;
+
+    run_slots(h, h->o->slots);
+    h->credit = fmin(h->credit + each, LINE_KEPT);
 }
 
 /* Advance time if that is allowed. Returns the ms that the loop may then sleep; negative: until
  * something arrives. */
 static int run_simulated(struct host *h)
 {
+    const int batch = is_limited(h) ? 1 : BATCH;
+
     if (!loft_state_busy(h->machine.drive.state))
         return -1;
+    if (is_halted(h)) {
+        if (!obeys(&h->machine.drive))
+            return -1;
+        run_tick(h);
+        if (!obeys(&h->machine.drive))
+            note_halt(h, h->machine.drive.abort  ? "asked to stop"
+                         : h->machine.drive.hold ? "asked to hold"
+                                                 : "asked to go on");
+        return 0;
+    }
     if (!queue_supplied(h))
         return QUIET_MS / 10;
-    run_slots(h, (uint64_t)BATCH * h->o->slots);
-    return machine_moves(h) ? 0 : loft_state_busy(h->machine.drive.state) ? QUIET_MS : -1;
+    for (int n = 0; n < batch && !is_halted(h); n++)
+        run_tick(h);
+    return h->halted || machine_moves(h)                 ? 0
+           : loft_state_busy(h->machine.drive.state) ? QUIET_MS
+                                                     : -1;
 }
 
 /* Stops count as time while a job is under way, so the clock runs on. Otherwise it is reset. */
@@ -528,6 +630,8 @@ static bool may_finish(struct host *h)
         return false;
     if (h->ended == 0 || !(h->o->once || stop_wanted))
         return stop_wanted;
+    if (!stop_wanted && host_line_owned(&h->line))
+        return h->machine.drive.state == LOFT_STATE_IDLE && told;
     if (h->machine.drive.state == LOFT_STATE_IDLE)
         return told || since > STOP_MS;
     return since > (stop_wanted ? STOP_MS : LEAVE_MS);

@@ -25,6 +25,8 @@ struct loft_host_end {
     bool   opens;               /* a switch that is wired the other way: it opens there */
 };
 
+#define LOFT_HOST_HALTS 32
+
 struct loft_host_options {
     struct loft_board *board;   /* gives the pulses in real time; NULL: they are only recorded */
     const char *port;           /* a serial port in place of a pseudo terminal, or NULL */
@@ -36,6 +38,11 @@ struct loft_host_options {
                                  * none */
     bool     fast;              /* simulated time: as fast as possible, and time stops while the
                                  * line is slow */
+    unsigned line_baud;         /* simulated time: no more bytes than this line brings; 0: any */
+    double   halt[LOFT_HOST_HALTS]; /* simulated time stops at these ticks of jobs, one after the
+                                     * other, each until SIGUSR2, if a sender has the line; one
+                                     * that is not above the one before is of a later job */
+    unsigned halts;             /* their number */
     bool     once;              /* end after one job, with its report on standard output */
     bool     quiet;             /* print only the name of the pseudo terminal and errors */
     /* mm/s, mm/s^2 */
@@ -89,6 +96,9 @@ static inline struct loft_host_options loft_host_defaults(void)
 /* Make a pseudo terminal, or open the port. Print its name on standard output as `machine: NAME`,
  * and be the machine behind it until SIGINT, SIGTERM or, with `once`, the end of a job. A signal
  * first stops the machine on the path; the record is then complete.
+ *
+ * SIGUSR1 presses its emergency stop, and frees it. SIGUSR2 ends a halt. A halted machine still
+ * talks: a hold or an abort shows at once, by one tick.
  *
  *   shape   returns 0 or an exit code of <sysexits.h> after one line on standard error
  *   record  CSV: lines `# key = value`, a line of column names, then `# job = 7c3e11d0` where a job

@@ -27,8 +27,8 @@ static int report_error(const char *what, const char *name)
 }
 
 /* A machine holds a lock on the slave of its pseudo terminal, at the byte with the inode number of
- * its link. The slave of an abandoned link may belong to another machine by now. flock is for the
- * programs that talk to the machine. */
+ * its link. The slave of an abandoned link may belong to another machine by now. flock, and the lock
+ * of byte 0, are for the programs that talk to the machine. */
 static struct flock lock_of(const struct stat *link)
 {
     struct flock lock;
@@ -246,4 +246,17 @@ bool host_line_drained(const struct host_line *l)
 {
     int left = 0;
     return ioctl(l->slave, FIONREAD, &left) != 0 || left == 0;
+}
+
+bool host_line_waits(const struct host_line *l)
+{
+    int left = 0;
+    return ioctl(l->master, FIONREAD, &left) == 0 && left > 0;
+}
+
+bool host_line_owned(const struct host_line *l)
+{
+    struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET, .l_len = 1 };
+
+    return l->slave >= 0 && fcntl(l->slave, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }

@@ -23,6 +23,8 @@
 #define host_line_read      LOFT_NAME(host_line_read)
 #define host_line_write     LOFT_NAME(host_line_write)
 #define host_line_drained   LOFT_NAME(host_line_drained)
+#define host_line_waits     LOFT_NAME(host_line_waits)
+#define host_line_owned     LOFT_NAME(host_line_owned)
 
 struct host_line {
     int master, slave;          /* -1: none; a serial port is a master, -1 while it is away */
@@ -60,5 +62,11 @@ static inline void host_line_wait(struct host_line *l, bool write, int ms, const
 
 /* Has the other end read everything? */
 bool host_line_drained(const struct host_line *l);
+
+/* Are there bytes to read? */
+bool host_line_waits(const struct host_line *l);
+
+/* Is a program at the other end that has locked the line, as `loft` does? */
+bool host_line_owned(const struct host_line *l);
 
 #endif
