@@ -410,6 +410,14 @@ test-e2e: build/loft build/e2e/pty build/e2e/shim.so
 	    TOOL_LIB=build/test/%/libloft.a
 	@bash tests/e2e/e2e.sh build/e2e/loft build/loft build/e2e $(CASE)
 
+## Run one whole job many times side by side, beside a load    CASE=name RUNS=20
+RUNS = 20
+.PHONY: stress
+stress: build/loft build/e2e/pty build/e2e/shim.so
+	+@$(PARALLEL) -s tools TOOL_OUT=build/e2e BUILT="$(TESTED) $(SANITIZE)" \
+	    TOOL_LIB=build/test/%/libloft.a
+	@bash tests/e2e/stress.sh $(RUNS) build/e2e/loft build/loft build/e2e $(CASE)
+
 build/e2e/pty: tests/e2e/e2e_pty.c
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"

@@ -86,19 +86,16 @@ burnt() {
         "$(awk '/^(standing|after)/ { s += $2 } END { print s }' "$tmp/energy")" = 0 ms
 }
 
-# keys FROM STEP KEY COUNT: the key so often, in s after the job has begun
-keys() {
-    awk -v t="$1" -v d="$2" -v k="$3" -v n="$4" \
-        'BEGIN { for (; n-- > 0; t += d) printf "%.2f:%s ", t, k }'
-}
+# keys KEY COUNT: the key so often, at once
+keys() { for _ in $(seq "$2"); do printf '@@%s ' "$1"; done; }
 
 # here OPTIONS..: the simulated machine behind $tmp/m
 here() {
-    rm -f "$tmp/m"
+    rm -f "$tmp/m" "$tmp/m.log"
     "$loft" simulate --link "$tmp/m" --record "$tmp/m.csv" --steps 250 --ramp 40 --once "$@" \
         >"$tmp/m.log" 2>&1 &
     machine=$!
-    for _ in $(seq 3000); do [ -e "$tmp/m" ] && break; sleep 0.02; done
+    "$pty" until "$tmp/m.log" '^machine: '
 }
 
 # ends WHAT: the job was done; otherwise the machine is ended as well
@@ -116,9 +113,12 @@ measure_laser() {
     printf 'laser = yes\n' >"$tmp/laser.txt"
     local burn=("$loft" stream "$tmp/burn.nc" --machine "$tmp/laser.txt")
 
-    here --speed real --queue 12
-    timeout 100 "$pty" type "$tmp/m.log" "$(keys 0.3 0.05 + 10) 1.1:h 1.8:r 2.0:0
-        $(keys 2.1 0.05 - 9) 3.5:h 4.2:r 5:0" "${burn[@]}" --port "$tmp/m" >"$tmp/bar" 2>&1
+    local held='#asked to hold#> # held: #r'
+    here --queue 12 --halt 200,600,900,1000,1300,1600
+    timeout 100 "$pty" type "$tmp/m.log" $machine "#halted at tick 200#. $(keys + 10) @200 %@>
+        #halted at tick 600#h $held #halted at tick 900#0 @100 %@>
+        #halted at tick 1000#. $(keys - 9) @ 10 %@> #halted at tick 1300#h $held
+        #halted at tick 1600#0 @100 %@>" "${burn[@]}" --port "$tmp/m" >"$tmp/bar" 2>&1
     ends "outline12, held, at 10 to 200 %, simulated"
     row "the same: held, times" "$(grep -c ' held: ' "$tmp/m.log")" ">=" 2
     row "the same: lowest and highest override" "$(grep -o '[0-9]* %  queue' "$tmp/bar" |
@@ -126,12 +126,9 @@ measure_laser() {
     burnt "the same" "$tmp/m.csv"
 
     # a line of 7500 baud brings half of the items that the plan needs
-    here --speed real --queue 12
-    "$pty" relay "$tmp/socket" "$tmp/m" 7500 & relay=$!
-    for _ in $(seq 500); do [ -S "$tmp/socket" ] && break; sleep 0.02; done
-    timeout 100 "${burn[@]}" --port "unix:$tmp/socket" --baud 7500 >/dev/null 2>&1
+    here --queue 12 --line-baud 7500
+    timeout 100 "${burn[@]}" --port "$tmp/m" >/dev/null 2>&1
     ends "outline12, a line that starves it, simulated"
-    kill $relay 2>/dev/null
     row "the same: time over that of the plan" "$(awk '/ done: / {
         for (i = 1; i < NF; i++) if ($i == "ticks") printf "%.2f", $(i + 2) * 1000 / $(i - 1) }' \
         "$tmp/m.log")" ">=" 1.3

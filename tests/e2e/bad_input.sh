@@ -103,7 +103,7 @@ case_words_of_others_are_made_visible() {
     run 0 "$loft" stream "$tmp/$odd" --check; visible out; visible err
     machine m
     "$loft" stream "$tmp/$odd" --port "$tmp/m" >"$tmp/paused" 2>&1 </dev/null & local sender=$!
-    for _ in $(seq 3000); do grep -q '^pause: ' "$tmp/paused" && break; sleep 0.02; done
+    until_file paused '^pause: '
     kill -INT $sender; wait $sender
     says paused 'x1b.0;owned'; visible paused
     printf '1 2 x\033[2J\n' >"$tmp/odd.csv"
@@ -322,9 +322,8 @@ case_bad_places_for_files() {
         "surface tests/drawings/surfaces.loft --tol 0.0001 -o $none.stl" \
         "harmonic $tmp/polygon.csv -o $none.h" "study gb -o $none/y" \
         "mill tests/drawings/patch.loft --record $tmp/record.csv -o $none.png"; do
-        # shellcheck disable=SC2086
         one_line 73 'none/x.*: No such file or directory: name a place in a folder that exists' \
-            timeout 10 "$loft" $job
+            bash -c "ulimit -t 10; exec '$loft' $job"
     done
     one_line 73 'folder' "$loft" figures family -o "$none"
     one_line 73 'name a place in a folder' "$loft" stream "$tmp/small.csv" --port "$tmp/no" --log "$none"

@@ -6,7 +6,7 @@ case_the_page_of_the_boards() {
     sh tests/e2e/page.sh 4 Without "$loft" "$tmp/uno" >"$tmp/page.sh"
     [ "$(grep -c "$(realpath "$loft")" "$tmp/page.sh")" -ge 13 ] ||
         job_fails "the page has few commands"
-    machine uno --speed real --steps 80 --keep "$tmp/kept" --limits x-=-20,y-=-15,z+=8 \
+    machine uno --speed fast --steps 80 --keep "$tmp/kept" --limits x-=-20,y-=-15,z+=8 \
         --walls x-=-24,y-=-19,z+=12 --probe z-=-3
     (cd "$tmp" && run 0 bash -e page.sh; [ -z "$why" ] || echo "$why" >"$tmp/off")
     [ ! -e "$tmp/off" ] || job_fails "$(cat "$tmp/off")"

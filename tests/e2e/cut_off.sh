@@ -3,29 +3,30 @@
 
 case_killed_and_run_again() {
     undisturbed
-    machine killed --speed real --once
+    machine killed "${starving[@]}" --halt 700,1800,3300 --once
     draws killed
-    for pause in 0.7 0.4 1.1; do cut_off $pause; done
-    run 0 "${job[@]}"; gone "$machine"
+    cut_off 700; cut_off 1800
+    stop_at 3300 KILL; gone $sender     # the machine has items when the next one comes
+    goes_on; gone "$machine"
     says err '^resuming at item [0-9]*\( of \(about \)\?[0-9]*\)\?$'
     says out 'as commanded$'
     counted killed
     same_path killed calm
 }
 case_a_job_begins_free_of_a_hold_before_it() {
-    machine again --speed real
-    draws again; cut_off 1
+    machine again "${starving[@]}" --halt 1000
+    draws again; cut_off 1000
     run 0 "$loft" stream --hold --port "$tmp/again"
     until_log again held
     run 0 "$loft" stream --abort --port "$tmp/again"
-    run 0 timeout 60 "$loft" stream "$tmp/small.csv" --port "$tmp/again" --feed 200
+    run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/again" --feed 200
     says out 'as commanded$'
     is_empty err
 }
 case_control_from_another_run() {
     undisturbed
-    machine told --speed real --once
-    draws told; cut_off 1
+    machine told "${starving[@]}" --halt 1000 --once
+    draws told; cut_off 1000
     run 0 "$loft" stream --hold --port "$tmp/told"; says out '^held: '
     run 0 "$loft" stream --resume --port "$tmp/told"; says out '^resumed: '
     run 0 "$loft" stream --hold --port "$tmp/told"
@@ -33,17 +34,17 @@ case_control_from_another_run() {
     run 0 "${job[@]}"; gone "$machine"; counted told; same_path told calm
 }
 case_park_after_an_abort() {
-    machine parked --speed real
+    machine parked "${starving[@]}" --halt 1000
     draws parked
-    cut_off 1
+    cut_off 1000
     run 0 "$loft" stream --abort --port "$tmp/parked"
     says out '^aborted: '
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/parked" --feed 200 --park
     says out 'steps 0 0 0 as commanded$'
 }
 case_abort_from_another_run() {
-    machine ended --speed real --once
-    draws ended; cut_off 1
+    machine ended "${starving[@]}" --halt 1000 --once
+    draws ended; cut_off 1000
     run 0 "$loft" stream --abort --port "$tmp/ended"
     gone "$machine"
     says out '^aborted: '
@@ -52,9 +53,9 @@ case_abort_from_another_run() {
     one_line 69 'no job is running' "$loft" stream --hold --port "$tmp/idle"
 }
 case_report_is_fetched_later() {
-    machine later --speed real
-    # few enough items for the queue to hold them all
-    draws later; job+=(--jerk 0); cut_off_when_sent; until_log later done
+    machine later --speed fast --queue 1000 --halt 2000
+    # the queue holds all items
+    draws later; job+=(--jerk 0); cut_off_when_sent 2000; until_log later done
     run 0 "${job[@]}"; says err 'was drawn already'; counted later
     cp "$tmp/out" "$tmp/first"
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/later" --feed 200
@@ -62,36 +63,33 @@ case_report_is_fetched_later() {
     is_empty err
 }
 case_another_job_after_a_lost_one() {
-    machine other --speed real
-    draws other; job+=(--jerk 0); cut_off_when_sent; until_log other done
+    machine other --speed fast --queue 1000 --halt 2000
+    draws other; job+=(--jerk 0); cut_off_when_sent 2000; until_log other done
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/other" --feed 200
     says out 'as commanded$'
     is_empty err
 }
 case_port_vanishes() {
-    machine lost --speed real
-    { until_log lost " begun"; sleep 0.7; kill -9 "$machine"; } & children+=($!)
+    machine lost --speed fast --halt 700
+    { halted lost 700; kill -9 "$machine"; } & children+=($!)
     one_line 74 'the port has vanished at item [0-9]* of' "$loft" stream "$tmp/small.csv" \
         --port "$tmp/lost" --feed 20
-    # those that it had executed after 0.7 of 18 s; all of them had been sent
+    # those that it had executed after 0.7 of 12 s; all of them had been sent
     sed 's/.* item \([0-9]*\) of \(about \)\?\([0-9]*\) .*/\1 \3/' "$tmp/err" |
         awk '{ exit !($1 * 2 < $2) }' || job_fails "not the items executed: $(cat "$tmp/err")"
 }
 until_noted() {         # the sender has noted that its job began
-    for _ in $(seq 3000); do
-        compgen -G "$tmp/state/loft/*[0-9a-f]" >/dev/null && return
-        sleep 0.02
-    done
-    job_fails "nothing is noted of the job"
+    until_true is_noted || job_fails "nothing is noted of the job"
 }
+is_noted() { compgen -G "$tmp/state/loft/*[0-9a-f]" >/dev/null; }
 # in_doubt COMMAND..: neither this nor another drawing begins
 in_doubt() {
     one_line 69 'restarted in a job.*position may be lost: home it, or `loft zero' "$@"
 }
 case_machine_that_lost_its_power_is_placed_first() {
-    machine m --speed real
+    machine m --speed fast --halt 100
     draws m
-    { until_noted; kill -9 "$machine"; } & children+=($!)
+    { halted m 100; until_noted; kill -9 "$machine"; } & children+=($!)
     one_line 74 'if it lost its power, the position may be lost: home it' "${job[@]}"
     gone "$machine"; rm -f "$tmp/m"
     on_again m; in_doubt "${job[@]}"; in_doubt "$loft" go 1,1 --port "$tmp/m"
@@ -104,30 +102,32 @@ case_machine_that_lost_its_power_is_placed_first() {
     run 0 "$loft" zero --port "$tmp/m"; run 0 "${job[@]}" --feed 400
     kill "$machine"; gone "$machine"    # a restart after the job is none in it
     on_again m; run 0 "${job[@]}" --feed 400; kill "$machine"; gone "$machine"
-    on_again m --speed real; draws m; cut_off_noted
-    run 0 "$loft" stream --abort --port "$tmp/m"; kill "$machine"; gone "$machine"
+    on_again m --speed fast --halt 100; draws m; cut_off_noted
+    asks abort; kill "$machine"; gone "$machine"
     on_again m; run 0 "${job[@]}" --feed 400
 }
 cut_off_noted() {       # kill ${job[@]} when it has begun
     "${job[@]}" >/dev/null 2>&1 & local sender=$!
     disown $sender
-    until_noted; kill -9 $sender; gone $sender
+    halted m 100; until_noted; kill -9 $sender; gone $sender
 }
 case_machine_restarts_in_mid_job() {
-    machine again --speed real
+    machine after --speed fast
+    machine again --speed fast --halt 700
     "$pty" relay "$tmp/line" "$tmp/again" & children+=($!); disown $!
     wait_for "$tmp/line"
-    { until_log again " begun"; sleep 0.7; kill -9 "$machine"; rm -f "$tmp/again"
-        exec "$loft" simulate --link "$tmp/again" >/dev/null 2>&1; } & children+=($!)
+    { halted again 700; ln -sfn "$(readlink "$tmp/after")" "$tmp/again"; kill -9 "$machine"
+    } & children+=($!)
     one_line 76 'restarted in the middle of the job: home it' "$loft" stream "$tmp/small.csv" \
         --port "unix:$tmp/line" "${slowly[@]}"
     in_doubt "$loft" stream "$tmp/small.csv" --port "unix:$tmp/line"
 }
 case_second_sender_is_refused() {
-    machine owned --speed real --once
+    machine owned --speed fast --halt 100 --once
     draws owned; "${job[@]}" >/dev/null 2>&1 & local sender=$!
-    until_log owned " begun"
+    halted owned 100
     one_line 69 'another program talks to it' "$loft" stream "$tmp/small.csv" --port "$tmp/owned"
+    go_on owned
     wait $sender || job_fails "the first sender ended with $?"
     gone "$machine"
 }
@@ -148,13 +148,13 @@ case_a_sender_that_is_killed_in_a_move() {
     home_file
     for what in probe home; do
         # a queue that takes no whole move: the machine runs out of items, and waits on the path
-        machine $what --speed real --queue 4 --limits x-=-33 --probe z-=-30
+        machine $what --speed fast --queue 4 --halt 300 --limits x-=-33 --probe z-=-30
         if [ $what = probe ]; then
             job=("$loft" probe --feed 3 --within 40 --port "$tmp/probe")
         else
             job=("$loft" home x --port "$tmp/home" --machine "$tmp/home.txt")
         fi
-        drawing_on=$what; cut_off 0.3
+        drawing_on=$what; cut_off 300
         run 0 "$loft" ports "$tmp/$what"; says out '	in a job$'
         one_line 75 'a job is running: wait for its end, or `loft stream --abort' "${job[@]}"
         run 0 "$loft" stream --abort --port "$tmp/$what"
@@ -165,8 +165,8 @@ case_a_sender_that_is_killed_in_a_move() {
     done
     says out '^homed: the tool is at 0.000 0.000 0.000$'
     # the whole move is in the machine: it ends by the guard, and the place is known
-    machine whole --speed real --probe z-=-5 --max-speed 20
-    job=("$loft" probe --feed 3 --port "$tmp/whole"); drawing_on=whole; cut_off 0.5
+    machine whole --speed fast --halt 500 --probe z-=-5 --max-speed 20
+    job=("$loft" probe --feed 3 --port "$tmp/whole"); drawing_on=whole; cut_off 500
     until_log whole ' aborted: '
     run 0 "$loft" ports "$tmp/whole"; says out '	idle$'
     one_line 69 'the probe touches already' "${job[@]}"

@@ -12,6 +12,8 @@ set -u
 loft=$1 plain=$2 pty=$3/pty shim=$3/shim.so; shift 3
 top=$(mktemp -d)
 trap 'rm -rf "$top"' EXIT
+declare -A machines=()
+mkfifo "$top/never"
 mapfile -t subjects < <(grep -l '^case_[a-z0-9_]*()' "${0%/*}"/*.sh)
 for subject in "${subjects[@]}"; do . "$subject"; done
 # they keep their tables until the program ends
@@ -34,6 +36,10 @@ CSV
 
 job_fails() { why="$why; $*"; }
 
+# A case never waits for a time: on a busy computer that is too short. It waits until a machine or a
+# command has said something, or it halts the machine at a place in a job, does something to it, and
+# lets it go on.
+
 # machine NAME OPTIONS..: a new simulated machine behind $tmp/NAME, its pulses in $tmp/NAME.csv
 machine() {
     rm -f "$tmp"/state/loft/*
@@ -42,57 +48,56 @@ machine() {
 # on_again NAME OPTIONS..: one that had a job before, perhaps
 on_again() {
     local name=$1; shift
+    rm -f "$tmp/$name.log"              # the link of a machine that was killed may still be there
     "$loft" simulate --link "$tmp/$name" --record "$tmp/$name.csv" "$@" >"$tmp/$name.log" 2>&1 &
     machine=$!; children+=("$machine"); disown "$machine"
-    wait_for "$tmp/$name"
+    machines[$name]=$machine
+    until_log "$name" '^machine: '
 }
-# a busy computer may take up to a minute
-wait_for() {
-    for _ in $(seq 3000); do
-        [ -e "$1" ] && return
-        sleep 0.02
-    done
-    job_fails "$1 did not appear"
-}
+# These wait for minutes, if they must.
+wait_for() { until_true [ -e "$1" ] || job_fails "$1 did not appear"; }
 gone() {
-    for _ in $(seq 3000); do
-        kill -0 "$1" 2>/dev/null || return
-        sleep 0.02
-    done
+    until_true is_gone "$1" && return
     job_fails "process $1 did not end"
     kill -9 "$1"
 }
-until_log() {
-    for _ in $(seq 3000); do
-        grep -q "$2" "$tmp/$1.log" && return
-        sleep 0.02
+is_gone() { ! kill -0 "$1" 2>/dev/null; }
+until_true() {          # COMMAND..: it succeeds
+    local tries=0
+    until "$@"; do
+        [ $((tries += 1)) -lt 9000 ] || return 1
+        read -rt 0.02 <>"$top/never"
     done
-    job_fails "the machine never said: $2"
+    true
 }
+until_file() { "$pty" until "$tmp/$1" "$2" || job_fails "$1 never said: $2"; }
+until_log() { until_file "$1.log" "$2"; }
+# halted MACHINE TICK: it stands at a place of --halt, where go_on MACHINE lets it continue
+halted() { until_log "$1" "halted at tick $2"'$'; }
+go_on() { kill -USR2 "${machines[$1]}"; }
 
-# until_rest MACHINE: each job that it has begun is over, 0.2 s later as well
-until_rest() {
-    local log=$tmp/$1.log still=0
-    for _ in $(seq 3000); do
-        still=$((still + 1))
-        [ "$(grep -c ' begun' "$log")" = "$(grep -cE 'aborted|done' "$log")" ] || still=0
-        [ $still -lt 11 ] || return 0
-        sleep 0.02
-    done
-    job_fails "the machine never came to rest"
-}
+# until_rest MACHINE: each job that it has begun is over, and none of its own begins after it
+until_rest() { until_true is_at_rest "$tmp/$1.log" || job_fails "the machine never came to rest"; }
+is_at_rest() { [ "$(grep -c ' begun' "$1")" = "$(grep -cE 'aborted|done' "$1")" ]; }
 
 # run CODE COMMAND..: standard output to $tmp/out, standard error to $tmp/err; the exit code must
 # be CODE
 run() {
     local want=$1 got; shift
-    timeout 200 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; got=$?
+    timeout 1000 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; got=$?
     [ "$got" = "$want" ] || job_fails "exit code $got, not $want: $(head -c 300 "$tmp/err")"
 }
-# interrupted SECONDS COMMAND..: after that time, once; timeout tells its group as well otherwise
+# worked PID: it has computed for half a second
+worked() { until_true has_worked "$1" || job_fails "process $1 does not compute"; }
+has_worked() {
+    local fields
+    read -r -a fields <"/proc/$1/stat" && [ $((fields[13] * 2)) -gt "$(getconf CLK_TCK)" ]
+}
+# interrupted COMMAND..: when it has worked
 interrupted() {
-    timeout --foreground -s INT "$@" >"$tmp/out" 2>"$tmp/err"
-    [ $? = 124 ] || job_fails "it was not planning any more"
+    "$@" >"$tmp/out" 2>"$tmp/err" & local interrupted=$!
+    worked $interrupted; kill -INT $interrupted; wait $interrupted
+    [ $? = 75 ] || job_fails "the command ended with another code: $(cat "$tmp/err")"
 }
 says() { grep -q -- "$2" "$tmp/$1" || job_fails "does not say \`$2\`: $(tail -c 300 "$tmp/$1")"; }
 # is_empty FILE: it has no lines except those about waiting on a busy computer
@@ -106,11 +111,12 @@ visible() {
         || job_fails "control bytes: $(head -c 200 "$tmp/$1" | cat -v)"
 }
 
-# one_line CODE PATTERN COMMAND..: the error has exactly one line, with the key word of the remedy
+# one_line CODE PATTERN COMMAND..: the error has exactly one line, with the key word of the remedy,
+# beside those about waiting
 one_line() {
     local code=$1 pattern=$2; shift 2
     run "$code" "$@"
-    [ "$(wc -l <"$tmp/err")" = 1 ] || job_fails "$(wc -l <"$tmp/err") lines: $(cat "$tmp/err")"
+    [ "$(grep -cv '^waiting: ' "$tmp/err")" = 1 ] || job_fails "not one line: $(cat "$tmp/err")"
     grep -q '^loft: ' "$tmp/err" || job_fails "no \`loft:\`: $(cat "$tmp/err")"
     says err "$pattern"
 }
@@ -140,25 +146,55 @@ undisturbed() {         # the reference: $tmp/calm.csv
     machine calm --speed fast --once
     run 0 "$loft" stream "$tmp/small.csv" --port "$tmp/calm" "${slowly[@]}"; gone "$machine"
 }
-slowly=(--feed 60)      # the job lasts about 6 s of machine time
+slowly=(--feed 60)      # the job lasts about 5 s of machine time
+starving=(--speed fast --queue 40 --ramp 20)    # a machine that cannot hold all of it
 # draws MACHINE: set ${job[@]}
 draws() { drawing_on=$1; job=("$loft" stream "$tmp/small.csv" --port "$tmp/$1" "${slowly[@]}"); }
-# cut_off SECONDS: kill ${job[@]} without warning, SECONDS after the machine has begun
+# cut_off TICK: kill ${job[@]} without warning when the machine is halted there; it goes on, and
+# stops where it runs out of items
 cut_off() {
-    "${job[@]}" >/dev/null 2>&1 & local sender=$!
-    disown $sender
-    until_log "$drawing_on" ' begun'
-    sleep "$1"
-    kill -9 $sender || job_fails "the sender ended before it could be killed"
-    gone $sender
+    stop_at "$1" KILL; gone $sender
+    go_on "$drawing_on"
 }
-cut_off_when_sent() {   # the same, as soon as the machine has accepted the last item
-    "${job[@]}" --log "$tmp/talk.log" >/dev/null 2>&1 & local sender=$!
+# stop_at TICK SIGNAL [takes_up]: ${job[@]} gets it when the machine is halted there
+stop_at() {
+    "${job[@]}" >"$tmp/out" 2>"$tmp/err" & sender=$!
+    [ "$2" != KILL ] || disown $sender
+    ${3-}
+    halted "$drawing_on" "$1"
+    kill -"$2" $sender || job_fails "the sender ended before it got SIG$2"
+}
+# takes_up: the job of a machine that still stands where it was cut off by stop_at; it goes on
+takes_up() { until_file err 'resuming at item'; go_on "$drawing_on"; }
+# goes_on: ${job[@]} takes up such a job, to its end
+goes_on() {
+    "${job[@]}" "$@" >"$tmp/out" 2>"$tmp/err" </dev/null & sender=$!
+    takes_up
+    wait $sender || job_fails "exit code $?: $(head -c 300 "$tmp/err")"
+}
+# asks VERB: as another command does, of such a machine
+asks() {
+    "$loft" stream "--$1" --port "$tmp/$drawing_on" >"$tmp/out" 2>"$tmp/err" & local asking=$!
+    until_log "$drawing_on" 'asked to'; go_on "$drawing_on"
+    wait $asking || job_fails "exit code $?: $(cat "$tmp/err")"
+}
+cut_off_when_sent() {   # as soon as the machine has accepted the last item; it is halted at TICK
+    "${job[@]}" --log "$tmp/talk.log" >/dev/null 2>&1 & sender=$!
     disown $sender
-    wait_for "$tmp/talk.log"
-    until_log talk '< .* all'
+    until_log talk "< .* all"
+    halted "$drawing_on" "$1"
     kill -9 $sender || job_fails "the sender ended before it could be killed"
     gone $sender
+    go_on "$drawing_on"
+}
+# types MACHINE SCRIPT COMMAND..: on a terminal, see e2e_pty.c; what it prints is in $tmp/out, and
+# without \r in $tmp/screen
+types() {
+    local name=$1 script=$2 code; shift 2
+    timeout 300 "$pty" type "$tmp/$name.log" "${machines[$name]-0}" "$script" "$@" >"$tmp/out" 2>&1
+    code=$?
+    tr '\r' '\n' <"$tmp/out" >"$tmp/screen"
+    return $code
 }
 
 # seen WORD: the whole terminal showed it, then was given back; $tmp/after is what came then

@@ -48,7 +48,7 @@ case_gcode_tools() {                    # beside the path, with two tools; the s
     machine mills --speed fast
     run 75 "$loft" stream "$tmp/mills.nc" --machine "$tmp/mills.txt" --port "$tmp/mills"
     says err 'tool 2 is next: the small one'
-    printf '\n' | timeout 200 "$loft" stream "$tmp/mills.nc" --machine "$tmp/mills.txt" \
+    printf '\n' | timeout 1000 "$loft" stream "$tmp/mills.nc" --machine "$tmp/mills.txt" \
         --port "$tmp/mills" --from-tool 2 >"$tmp/out" 2>"$tmp/err" || job_fails 'it did not go on'
     says out '^drawn: .*as commanded$'
     run 0 "$loft" stream "$tmp/mills.nc" --machine "$tmp/mills.txt" --dry-run
@@ -81,14 +81,14 @@ case_a_spindle_a_wait_and_a_pause() {
     # a sender that is killed in the pause, one that is stopped there, a resume, and the report
     "$loft" stream "$tmp/part.nc" --port "$tmp/spin" --machine "$tmp/spin.txt" 2>"$tmp/err" &
     local first=$!; children+=("$first"); disown "$first"
-    until_log spin ' held: '; sleep 0.5
+    until_log spin ' held: '; until_file err '^pause'
     kill -9 "$first"; gone "$first"
     says err '^pause: turn it: Enter goes on, a gives up$'
     run 0 "$loft" ports "$tmp/spin"; says out '	in a job, held: `loft stream --resume`'
     "$loft" stream "$tmp/part.nc" --port "$tmp/spin" --machine "$tmp/spin.txt" \
         >"$tmp/out" 2>"$tmp/err" </dev/null &
     first=$!; children+=("$first")
-    for _ in $(seq 3000); do grep -q '^pause' "$tmp/err" && break; sleep 0.02; done
+    until_file err '^pause'
     kill -INT "$first"; wait "$first"
     [ $? = 75 ] || job_fails 'a pause that was left did not end with 75'
     says err '^pause: turn it: Enter goes on, a gives up$'
@@ -195,11 +195,11 @@ END
     run 0 "${job[@]}" --dry-run --grbl; says out '^(tool blue)$'; says out '^M0$'
     machine pens --speed fast
     run 75 "${job[@]}"; says err 'tool red is next: the red pen; then .* --from-tool red goes on'
-    printf '\n' | timeout 200 "${job[@]}" >"$tmp/out" 2>"$tmp/err"
+    printf '\n' | timeout 1000 "${job[@]}" >"$tmp/out" 2>"$tmp/err"
     [ "${PIPESTATUS[1]}" = 75 ] || job_fails "went on without an answer: $(cat "$tmp/err")"
     says out '^drawn: 1 curve, .*steps 400 480 80 as commanded'     # parked, and lifted
     says err 'tool blue is next: the blue pen; then .* --from-tool blue goes on'
-    printf '\n' | timeout 200 "${job[@]}" --from-tool blue >"$tmp/out" 2>"$tmp/err" ||
+    printf '\n' | timeout 1000 "${job[@]}" --from-tool blue >"$tmp/out" 2>"$tmp/err" ||
         job_fails "$(cat "$tmp/err")"
     says out '^drawn: 4 curves, .*steps 800 4000 240 as commanded'; counted pens
     one_line 64 '--from-tool green: it is not in the machine file' "${job[@]}" --from-tool green
@@ -213,15 +213,10 @@ case_a_tool_that_was_cut_off_goes_on() {
     job=("$loft" stream "$tmp/two.svg" --machine "$tmp/two.txt" --port "$tmp/two" --feed 20)
     machine whole --speed fast
     run 0 "${job[@]}" --port "$tmp/whole"; kill "$machine"; gone "$machine"
-    machine two --speed real; drawing_on=two
-    "${job[@]}" >/dev/null 2>&1 & local sender=$!
-    disown $sender
-    for _ in $(seq 3000); do
-        [ "$(grep -c ' begun' "$tmp/two.log")" = 2 ] && break
-        sleep 0.02
-    done
-    sleep 0.5; kill -9 $sender; gone $sender
-    run 0 "${job[@]}"; says err '^tool b: resuming at item [1-9]'
+    machine two --speed fast --halt 1500; drawing_on=two         # the first job is shorter
+    stop_at 1500 KILL; gone $sender
+    [ "$(grep -c ' begun' "$tmp/two.log")" = 2 ] || job_fails 'it was cut off in another job'
+    goes_on; says err '^tool b: resuming at item [1-9]'
     says out '^drawn: 2 curves, .*as commanded'; [ "$(grep -c '^drawn' "$tmp/out")" = 1 ] ||
         job_fails "drew a tool again"
     kill "$machine"; gone "$machine"; counted two; same_path whole two

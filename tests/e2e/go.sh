@@ -44,8 +44,8 @@ case_go_moves_straight_to_a_place() {
     one_line 64 'no --port' "$loft" go 1
     one_line 64 'give up or down' "$loft" pen sideways --port "$tmp/there"
     one_line 64 'park takes no place' "$loft" park 3,4 --port "$tmp/there"
-    machine busy --speed real
-    draws busy; cut_off 0.5
+    machine busy "${starving[@]}" --halt 500
+    draws busy; cut_off 500
     one_line 75 'a job is running' "$loft" go 1,1 --port "$tmp/busy"
 }
 case_probe_finds_a_surface() {
@@ -82,25 +82,24 @@ case_jog_by_lines() {
     one_line 64 'name a port' "$loft" jog --port -
 }
 case_jog_by_keys() {
-    machine keyed --speed real
+    # a tap takes fewer ticks than a halt needs
+    machine keyed --speed fast --halt 1500
     run 0 "$loft" go 1,1 --port "$tmp/keyed"
     # two taps, a step of 10 mm, an arrow (ESC [ C) of 0.1 mm
-    "$pty" type "$tmp/keyed.log" "0.5:d 1.2:d 2:4 2.2:w 4:2 4.2:^[ 4.25:[ 4.3:C 5.5:q" \
-        "$loft" jog --port "$tmp/keyed" >"$tmp/out"
-    [ $? = 0 ] || job_fails "jog ended with another code"
+    types keyed '@step@d @2.000 1.000@. _d @3.000 1.000@4 @step 10 mm@w
+        @3.000 11.000@2 @step 0.1 mm@^[ @@[ @@C @3.100 11.000@q' \
+        "$loft" jog --port "$tmp/keyed" || job_fails "jog ended with another code"
     says out '3.100 11.000 0.000'; counted_place keyed '248 880 0'
     # a held key moves on, and its release stops the tool on the path, far before the end
-    local held='' at
-    for at in $(seq 500 33 2500); do held+="$(echo "$at" | sed 's/...$/.&/; s/^\./0./'):a "; done
-    "$pty" type "$tmp/keyed.log" "$held 4.5:q" "$loft" jog --port "$tmp/keyed" >"$tmp/out"
-    at=$(tail -1 "$tmp/keyed.csv" | cut -d, -f2)
+    types keyed '@step@. *halted at tick 1500*a #asked to#> #aborted#q' \
+        "$loft" jog --port "$tmp/keyed" || job_fails "jog ended with another code"
+    local at; at=$(tail -1 "$tmp/keyed.csv" | cut -d, -f2)
     [ "$at" -lt -1000 ] && [ "$at" -gt -8000 ] || job_fails "a held key led to step $at"
-    until_log keyed 'aborted'
     # the table ends it
     printf 'x.travel = 20\nx.min = -10\n' >"$tmp/table.txt"
-    machine edge --speed real
+    machine edge --speed fast
     run 0 "$loft" go 1,1 --port "$tmp/edge"
-    "$pty" type "$tmp/edge.log" "$held 4.5:q" "$loft" jog --port "$tmp/edge" \
-        --machine "$tmp/table.txt" >"$tmp/out"
+    types edge '@step@. *position -800 80 0*a @@q' "$loft" jog --port "$tmp/edge" \
+        --machine "$tmp/table.txt" || job_fails "jog ended with another code"
     counted_place edge '-800 80 0'
 }

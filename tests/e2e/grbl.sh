@@ -48,9 +48,7 @@ case_grbl_draws_cubics_and_work_coordinates() {
 case_grbl_on_the_whole_terminal_and_in_json() {
     peer shown
     local job=("$loft" stream tests/drawings/outline12.csv --grbl --feed 1 --port "$tmp/shown")
-    echo 'job begun' >"$tmp/shown.log"
-    "$pty" type "$tmp/shown.log" "1:h 1.4:s 2:r" "${job[@]}" --view >"$tmp/out" 2>&1 \
-        || job_fails "exit code $?"
+    types shown '@pen down@h _s _r' "${job[@]}" --view || job_fails "exit code $?"
     seen 'h hold  r resume  a abort'; seen 'pen down'; seen '#'; seen '....'; seen '@'
     seen 'sent ahead, override 100 %, held'; says after 'drawn: 12 curves, 0.131 m'
     drew shown

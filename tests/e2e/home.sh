@@ -17,8 +17,8 @@ case_zero_tells_the_machine_where_it_stands() {
     one_line 64 'xx: give each axis once' "$loft" zero xx --port "$tmp/there"
     one_line 64 'no --port' "$loft" zero xy
     one_line 64 'name the axes in one word' "$loft" zero x y --port "$tmp/there"
-    machine busy --speed real
-    draws busy; cut_off 0.5                             # it waits for the rest of its job
+    machine busy "${starving[@]}" --halt 500
+    draws busy; cut_off 500                             # it waits for the rest of its job
     one_line 75 'a job is running: wait' "$loft" zero --port "$tmp/busy"
     run 0 "${job[@]}"; says err '^resuming at item'; says out 'as commanded$'
     kinematics corexy
@@ -104,17 +104,17 @@ case_a_homed_machine_refuses_what_leaves_its_table() {
     done
 }
 case_the_emergency_stop_stops_at_once() {
-    machine pressed --speed real --once
+    machine pressed --speed fast --halt 1000 --once
     draws pressed
     "${job[@]}" >"$tmp/out" 2>"$tmp/err" & local sender=$!
-    until_log pressed ' begun'; sleep 1; kill -USR1 "$machine"; wait $sender
+    halted pressed 1000; kill -USR1 "$machine"; go_on pressed; wait $sender
     [ $? = 75 ] || job_fails "it ended with another code"
     says err 'the emergency stop closed and ended the job .* stopped at once .* is in doubt: then'
     gone "$machine"; counted pressed err
-    machine m --speed real
+    machine m --speed fast --halt 500
     draws m
     "${job[@]}" >"$tmp/out" 2>"$tmp/err" & sender=$!
-    until_log m ' begun'; sleep 0.5; kill -USR1 "$machine"; wait $sender
+    halted m 500; kill -USR1 "$machine"; go_on m; wait $sender
     run 0 "$loft" ports "$tmp/m"
     says out '	its position is in doubt: `loft home`.*	closed: the emergency stop$'
     one_line 69 'the emergency stop is closed: open it' "$loft" unlock --port "$tmp/m"
@@ -206,9 +206,9 @@ case_home_says_what_is_wrong() {
     bad_file 'x.home_order = 4\n' '1: home_order is 4: give a whole number from 0 to 3'
     bad_file 'x.home_end = low\nx.home_end = high\n' '2: home_end is given in line 1 already'
     # ^C ends it on the path; what is known of the place is said, and the next run works
-    machine slow --speed real --limits x-=-33
+    machine slow --speed fast --halt 500 --limits x-=-33
     "$loft" home x --port "$tmp/slow" "${file[@]}" >"$tmp/out" 2>"$tmp/err" & local homing=$!
-    until_log slow ' begun'; sleep 0.5; kill -INT $homing; wait $homing
+    halted slow 500; kill -INT $homing; until_log slow 'asked to'; go_on slow; wait $homing
     [ $? = 75 ] || job_fails "stopped with another code"
     says err '^loft: stopped: the tool is at -[0-9]*\.[0-9]* 0.000 0.000$'
     # killed without warning: the machine ends its move at the switch, and is free for the next one

@@ -52,10 +52,8 @@ case_dense_curves_at_115200_baud() {
                  printf "%g,20,%g,%g,%g,%g,%g,20\n",
                      x + 20, x + 20.2, 20 + s, x + 20.3, 20 - s, x + 20.5
                  x += 0.5 } }' >"$tmp/squiggle.csv"
-    machine dense --speed real --once
-    "$pty" relay "$tmp/slow" "$tmp/dense" 115200 & children+=($!); disown $!
-    wait_for "$tmp/slow"
-    run 0 "$loft" stream "$tmp/squiggle.csv" --port "unix:$tmp/slow" --feed 60
+    machine dense --speed fast --line-baud 115200 --once
+    run 0 "$loft" stream "$tmp/squiggle.csv" --port "$tmp/dense" --feed 60
     gone "$machine"
     counted dense
     # the machine took no longer than planned: the line has fed it in time
@@ -106,7 +104,7 @@ case_through_libserialport() {
     wait_for "$tmp/mute"
     one_line 69 'at 57600 baud: no machine answered' "${serial[@]}" --port "$tmp/mute" --wait 0.3 \
         --baud 57600
-    machine unplugged --speed real
-    { until_log unplugged " begun"; sleep 0.7; kill -9 "$machine"; } & children+=($!)
+    machine unplugged --speed fast --halt 700
+    { halted unplugged 700; kill -9 "$machine"; } & children+=($!)
     one_line 74 'the port has vanished at item [0-9]* of' "${serial[@]}" --port "$tmp/unplugged"
 }

@@ -35,10 +35,10 @@ case_kinematics_planned_there() {
 }
 case_kinematics_cut_off() {
     kinematics delta
-    machine there --speed real --machine "$tmp/delta.txt"
+    machine there "${starving[@]}" --halt 1000 --machine "$tmp/delta.txt"
     job=("$loft" stream "$tmp/small.csv" --port "$tmp/there" --machine "$tmp/delta.txt" --feed 60)
     drawing_on=there
-    cut_off 1
+    cut_off 1000
     run 0 "${job[@]}"
     says err '^resuming at item'
     says out 'as commanded$'

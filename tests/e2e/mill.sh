@@ -22,10 +22,10 @@ case_mill_on_the_chip() {
     # 0.010 of the lines, 0.005 of the plan, a step of 1/80 mm on each axis; cusps of 2 mm: 0.172
     awk '{ exit !($7 <= 0.172 + 0.037 && $12 <= 0.037) }' "$tmp/out" ||
         job_fails "not as asked: $(cat "$tmp/out")"
-    machine again --speed fast                  # the sender dies, and comes back
+    machine again --speed fast --halt 500       # the sender dies, and comes back
     draws again; job=("${cut[@]}" --port "$tmp/again")
-    cut_off 0.5
-    run 0 "${job[@]}"; says out '^drawn: .* steps 0 0 0 as commanded$'; counted again
+    stop_at 500 KILL; gone $sender
+    goes_on; says out '^drawn: .* steps 0 0 0 as commanded$'; counted again
     same_path again chip
     { dome; printf 'tensor 1 1\n0 0 5\n0 9 5\n9 0 5\n9 9 5\n'; } >"$tmp/two.loft"
     run 0 "$loft" mill --plan chip --along u --tool ball:6 --step 9 "$tmp/two.loft" \

@@ -40,14 +40,14 @@ case_planned_there_over_a_noisy_line() {
     chip_draws noisy; run 0 "${job[@]}"; gone "$machine"; counted noisy; says out 'as commanded$'
 }
 case_planned_there_and_killed() {
-    machine killed --speed real --once
+    machine killed --speed fast --halt 700,2200 --once
     chip_draws killed
-    for pause in 0.7 0.4; do cut_off $pause; done
-    run 0 "$loft" stream --hold --port "$tmp/killed"
+    stop_at 700 KILL; gone $sender
+    stop_at 2200 KILL takes_up; gone $sender
+    asks hold
     says out '^held: [0-9]* items executed'
     one_line 75 'another job' "$loft" stream "$tmp/small.csv" --port "$tmp/killed" "${slowly[@]}" \
         # the same drawing, but another job
-    run 0 "$loft" stream --resume --port "$tmp/killed"
     run 0 "${job[@]}" --record "$tmp/killed.csv"
     gone "$machine"
     says err '^resuming at item'
@@ -57,9 +57,9 @@ case_planned_there_and_killed() {
         "$tmp/out" || job_fails "$(cat "$tmp/out")"
 }
 case_planned_there_and_aborted() {
-    machine ended --speed real --once
-    chip_draws ended; cut_off 1
-    run 0 "$loft" stream --abort --port "$tmp/ended"
+    machine ended --speed fast --halt 1000 --once
+    chip_draws ended; stop_at 1000 KILL; gone $sender
+    asks abort
     gone "$machine"
     says out '^aborted: [0-9]* items'
     counted ended

@@ -36,7 +36,7 @@ ROWS
     [ "$(grep -c S "$tmp/raster.nc")" -gt 4000 ] || job_fails 'there are few pixels'
     # the line and its machine are slow, and stop where it said that it had nothing left; the words
     # stay as they are for a controller
-    machine slow --speed real --once --steps 400 --queue 4 --ramp 20
+    machine slow --speed fast --line-baud 57600 --once --steps 400 --queue 4 --ramp 20
     run 0 "$loft" stream "$tmp/raster.nc" --port "$tmp/slow" --machine "$tmp/laser.txt" \
         --log "$tmp/talk"
     gone "$machine"; counted slow; raster slow 0.06 "$(grep -c ' starved' "$tmp/talk")"
@@ -50,17 +50,19 @@ ROWS
 case_a_raster_is_held_and_goes_on() {
     printf 'laser = yes\nx.max_accel = 3000\ny.max_accel = 3000\n' >"$tmp/laser.txt"
     python3 tests/e2e/raster.py make M4 4 0.2 7 >"$tmp/raster.nc"
-    machine held --speed real --once --steps 400
-    "$pty" type "$tmp/held.log" '0.2:h 0.7:r 0.9:- 1.0:- 1.1:- 1.5:h 2:r 2.1:0' \
+    machine held --speed fast --halt 200,400,900,1200 --once --steps 400
+    types held "#halted at tick 200#h #asked to hold#> # held: #r
+        #halted at tick 400#- @@- @@- @ 70 %@> #halted at tick 900#h #asked to hold#> # held: #r
+        #halted at tick 1200#0 @100 %@>" \
         "$loft" stream "$tmp/raster.nc" --port "$tmp/held" --machine "$tmp/laser.txt" \
-        >"$tmp/out" 2>"$tmp/err" || job_fails "$(tail -1 "$tmp/err")"
+        || job_fails "$(tail -1 "$tmp/screen")"
     gone "$machine"; raster held 0.06 2
-    [ "$(grep -c ' held: ' "$tmp/held.log")" -ge 1 ] || job_fails 'it was not held'
+    [ "$(grep -c ' held: ' "$tmp/held.log")" -ge 2 ] || job_fails 'it was not held'
     # its sender is killed twice; the machine keeps what the laser is for, and no file says it
-    machine killed --speed real --once --steps 400 --keep "$tmp/kept"
+    machine killed --speed fast --halt 300,900 --once --steps 400 --keep "$tmp/kept"
     run 0 "$loft" set laser=yes x.max_accel=3000 y.max_accel=3000 --port "$tmp/killed"
     drawing_on=killed; job=("$loft" stream "$tmp/raster.nc" --port "$tmp/killed")
-    for pause in 0.7 0.4; do cut_off $pause; done
+    for tick in 300 900; do cut_off $tick; done
     run 0 "${job[@]}"; gone "$machine"
     says err '^resuming at item'; says out 'as commanded$'
     counted killed; raster killed 0.06 2

@@ -20,7 +20,7 @@ case_machines_as_text() {
     says slow.csv '^# steps_per_mm_z = 100'
     bad_machine() {
         printf "$1" >"$tmp/bad.txt"
-        one_line 65 "bad.txt:$2" timeout 5 "$loft" simulate --machine "$tmp/bad.txt"
+        one_line 65 "bad.txt:$2" "$loft" simulate --machine "$tmp/bad.txt"
     }
     bad_machine '\nx.speed = 3\n'         '2: unknown key "x.speed": did you mean .*max_speed'
     bad_machine 'max_accel 5\n'           '1: no `=` behind max_accel'
@@ -97,10 +97,7 @@ case_settings_are_whole_after_a_kill() {
     for i in 1 2 3 4; do
         "$loft" set steps_per_mm=20$i travel=20$i --port "$tmp/cut" --wait 60 \
             --log "$tmp/kill.log" >/dev/null 2>&1 & local setting=$!
-        for _ in $(seq 3000); do
-            grep -q '> SET .* at [1-9][0-9]*, [1-9]' "$tmp/kill.log" 2>/dev/null && break
-            sleep 0.01
-        done
+        until_file kill.log '> SET .* at [1-9][0-9]*, [1-9]'
         if [ $((i % 2)) = 0 ]; then                     # the power fails
             kill -9 "$machine"; gone "$machine"; rm -f "$tmp/cut"
             machine cut --speed fast --noise 1500 --keep "$tmp/cut.kept"
@@ -163,8 +160,8 @@ case_settings_that_cannot_be() {
     run 0 "$loft" settings "${to[@]}"; says out 'what it kept is damaged'
     run 0 "$loft" stream "$tmp/small.csv" "${to[@]}"
     says err '^loft: .*plain: its settings are damaged: it runs with those of its firmware'
-    machine busy --speed real
-    draws busy; cut_off 0.5
+    machine busy "${starving[@]}" --halt 500
+    draws busy; cut_off 500
     one_line 75 'a job is running: wait' "$loft" set x.travel=9 --port "$tmp/busy"
     run 0 "${job[@]}"; says out 'as commanded$'
 }

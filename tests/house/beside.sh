@@ -1,11 +1,11 @@
 #!/bin/bash
 # tests/house/beside.sh -- run commands in parallel, as many as there are cores
 # SPDX-License-Identifier: MIT
-# usage: tests/house/beside.sh <COMMANDS ; one to a line
+# usage: [BESIDE=N] tests/house/beside.sh <COMMANDS ; one to a line, N at once
 # The output of each is printed whole, in the order of the commands. The exit code is 1 if one of
 # theirs is not 0. Not for commands that measure time.
 set -u
-cores=$(nproc) count=0 shown=0 bad=0
+cores=${BESIDE:-$(nproc)} count=0 shown=0 bad=0
 said=$(mktemp -d); trap 'rm -rf "$said"' EXIT
 
 show() {        # those that have ended, up to the first that has not

@@ -227,7 +227,18 @@ flags_that_are_missing() {
 }
 flags_that_are_missing | rule "every rule heeds CPPFLAGS, CFLAGS and LDFLAGS"
 
-# 8. gcc and clang, warnings as errors, all number types, one, three and six axes: in parallel
+# 8. a whole job never waits for a time: it waits for what a machine or a command says
+timed() {               # timed FILE..: lines that sleep, or type a key at a time
+    grep -nwE 'sleep|usleep|time\.sleep' "$@" | grep -vE '^tests/e2e/(e2e_pty\.c|grbl_peer\.py):|: *#'
+    grep -nE "[\"' ][0-9]*\\.?[0-9]+:(\\^.|[^0-9 /\"'])([\"' ]|\$)" "$@"
+}
+timed tests/e2e/* | rule "no whole job waits for a time"
+printf '%s\n' '    sleep 1' 'type "1.2:h 2.2:r"' "type '0.8:^C'" >"$result.timed"
+{ [ "$(timed "$result.timed" | wc -l)" = 3 ] || echo "a planted line is not seen"; } |
+    rule "waits for a time are seen"
+rm "$result.timed"
+
+# 9. gcc and clang, warnings as errors, all number types, one, three and six axes: in parallel
 for compiler in gcc clang; do
     for num in Q16 F32 F64; do
         for axes in 1 3 6; do echo "sh tests/house/lint.sh compiled $compiler $num $axes"; done
