@@ -321,8 +321,11 @@ class Maker:
         o, n = self.label(), 100 + self.labels
         head, most = '#%d = 0' % n, self.r.randint(0, 4)
         kind = self.r.choice((0, 2) if self.breaks else (0, 1, 2))
-        # rs274 knows no break of a repeat; where a program has breaks, it counts `do` wrongly
+        # rs274 knows no break of a repeat, and a return leaves its count behind; where a program
+        # has breaks, it counts `do` wrongly
+        outside, self.inside = self.inside, None if kind == 2 else self.inside
         inner = ['#%d = [#%d + 1]' % (n, n)] + self.steps(depth, loops + [o] * (kind < 2))
+        self.inside = outside
         if kind == 0:
             return [head, '%s while [#%d LT %d]' % (o, n, most)] + inner + [o + ' endwhile']
         if kind == 1:
