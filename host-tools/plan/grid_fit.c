@@ -5,11 +5,12 @@
  * even shares of them, so that each span has points (The NURBS Book, 9.69).
  *
  * With as many control points as points the equations of (9.69) can be nearly singular, and the net
- * meets all points with control points anywhere. So along each direction there are at most 2 control
- * points for 3 points, but degree + 1. And the net must be no faster than the points: along each
- * direction the derivative lies in the hull of degree (c_i+1 - c_i) / (t_i+degree+1 - t_i+1). Each is
- * at most SPEED times the largest chord between neighbouring points over the step of their
- * parameters, and SLACK tolerances over the step of knots more. This bounds the surface between the points as spline_fit.c says for curves.
+ * meets all points with control points anywhere. So along each direction there are at most 2
+ * control points for 3 points, but degree + 1. And the net must be no faster than the points: along
+ * each direction the derivative lies in the hull of degree (c_i+1 - c_i) / (t_i+degree+1 - t_i+1).
+ * Each is at most SPEED times the largest chord between neighbouring points over the step of their
+ * parameters, and SLACK tolerances over the step of knots more. This bounds the surface between the
+ * points as spline_fit.c says for curves.
  */
 #include "plan/grid_fit.h"
 

@@ -9,10 +9,10 @@
  * that it has not seen: FOLDS times a share of the points is left out, a net is fitted to the
  * others, and measured at those (cross-validation: M. Stone, JRSS B 36, 1974). A net that follows
  * the noise, or that the points hardly determine, predicts badly. The root of the mean square must
- * be within PREDICTED tolerances. There is at most one control point for two points. And the surface,
- * seen at LOOKS places along each span, stays in the box of the points along the rectangle and the
- * plane's normal, but for BEYOND of its diagonal and SLACK tolerances: corners that have no points
- * are not told by others.
+ * be within PREDICTED tolerances. There is at most one control point for two points. And the
+ * surface, seen at LOOKS places along each span, stays in the box of the points along the rectangle
+ * and the plane's normal, but for BEYOND of its diagonal and SLACK tolerances: corners that have no
+ * points are not told by others.
  */
 #include "plan/scatter_fit.h"
 

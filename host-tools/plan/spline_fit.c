@@ -13,8 +13,8 @@
  *           Its derivative lies in the hull of n (c_i+1 - c_i) / T_i with T_i = t_i+n+1 - t_i+1.
  *           Each is at most SPEED + SLACK within / T_i. A gap between two points lies in one
  *           interval, or in two by halves, none longer than T_i. So over a gap L the curve is at
- *           most SPEED L + 2 SLACK `within` long, and stays within the ellipse of this length, and 2
- *           `within` more, around the points: for a small `within` 0.87 L from their chord, for a
+ *           most SPEED L + 2 SLACK `within` long, and stays within the ellipse of this length, and
+ *           2 `within` more, around the points: for a small `within` 0.87 L from their chord, for a
  *           small L 5 `within`.
  */
 #include <math.h>

@@ -7,10 +7,10 @@
  * positive product with the chord of both.
  *
  * In the square of all (s, t) the places where C(s) and C(t) are within tol form regions. The
- * diagonal s = t lies in one of them. A cusp, or a bend as narrow as tol, widens it: neighbours share
- * a point, and the stretch that contains it is part of the region of the diagonal, a `near` box. So
- * are neighbours that are short. The other regions are crossings. Cuts of the curve part a region:
- * stretches that touch are one. What touches a near box belongs to it and is no crossing.
+ * diagonal s = t lies in one of them. A cusp, or a bend as narrow as tol, widens it: neighbours
+ * share a point, and the stretch that contains it is part of the region of the diagonal, a `near`
+ * box. So are neighbours that are short. The other regions are crossings. Cuts of the curve part a
+ * region: stretches that touch are one. What touches a near box belongs to it and is no crossing.
  * Neighbours are intersected first, so that most near boxes are known before.
  *
  * Weights: cubics within tol / 16 of the curve take its place, with tol / 2. Where the curve meets

@@ -10,8 +10,8 @@
  *
  * Where a branch runs along a border of a surface, or along a cut of the cells, it is in the cell
  * for no value of f for sure. The places of a cell are near a line: if they stray from it by less
- * than tol / 4, and those at both ends of f and in the middle are in the cell, all others are within
- * tol of the branch through them.
+ * than tol / 4, and those at both ends of f and in the middle are in the cell, all others are
+ * within tol of the branch through them.
  *
  * What is left at the size of tol is a touch, unless a branch runs by.
  */

@@ -39,7 +39,8 @@ case_fit() {
                                             12 * sin(a) } }' >"$tmp/round.csv"
     one_line 65 'round.csv:1: the points are noisier than --tol 0.01.*: give --tol' \
         "$loft" fit "$tmp/round.csv"
-    "$loft" fit --tol "$(grep -o 'give --tol [0-9.]*' "$tmp/err" | cut -d' ' -f3)" "$tmp/round.csv" |
+    local enough; enough=$(grep -o 'give --tol [0-9.]*' "$tmp/err" | cut -d' ' -f3)
+    "$loft" fit --tol "$enough" "$tmp/round.csv" |
         "$loft" measure - >"$tmp/out" || job_fails "the tolerance that is named"
     awk '/^all/ { exit !($3 > 98 && $3 < 103 && $4 > -20.2 && $7 < 12.2) }' "$tmp/out" ||
         job_fails "an ellipse: $(cat "$tmp/out")"
@@ -105,7 +106,8 @@ case_decide() {
         run 0 "$loft" decide conic --num $num "$tmp/half.loft"
         says out '^0 circle, ellipse'; says out '^centre 0 0'; says out '^axes 3 3'
         # thirds and roots are rounded: within that it is a conic, and a circle
-        printf 'rational 3\n3 0 : 1\n3 6 : 0.33333333333333331\n-3 6 : 0.33333333333333331\n-3 0 : 1\n' >"$tmp/third.loft"
+        { printf 'rational 3\n3 0 : 1\n3 6 : 0.33333333333333331\n'
+          printf -- '-3 6 : 0.33333333333333331\n-3 0 : 1\n'; } >"$tmp/third.loft"
         run 0 "$loft" decide conic --num $num "$tmp/third.loft"
         says out '^0 circle, ellipse, within the rounding of its numbers$'
         printf 'rational 2\n1 0 : 1\n1 1 : 0.70710678118654757\n0 1 : 1\n' >"$tmp/root.loft"
@@ -552,7 +554,7 @@ case_shapes_are_told() {
     run 0 "$loft" eval --shape --points "0,0 1,1 2,0"
     says out '^0.0 bezier: parabola, box 0 0 to 2 0.5'
     run 0 "$loft" eval --shape tests/drawings/curves.loft
-    says out ' natural uniform: serpentine (an inflection outside 0..1), inflection at 1.377[0-9]*, '
+    says out ' natural uniform: serpentine (an inflection outside 0..1), inflection at 1.377'
     one_line 64 'give one of them' "$loft" eval --shape --t 0.5 --points "0,0 1,1"
 }
 case_combs_and_knots_are_drawn() {

@@ -178,15 +178,16 @@ case_meet() {
         >"$tmp/near.loft"
     for num in q16 f32 f64; do
         run 0 "$loft" make meet --num $num --of 0.001 "$tmp/wall.loft"
-        awk '/^line/ { n++; next } { if ($1 || $3) bad = 1; last = $2 } n && first == "" { first = $2 }
+        awk '/^line/ { n++; next } { if ($1 || $3) bad = 1; last = $2 }
+             n && first == "" { first = $2 }
              END { exit bad || n != 1 || first + last != 10 || first * last != 0 }' "$tmp/out" ||
             job_fails "wall $num: $(cat "$tmp/out")"
         run 0 "$loft" make meet --num $num --of 0.001 "$tmp/near.loft"
         [ "$(grep -c '^line' "$tmp/out")" = 2 ] || job_fails "two lines $num: $(cat "$tmp/out")"
     done
-    printf 'tensor 1 1\n0 0 0\n0 1 0\n1 0 0\n1 1 0\ntensor 1 1\n0 0 0\n0 2 0\n2 0 0\n2 2 0\n' \
-        >"$tmp/one.loft"
-    one_line 65 'overlap, touch along a line, or are so near each other that 0.0005 mm does not tell' \
+    { printf 'tensor 1 1\n0 0 0\n0 1 0\n1 0 0\n1 1 0\n'
+      printf 'tensor 1 1\n0 0 0\n0 2 0\n2 0 0\n2 2 0\n'; } >"$tmp/one.loft"
+    one_line 65 'touch along a line, or are so near each other that 0.0005 mm does not tell' \
         "$loft" make meet --num f64 --of 0.0005 "$tmp/one.loft"
     # a plane cuts a sphere in one circle over four octants; two spheres meet in one circle; lines
     # over spans end on the border
@@ -645,7 +646,7 @@ case_waterlines() {
     done
     [ "$(grep -c 'fill:rgb(42%' "$tmp/at-5,6.5.svg") $(grep -c 'fill:rgb(42%' "$tmp/at-20.svg")" = \
         "10 0" ] || job_fails "$(grep -c 'fill:rgb(42%' "$tmp/at-5,6.5.svg") labels"
-    # a ridge of 0.14 mm between two rings, a peak within one of the 16 cells, a saddle at the height
+    # a ridge of 0.06 mm between two rings; a peak within one of the cells; a saddle at the height
     # 0.001 - (x x + y y - 25)^2 / 100 on -10..10, of control points of x^2 and x^4
     awk 'BEGIN { print "tensor 4 4"
          split("100 0 -33.3333333333333333 0 100", c, " ")

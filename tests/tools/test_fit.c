@@ -165,7 +165,7 @@ static void any_points_are_met_or_refused(arb *a)
         check_parts(&x);
 }
 
-/* The box of the points holds the curve, but for 5 tolerances and 0.87 of the longest gap; and there
+/* The box of the points holds the curve, but for 5 tolerances and 0.87 of the longest gap. There
  * are fewer control points than points. */
 static void check_shape(const fitted *x)
 {
