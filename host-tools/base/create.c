@@ -14,12 +14,33 @@
 
 static bool is_followed(const char *name) { return strncmp(name, "/dev/", 5) == 0; }
 
+static bool is_stream(const struct stat *of)
+{
+    return S_ISCHR(of->st_mode) || S_ISFIFO(of->st_mode);
+}
+
+/* What a link leads to, if it is no file: that is not emptied. */
+static int open_device(const char *name)
+{
+    const int fd = open(name, O_WRONLY | O_CLOEXEC);
+    struct stat info;
+
+    if (fd >= 0 && fstat(fd, &info) == 0 && is_stream(&info))
+        return fd;
+    if (fd >= 0)
+        close(fd);
+    errno = ELOOP;
+    return -1;
+}
+
 FILE *create_file(const char *name)
 {
-    const int fd = open(
-        name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | (is_followed(name) ? 0 : O_NOFOLLOW),
-        0666);
-    FILE *file   = fd >= 0 ? fdopen(fd, "w") : NULL;
+    const int follow = is_followed(name) ? 0 : O_NOFOLLOW;
+    int fd           = open(name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | follow, 0666);
+
+    if (fd < 0 && errno == ELOOP)
+        fd = open_device(name);
+    FILE *file = fd >= 0 ? fdopen(fd, "w") : NULL;
     if (fd >= 0 && file == NULL)
         close(fd);
     return file;
@@ -45,7 +66,8 @@ int create_check(const char *name)
 
     if (name == NULL || strcmp(name, "-") == 0)
         return 0;
-    if (!is_followed(name) && lstat(name, &info) == 0 && S_ISLNK(info.st_mode))
+    if (!is_followed(name) && lstat(name, &info) == 0 && S_ISLNK(info.st_mode) &&
+        !(stat(name, &info) == 0 && is_stream(&info)))
         return create_refused(name, ELOOP);
     if (access(name, F_OK) == 0)
         return access(name, W_OK) == 0 ? 0 : create_refused(name, errno);

@@ -8,7 +8,8 @@
 
 /* fopen to write a file that is made or emptied. What a symbolic link points to is not touched:
  * links that somebody put there would lead to any file of the user. Those of /dev are followed, as
- * /dev/stdout. NULL, with errno: ELOOP for a link. */
+ * /dev/stdout, and those to a device of characters or a pipe. NULL, with errno, which is ELOOP for
+ * a link. */
 FILE *create_file(const char *name);
 
 /* Tell that a file could not be made, and why: an `errno`. Returns EX_CANTCREAT. */
