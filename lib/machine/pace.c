@@ -20,9 +20,9 @@
  * slower paces and finer aims.
  *
  * A whole percentage p lies up to half a level beside its own. At that level, steady, a tick lasts
- * exactly slots 100 / p, and the ticks before and behind follow the levels. So the mean pace changes
- * between them by at most 0.7 of what the ramp allows if u >= 16, and 1.03 of it if u = 1: at level 1
- * and 1.5 levels, on the way to a stop.
+ * exactly slots 100 / p, and the ticks before and behind follow the levels. So the mean pace
+ * changes between them by at most 0.7 of what the ramp allows if u >= 16, and 1.03 of it if u = 1:
+ * at level 1 and 1.5 levels, on the way to a stop.
  *
  * In numbers: roots in Q8, first = 2 slots sqrt(J) in Q16, T in Q8. Range: first / 2^16 <= 32767 by
  * init, so first < 2^31; a level is at most 4 * 16383, so its root is below 2^16 in Q8. Error: a

@@ -15,7 +15,7 @@
  * plan, rounded up. The level changes by at most `unit` per tick. r^2 is level / full, where `full`
  * is the level of pace 1. A level that is that of a whole percentage means it exactly. The slowest
  * pace is sqrt(1 / full) or a percentage that has level 1: `full` is 16,383 less the rest of
- * ceil(ramp / 2), or less from 128 slots on: up to 267 slots each percentage has a level of its own.
+ * ceil(ramp / 2), or less from 128 slots on: up to 267 slots each percentage has its own level.
  *
  * Only the context that prepares ticks may call loft_pace_next, which changes the level (span.h has
  * the order of calls). Any context may call loft_pace_aim, if 16 bits are stored at once. 20 bytes.

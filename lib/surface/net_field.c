@@ -17,7 +17,7 @@
  * points, and the cone over the patch has the volume 1/3 int det / w^3.
  *
  * Far from the apex these determinants of long vectors would cancel. So the points are seen from
- * the first one, X = Y + w o, with o the first point seen from the apex: det X = det Y + o . M, as M
+ * the first one, X = Y + w o, with o that point seen from the apex: det X = det Y + o . M, as M
  * is the same of both. Without weights S and T are steps of the net and M = S x T, so each term is
  * at most the product of two steps and of the distance from the apex, L: with 2^-53 for each of the
  * roundings (q16: 2^-61), of about m n terms, the whole is within 2^-40 A L (q16: 2^-48 A L).

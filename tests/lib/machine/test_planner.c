@@ -147,8 +147,8 @@ static void curves_are_told_when_they_are_behind(arb *a)
         CHECK(spans[given - 1].p[2][i] == items[curves - 1].p[2][i]);
 }
 
-/* Where a call gives nothing, and says that no part of the work was done, the next ones give nothing
- * either until there is something new: a main loop may sleep. */
+/* Where a call gives nothing, and says that no part of the work was done, the next ones give
+ * nothing either until there is something new: a main loop may sleep. */
 static void a_planner_that_is_not_busy_has_nothing_to_do(arb *a)
 {
     const loft_planner_memory memory = memory_of(CURVES);
