@@ -36,6 +36,12 @@ void progress_start(progress *p, double total)
                      .left = HUGE_VAL };
 }
 
+void progress_start_late(progress *p, double total)
+{
+    progress_start(p, total);
+    p->drawn = tool_clock() + 0.9;
+}
+
 void progress_rest(progress *p)     { p->resting = true; }
 
 /* Use the pace since the first call, which is not the start after a resume. Rests do not count. */

@@ -18,6 +18,9 @@ typedef struct {
 
 void progress_start(progress *p, double total);
 
+/* The same, for what mostly takes less than a second: nothing is shown before that. */
+void progress_start_late(progress *p, double total);
+
 /* Show `done` of the total and a short text, at most ten times a second. */
 void progress_show(progress *p, double done, const char *text);
 

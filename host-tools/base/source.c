@@ -17,8 +17,8 @@
 /* bytes; a drawing with the largest number of curves is smaller */
 #define FILE_MAX ((size_t)512 << 20)
 
-/* What unpacks to more than this, and to so many times its size, is a trap: text that somebody wrote
- * packs to a fiftieth at best, and gzip packs nothing to less than 1/1032. */
+/* What unpacks to more than this, and to so many times its size, is a trap: text that somebody
+ * wrote packs to a fiftieth at best, and gzip packs nothing to less than 1/1032. */
 #define TRAP_LEAST ((size_t)32 << 20)
 #define TRAP_TIMES 400
 

@@ -3,6 +3,7 @@
  */
 #include <string.h>
 
+#include "base/progress.h"
 #include "base/source.h"        /* source_name */
 #include "base/tool.h"          /* tool_error */
 #include "plan/areas.h"
@@ -106,17 +107,21 @@ int areas_apply(bool strokes, bool fills, drawing *d, const char *file)
     drawing out    = { .width = d->width, .height = d->height };
     unsigned shape = 0;
     int code       = 0;
+    progress bar;
 
     if (d->count == 0 || d->of != NULL || !(strokes || d->clips > 0))
         return 0;
     for (size_t i = 0; i < d->count; i++)
         shape = d->curve[i].fill > shape ? d->curve[i].fill : shape;
     shape -= shape % DRAWING_SHAPE;
+    progress_start_late(&bar, (double)d->count);
     for (size_t first = 0, last; first < d->count && code == 0; first = last) {
         for (last = first; last < d->count && d->curve[last].fill == d->curve[first].fill; last++)
             ;
+        progress_show(&bar, (double)first, strokes ? "widening strokes" : "cutting");
         code = apply_shape(strokes, fills, d, first, last, &shape, &out, file);
     }
+    progress_clear_any();
     drawing_free(d);
     *d = out;
     return code;

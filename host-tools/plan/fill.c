@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/progress.h"
 #include "base/scan.h"          /* scan_number */
 #include "base/source.h"        /* source_name */
 #include "plan/contour.h"       /* contour_fill */
@@ -256,11 +257,14 @@ int fill_apply(const fill_options *f, drawing *d, const char *file)
     drawing filled = { .width = d->width, .height = d->height };
     filling g      = { .f = f, .to = &filled, .file = source_name(file) };
     int code       = f->distance > 0 ? check_fill(f, d, file) : 0;
+    progress bar;
 
     if (!(f->distance > 0) || code != 0)
         return code;
+    progress_start_late(&bar, (double)d->count);
     for (size_t first = 0, last; first < d->count && code == 0; first = last) {
         const unsigned shape = d->curve[first].fill;
+        progress_show(&bar, (double)first, "filling");
         for (last = first; last < d->count && d->curve[last].fill == shape; last++)
             if (outline_stays(f, &d->curve[last]))
                 drawing_add_like(&filled, &d->curve[last],
@@ -272,6 +276,7 @@ int fill_apply(const fill_options *f, drawing *d, const char *file)
         if (code == 0 && f->cross)
             code = hatch_shape(&g, d, first, last, f->degrees + 90);
     }
+    progress_clear_any();
     free(g.all);
     drawing_free(d);
     *d = filled;

@@ -427,6 +427,7 @@ static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const
         !clips(r, node, chain))
         return true;
     r->node = node;
+    progress_show(&r->notes->bar, r->visited, "drawing");
     if (++r->visited > SVG_ELEMENTS_MAX)
         return svg_fail(r, "more than %u elements, counting each use: split the drawing",
                         SVG_ELEMENTS_MAX);

@@ -37,6 +37,7 @@
 
 #include <libxml/dict.h>        /* needs tree.h */
 
+#include "base/progress.h"
 #include "read/drawing.h"
 
 /* x' = a x + c y + e,  y' = b x + d y + f */
@@ -71,6 +72,7 @@ typedef struct {
     unsigned long long warned;  /* bits, see svg_warn */
     bool lost;                  /* a part of the current shape cannot be drawn: none of it is */
     const xmlNode *page;        /* the first white page that was left out */
+    progress bar;
 } svg_notes;
 
 /* The number of an element among its siblings. */

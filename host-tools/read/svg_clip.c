@@ -266,6 +266,7 @@ bool svg_cut(svg_reader *r, const drawing *outline, size_t first)
     for (size_t i = first; i < d->count && good; i++) {
         const drawing_curve *c = &d->curve[i];
         const bool fresh       = i == first || c->path != c[-1].path;
+        progress_show(&r->notes->bar, r->visited, "clipping");
         if (c->fill & DRAWING_HIDDEN)
             continue;
         drawing_curve seen = *c;

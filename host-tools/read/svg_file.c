@@ -382,8 +382,10 @@ int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size
                           "<svg xmlns=\"http://www.w3.org/2000/svg\"> is expected",
                           file, svg_at_line(&r), (const char *)root->name);
     else {
+        progress_start_late(&notes.bar, problem.elements);
         collect_ids(&r, root);
         code = svg_draw(&r, root) ? 0 : EX_DATAERR;
+        progress_clear_any();
     }
 
     for (size_t i = 0; i < r.named_count; i++)

@@ -75,7 +75,8 @@ static bool says(const xmlNode *node, const char *name, const char *value)
     return is;
 }
 
-/* The matrix from 0..1 to the box of an element, in its user space: of its geometry, seen or not. */
+/* The matrix from 0..1 to the box of an element, in its user space: of its geometry, seen or not.
+ */
 static bool find_box(svg_reader *r, const svg_element *e, svg_matrix *out)
 {
     drawing all = { .count = 0 };

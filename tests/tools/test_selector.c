@@ -16,7 +16,7 @@ static void add_elements(arb *a, char *text, int depth, int *count)
 {
     static const char *const names[]   = { "g", "path", "rect" };
     static const char *const classes[] = { "", " class='x'", " class='y x'", " class=' xy\ty'" };
-    static const char *const kinds[]   = { "", " k=''", " k='one'", " k='one two'", " k='one-two'" };
+    static const char *const kinds[] = { "", " k=''", " k='one'", " k='one two'", " k='one-two'" };
 
     for (unsigned n = 1 + arb_below(a, 4); n > 0 && *count < 30; n--) {
         const char *name = names[depth > 0 ? arb_below(a, 3) : 1];
