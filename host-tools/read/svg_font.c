@@ -217,11 +217,29 @@ static void set_spacing(const svg_space *space, const char *text, double *out)
         (void)svg_css_length(space, text, space->font.size, out);
 }
 
+/* A list of words: lines, and how they look. With any other word it means nothing. */
 static void add_decoration(svg_font *f, const char *text)
 {
-    f->underlined = f->underlined || strstr(text, "underline") != NULL;
-    f->overlined  = f->overlined || strstr(text, "overline") != NULL;
-    f->struck     = f->struck || strstr(text, "line-through") != NULL;
+    static const char *const words[] = {
+        "underline", "overline", "line-through", "none",   "blink",
+        "solid",     "double",   "dotted",       "dashed", "wavy"
+    };
+    bool has[10]                     = { false };
+
+    for (const char *at = text; scan_space(&at), *at != '\0';) {
+        const size_t length = strcspn(at, " \t\r\n\f");
+        size_t i            = 0;
+        while (i < 10 && !(strlen(words[i]) == length && strncasecmp(words[i], at, length) == 0))
+            i++;
+        if (i == 10 && *at >= 'a' && memchr(at, ',', length) && !memchr(at, '(', length))
+            return;
+        if (i < 10)
+            has[i] = true;
+        at += length;
+    }
+    f->underlined = f->underlined || has[0];
+    f->overlined  = f->overlined || has[1];
+    f->struck     = f->struck || has[2];
 }
 
 
@@ -275,8 +293,8 @@ void svg_font_enter(svg_reader *r, const svg_style *style, svg_space *space)
         }
         xmlFree(text);
     }
-    xmlChar *kept = xmlNodeGetSpacePreserve(r->node) == 1 ? xmlStrdup(r->node->name) : NULL;
+    xmlChar *kept = xmlGetNsProp(r->node, (const xmlChar *)"space", XML_XML_NAMESPACE);
     if (kept != NULL)
-        space->font.keeps_space = true;
+        space->font.keeps_space = strcmp((const char *)kept, "preserve") == 0;
     xmlFree(kept);
 }

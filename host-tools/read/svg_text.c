@@ -151,11 +151,16 @@ static void read_lists(svg_reader *r, const svg_space *space, lists *l)
     for (int k = 0; k < 5; k++) {
         char *text        = svg_attribute(r->node, names[k]);
         const size_t room = text ? strlen(text) : 0;
+        const bool plain  = room == 0 || strspn(text, "0123456789.+-eE, \t\r\n\f") == room;
         xmlFree(text);
         if (room == 0)
             continue;
         l->value[k] = tool_grow(NULL, room * sizeof *l->value[k]);
         l->count[k] = svg_lengths(r, space, names[k], sides[k], l->value[k], room);
+        if (k == 4 && !plain) {         /* angles have no units */
+            svg_warn(r, SVG_WARN_LENGTH, "rotate is not used: give a list of numbers");
+            l->count[k] = 0;
+        }
     }
 }
 
@@ -222,12 +227,14 @@ static void read_path(collection *c, const svg_space *space, stretch *out)
 
 static bool collect_child(collection *c, const xmlNode *node, svg_space space, const stretch *like)
 {
-    stretch own = *like;
+    const svg_matrix to_mm = space.to_mm;
+    stretch own            = *like;
     svg_scope scope;
     bool shown;
 
-    c->r->node = node;
-    bool good  = svg_enter(c->r, &space, &scope, &shown);
+    c->r->node  = node;
+    bool good   = svg_enter(c->r, &space, &scope, &shown);
+    space.to_mm = to_mm;        /* parts of a text have no transform */
     if (good && shown && svg_is(node, "textPath"))
         read_path(c, &space, &own);
     if (good && shown && !(svg_is(node, "textPath") && own.path == NULL))
@@ -256,6 +263,9 @@ static bool collect(collection *c, const xmlNode *node, const svg_space *space, 
         } else if (svg_is(child, "tspan") || svg_is(child, "a") || svg_is(child, "textPath")) {
             good  = collect_child(c, child, *space, like);
             begun = false;
+        } else if (svg_is(child, "tref")) {
+            c->r->node = child;
+            svg_warn(c->r, SVG_WARN_TEXT, "<tref> is not drawn: write its text");
         }
     }
     c->r->depth--;
@@ -477,6 +487,7 @@ static bool draw_run(layout *l, const run *u, const svg_rail *along)
                       svg_ink_chosen(l->c->r, &of->space, l->c->r->fill & DRAWING_STROKED);
 
     l->c->r->node = of->node;
+    l->c->r->fill &= ~(unsigned)DRAWING_EVENODD;     /* it is not for text */
     l->at[0] += first->dx;
     l->at[1] += first->dy;
     const double y = l->at[1] - shift_of(f, &u->shaped), from[2] = { l->at[0], y };
@@ -496,8 +507,10 @@ static bool draw_run(layout *l, const run *u, const svg_rail *along)
                                  size * cos(turn),
                                  0,
                                  0 };
-        if (k > 0 && u->shaped.cluster[k].lines != u->shaped.cluster[k - 1].lines)
+        if (k > 0 && u->shaped.cluster[k].lines != u->shaped.cluster[k - 1].lines) {
             (void)svg_begin(l->c->r, &of->space);
+            l->c->r->fill &= ~(unsigned)DRAWING_EVENODD;
+        }
         if (u->shaped.cluster[k].lines)
             l->c->r->fill &= ~(unsigned)DRAWING_FILLED;
         if (shown)
@@ -525,6 +538,7 @@ static bool draw_chunk(layout *l, size_t first, size_t last)
 
     for (size_t k = first; k < last; k++)
         wide += l->all[k].advance;
+    wide -= font_of(l, &l->all[last - 1])->letter * l->all[last - 1].wider;  /* behind the last */
     if (begins->has & HAS_X)
         l->at[0] = begins->x;
     if (begins->has & HAS_Y)

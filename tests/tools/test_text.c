@@ -194,6 +194,28 @@ static void a_letter_without_lines_is_an_outline(arb *a)
     drawing_free(&d);
 }
 
+/* Angles have no units, parts no transform, and a decoration is a list of its own words. */
+static void what_means_nothing_in_text_changes_nothing(arb *a)
+{
+    (void)a;
+    APART("<text y='9' rotate='90'>HI</text>", "<text y='9' rotate='90'>HI</text>", 0, 0);
+    APART("<text y='9'>HI</text>", "<text y='9' rotate='5mm'>HI</text>", 0, 0);
+    CHECK(strstr(caught, "rotate is not used") != NULL);
+    APART("<text y='9'>HI</text>", "<text y='9'><tspan transform='scale(3)'>HI</tspan></text>", 0,
+          0);
+    APART("<text y='9'>HI</text>", "<text y='9' text-decoration='underline,overline'>HI</text>", 0,
+          0);
+    APART("<text y='9' text-decoration='underline'>HI</text>",
+          "<text y='9' style='text-decoration:underline wavy red'>HI</text>", 0, 0);
+    APART("<text y='9'>HI<tref href='#a'/></text>", "<text y='9' text-anchor='start'>HI</text>", 0,
+          0);
+    APART("<text y='9' text-anchor='end'>H</text>",
+          "<text y='9' text-anchor='end' letter-spacing='5'>H</text>", 0, 0);
+    APART("<text y='9'>a b</text>",
+          "<text y='9' xml:space='preserve'><tspan xml:space='default'>  a   b</tspan></text>", 0,
+          0);
+}
+
 #define TT "M 18 29 L 18 50 M 11 29 L 25 29 M 66 29 L 66 50 M 59 29 L 73 29"
 
 static void single_lines(arb *a)
@@ -286,6 +308,7 @@ int main(void)
     PROPERTY(outlines_are_those_of_a_layout, 200);
     PROPERTY(letters_have_places_of_their_own, 1);
     PROPERTY(text_follows_a_path, 1);
+    PROPERTY(what_means_nothing_in_text_changes_nothing, 1);
     PROPERTY(single_lines, 1);
     PROPERTY(a_letter_without_lines_is_an_outline, 1);
     PROPERTY(floods_of_letters_are_stopped, 1);
