@@ -234,6 +234,8 @@ static bool draw_marker(svg_reader *r, const xmlNode *node, const svg_space *of,
 
     r->node = node;
     svg_set_context(&space, of);
+    space.width  = of->width;
+    space.height = of->height;
     place_marker(r, of, v, read_angle(r, angle_of(v, &of->to_mm), start), &space, size);
     if (!(size[0] > 0))
         return true;

@@ -131,10 +131,10 @@ static bool draw_outline(svg_reader *r, const xmlNode *node, const svg_element *
         !find_box(r, e, &box))
         return false;
     const state was = begin_outline(r, masks, outline);
+    space.width     = e->space->width;
+    space.height    = e->space->height;
     bool good = svg_enter_from_root(r, node->parent, &space, scope, SVG_DEPTH_MAX, &scopes, &shown);
     space.to_mm  = e->space->to_mm;
-    space.width  = e->space->width;
-    space.height = e->space->height;
     r->node      = node;
     good         = good && svg_enter(r, &space, &scope[scopes++], &shown);
     space.to_mm  = svg_multiply(space.to_mm, box);

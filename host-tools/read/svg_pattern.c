@@ -228,6 +228,8 @@ bool svg_pattern(svg_reader *r, const svg_space *of)
     if (seen)
         place_tiles(r, &c, of, &outline, &t);
     if (good && seen && t.last[0] >= t.first[0] && t.last[1] >= t.first[1]) {
+        style.width  = of->width;
+        style.height = of->height;
         if (r->markings == 0)
             r->since = r->compared;
         r->marking[r->markings++] = of->pattern;

@@ -160,7 +160,7 @@ warned() {
 # line says, what is within <svg>
 svg_warnings() {
     sed -e :a -e '/\\$/N; s/\\\n *//; ta' <<'TABLE'
-SELECTOR|selector "path:nth-child(2)|<style>path:nth-child(2) { display: none }</style>
+SELECTOR|selector "path:has(a)|<style>path:has(a) { display: none }</style>
 DATA|path data ends after|<path d="M0 0L5" stroke="red"/>
 TEXT|<flowRoot> is not drawn|<flowRoot/>
 LETTER|is in no font|<text x="5" y="9">a&#x10FFFD;</text>
@@ -173,7 +173,7 @@ PICTURE|<image> is not drawn|<image width="5" height="5" href="a.png"/>
 CLIP_PATH|clip-path: circle(2)|<path d="M0 0h5" stroke="red" clip-path="circle(2)"/>
 MASK|not of white shapes|\
     <mask id="m"><path d="M0 0h9v9z" fill="#777"/></mask>\
-    <path d="M0 0h5" stroke="red" mask="url(#m)"/>
+    <path d="M0 0h5v5" stroke="red" mask="url(#m)"/>
 PATTERN|tiles is left out|\
     <pattern id="p" width=".01" height=".01" patternUnits="userSpaceOnUse">\
     <path d="M0 0h1" stroke="red"/></pattern><path d="M0 0h40v40h-40z" fill="url(#p)"/>
@@ -184,14 +184,26 @@ UNSEEN|without fill and stroke|<path d="M0 0h5" fill="none"/>
 USE_NOTHING|<use> without href|<use/>
 USE_ELSEWHERE|is not in this file|<use href="b.svg#a"/>
 USE_MISSING|no element has this id|<use href="#a"/>
+USE_CYCLE|it uses itself|<use id="a" href="#a"/>
+LENGTH|width="5zz" is not used|<rect width="5zz" height="5"/>
+SIZE|whose size is not known|<rect width="50%" height="5"/>
+TRANSFORM|"turn(3)" is not one of|<path d="M0 0h5" stroke="red" transform="turn(3)"/>
+VIEW|viewBox="0 0 1" is not used|<svg viewBox="0 0 1"/>
+FAR|is beyond +-16000 mm|<path d="M0 0h1e9" stroke="red"/>
+MEDIA|"@import" is not used|<style>@import "a.css";</style>
+FILTER|filter: url(#f) is not applied|<path d="M0 0h5" stroke="red" filter="url(#f)"/>
+BLEND|mix-blend-mode: screen is|<path d="M0 0h5" stroke="red" style="mix-blend-mode:screen"/>
+PAGE|is a white page and not drawn|<rect width="50" height="50" fill="white"/>
 TABLE
 }
 case_strict_svg_warning_by_warning() {
-    local kind pattern inside text
+    local kind pattern inside text page
     while IFS='|' read -r kind pattern inside; do
-        printf '%s\n%s\n' '<svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm"
-            viewBox="0 0 50 50" xmlns:i="http://www.inkscape.org/namespaces/inkscape">
-            <path d="M1 1h3" stroke="red"/>' "$inside</svg>" >"$tmp/$kind.svg"
+        page='width="50mm" height="50mm" viewBox="0 0 50 50"'
+        [ $kind != SIZE ] || page=
+        printf '<svg xmlns="http://www.w3.org/2000/svg" %s %s>\n%s\n%s</svg>\n' "$page" \
+            'xmlns:i="http://www.inkscape.org/namespaces/inkscape"' \
+            '<path d="M1 1h3" stroke="red"/>' "$inside" >"$tmp/$kind.svg"
         [ $kind = LINE ] && text=line || text=outline
         warned "$kind.svg:[0-9]*: .*$pattern" "$loft" plan "$tmp/$kind.svg" --total --text $text
     done < <(svg_warnings)
