@@ -35,6 +35,7 @@ static bool limits_of(const engine_limits *from, loft_limits *out)
         out->max_jerk[i] = (uint32_t)lround(from->max_jerk[i]);
     }
     out->tick_hz = (uint16_t)from->tick_hz;
+    out->one_sided = 0;
     return from->tick_hz <= UINT16_MAX && real_of(from->corner, &out->corner) &&
            real_of(from->exact, &out->exact) && real_of(from->tol, &out->tol);
 }

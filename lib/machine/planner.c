@@ -67,6 +67,7 @@ enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *ma
     limits.tol     = loft_real_from_raw(asked->tol);
     limits.exact   = 0;
     limits.tick_hz = machine->tick_hz;
+    limits.one_sided = 0;
     p->taken = p->told = p->spans = p->parts = 0;
     p->mark  = 0;
     p->closed = p->ended = p->rests = p->busy = p->failed = false;

@@ -98,7 +98,7 @@ static void load(loft_guess_round *g, const loft_period *period)
     loft_tube_tie(g->knot, g->count, g->placed == 0, g->ended);
     if (from + 3 < g->count) {
         loft_tube_measure(period, g->knot, from, g->count - 3u);
-        loft_tube_smooth(g->knot, from, g->count - 3u, SWEEPS);
+        loft_tube_smooth(period, g->knot, from, g->count - 3u, SWEEPS);
     }
     loft_timing_load(period, g->knot, from - 2, g->count - 2u);
     set_pace(g, period);

@@ -294,7 +294,8 @@ static enum loft_path_state load(loft_plan *plan)
         break;
     case SMOOTHING_THEM:
         if (first_loose(plan) + 3 < plan->count)
-            loft_tube_smooth(plan->knot, first_loose(plan), plan->count - 3u, AT_ONCE);
+            loft_tube_smooth(&plan->period, plan->knot, first_loose(plan), plan->count - 3u,
+                             AT_ONCE);
         plan->sweep = (uint8_t)(plan->sweep + AT_ONCE);
         if (plan->sweep >= SWEEPS)
             plan->stage = PLACING;

@@ -27,6 +27,10 @@ typedef struct {
                                          * differs by more from that of the last one: 2 sin(turn
                                          * / 2); 0: nowhere */
     uint16_t  tick_hz;                  /* ticks per second, 50..50000 */
+    uint8_t   one_sided;                /* bit i: axis i does not swing beyond where it stops, as a
+                                         * pen or a mill may not, nor do others beyond an end at
+                                         * which such axes move alone: but for tol / 8, with little
+                                         * effort tol / 4. Such corners take up to a tenth longer */
 } loft_limits;
 
 /* Are these limits possible?

@@ -107,6 +107,7 @@ void loft_period_init(loft_period *period, const loft_limits *limits)
     const int32_t exact = loft_raw_from_real(limits->exact) / 4;
     period->exact = exact * exact;
     period->tick_hz = limits->tick_hz;
+    period->one_sided = limits->one_sided;
     period->ticks = (uint16_t)(ticks < slow ? ticks : slow);
     for (int i = 0; i < LOFT_AXES; i++) {
         const int64_t a = in_period(period, fine_raw(loft_raw_from_real(limits->max_accel[i]))),

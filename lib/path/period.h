@@ -29,6 +29,7 @@ typedef struct {
     uint16_t  tick_hz;
     uint16_t  ticks;                /* of a period, */
     uint16_t  last;                 /* and the fewest of the last one of a chain */
+    uint8_t   one_sided;            /* axes that may not pass their end values */
 } loft_period;
 
 /* Choose the period for `limits`, which loft_limits_check has accepted. */

@@ -17,6 +17,8 @@
 #include "num/part.h"       /* loft_part, loft_part_root */
 
 #define RELAX       4588            /* 1.4 / 20, 2^-16 */
+#define STILL       12              /* knots beside one in which an axis may stand still */
+#define MOVED       (64 * LOFT_COORD_GRAIN)
 #define SIXTH       10923           /* 1 / 6, 2^-16    */
 
 static loft_coord sixth(loft_coord x) { return loft_part(x + 3, SIXTH); }
@@ -165,8 +167,76 @@ static void pull(loft_coord e[], loft_coord r)
         e[i] = 2 * loft_part(e[i], part);
 }
 
-static void relax(loft_knot knot[], unsigned k)
+/* Knots that are smoothed, and the axes that do not pass their end values. */
+typedef struct {
+    loft_knot *knot;
+    unsigned from, to, one_sided;
+} tube_part;
+
+/* Does an axis stand still between knot k and the next, while none moves but those that may not
+ * pass their ends, or is it one of these? */
+static bool is_held(const tube_part *t, unsigned k, int i)
 {
+    const loft_position *a = &t->knot[k].is.on.at, *b = &t->knot[k + 1].is.on.at;
+    bool one = t->one_sided >> i & 1, moves = false;
+
+    if (a->axis[i] != b->axis[i])
+        return false;
+    for (int j = 0; j < LOFT_AXES && !one; j++)
+        if (a->axis[j] != b->axis[j]) {
+            if (!(t->one_sided >> j & 1))
+                return false;
+            moves = true;
+        }
+    return one || moves;
+}
+
+static int sign_of(loft_coord off) { return off > MOVED ? 1 : off < -MOVED ? -1 : 0; }
+
+/* On which side of a place the path is on an axis, +-1; 0: on both, or on neither. Before `from`
+ * places may be gone: there the points say it. */
+static int side_of(const tube_part *t, unsigned k, int i)
+{
+    const loft_knot *knot = t->knot;
+    const loft_coord at = knot[k].is.on.at.axis[i];
+    int before = 0, after = 0;
+
+    for (unsigned n = 1; n <= STILL && n <= k && before == 0; n++) {
+        const bool known = t->from == 3 || k - n + 1 >= t->from;
+        before = sign_of(
+            loft_coord_sub(known ? knot[k - n].is.on.at.axis[i] : knot[k - n].point.axis[i], at));
+    }
+    for (unsigned n = 1; n <= STILL && k + n < t->to + 3 && after == 0; n++)
+        after = sign_of(loft_coord_sub(knot[k + n].is.on.at.axis[i], at));
+    return before == 0 || before == after ? after : after == 0 ? before : 0;
+}
+
+/* An axis that stands still does not pass the place where it stops, or from where it starts, as far
+ * as the ball allows: e is from its centre c, of which the other axes have the rest. */
+static void hold_sides(const tube_part *t, unsigned k, const loft_coord c[], loft_coord e[],
+                       loft_coord r)
+{
+    loft_coord left = r;
+    unsigned held = 0;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        if (!is_held(t, k - 1, i) && !is_held(t, k, i))
+            continue;
+        const loft_coord to = loft_coord_sub(t->knot[k].is.on.at.axis[i], c[i]);
+        if (side_of(t, k, i) * (e[i] - to) >= 0 || loft_coord_abs(to) > left)
+            continue;
+        left -= loft_coord_abs(to);
+        held |= 1u << i;
+        e[i] = to;
+    }
+    for (int i = 0; i < LOFT_AXES && held != 0; i++)
+        if (!(held >> i & 1))
+            e[i] = (loft_coord)((int64_t)e[i] * left / r);
+}
+
+static void relax(const tube_part *t, unsigned k)
+{
+    loft_knot *knot = t->knot;
     loft_coord e[LOFT_AXES], c[LOFT_AXES];
     const loft_coord r = knot[k].is.on.room * LOFT_COORD_GRAIN;
     bool far = false;
@@ -179,15 +249,20 @@ static void relax(loft_knot knot[], unsigned k)
     }
     if (far)
         pull(e, r);
+    if (t->one_sided != 0 && r > 0)
+        hold_sides(t, k, c, e, r);
     for (int i = 0; i < LOFT_AXES; i++)
         knot[k].point.axis[i] = loft_coord_add(c[i], e[i]);
 }
 
-void loft_tube_smooth(loft_knot knot[], unsigned from, unsigned to, int sweeps)
+void loft_tube_smooth(const loft_period *period, loft_knot knot[], unsigned from, unsigned to,
+                      int sweeps)
 {
+    const tube_part part = { knot, from, to, period->one_sided };
+
     for (int n = 0; n < sweeps; n++)
         for (unsigned k = from; k < to; k++)
-            relax(knot, n % 2 ? from + to - 1 - k : k);
+            relax(&part, n % 2 ? from + to - 1 - k : k);
 }
 
 /* 6 S = 6 Q + D2 + z (6 D1 + z (3 D2 + z D3)) */

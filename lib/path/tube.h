@@ -73,12 +73,14 @@ void loft_tube_tie(loft_knot knot[], unsigned count, bool begins, bool ends);
  */
 void loft_tube_measure(const loft_period *period, loft_knot knot[], unsigned from, unsigned to);
 
-/* Smooth them; again, when others follow.
+/* Smooth them; again, when others follow. Axes that may not pass their end values stay on their
+ * side of them.
  *
  *   range   as loft_tube_measure
  *   cost    sweeps * (to - from) * LOFT_AXES * 7 products of 32 bits; more where it is a corner
  */
-void loft_tube_smooth(loft_knot knot[], unsigned from, unsigned to, int sweeps);
+void loft_tube_smooth(const loft_period *period, loft_knot knot[], unsigned from, unsigned to,
+                      int sweeps);
 
 /* Where the path is, at the part z of the way from knot k to the next, 2^-30. */
 void loft_tube_place(const loft_knot knot[], unsigned k, int32_t z, loft_position *out);

@@ -41,7 +41,7 @@ static inline void arb_path(arb *a)
         knot[knots - 1 - k].point = knot[knots - 1].point;
     }
     loft_tube_measure(&period, knot, 3, knots - 3);
-    loft_tube_smooth(knot, 3, knots - 3, 20);
+    loft_tube_smooth(&period, knot, 3, knots - 3, 20);
     loft_timing_load(&period, knot, 1, knots - 2);
 }
 

@@ -7,6 +7,7 @@
 #define COUNT 6
 #define MOVES 4
 #define LOOK_MOST 400
+#define PASSED    (LOFT_PLAN_EFFORT > 1 ? 8 : 4)
 #define LOOPS     (LOFT_PLAN_EFFORT > 1 ? 9 : 30)
 #define LOOK      112       /* knots of a chip */
 
@@ -198,12 +199,58 @@ static void the_memory_of_a_chip_is_enough(arb *a)
     CHECK(few <= many + many / 20);
 }
 
+/* How far a span is beyond from..to on an axis. */
+static long double beyond(const loft_span *s, int i, const loft_vec *from, const loft_vec *to)
+{
+    const loft_cubic c = { { s->p[0], s->p[1], s->p[2], s->p[3] } };
+    long double most = 0;
+
+    for (uint32_t n = 1; n <= 16; n++) {
+        const loft_vec at = loft_cubic_eval(&c, loft_unit_of(n, 16));
+        const long double x = exact_of(at.axis[i]), a = exact_of(from->axis[i]),
+                          b = exact_of(to->axis[i]);
+        most = fmaxl(most, fmaxl(fminl(a, b) - x, x - fmaxl(a, b)));
+    }
+    return most;
+}
+
+/* Pen down, a line, pen up: neither the pen nor the line passes its end by an eighth of the
+ * tolerance, with little effort by a quarter. */
+static void a_pen_stops_where_its_line_does(arb *a)
+{
+    loft_limits l = limits_of(20 + (int32_t)arb_below(a, 200), 200 + (int32_t)arb_below(a, 3000),
+                              8000 + arb_below(a, 100000));
+    loft_vec p[4] = { { { 0 } } };
+    loft_span s;
+    uint32_t next = 0;
+
+    l.corner = 0;
+    l.tol = loft_real_from_raw(200 + (int32_t)arb_below(a, 1000));
+    l.one_sided = 4;
+    p[0].axis[2] = p[3].axis[2] = loft_real_from_int(1 + (int32_t)arb_below(a, 5));
+    p[2].axis[0] = p[3].axis[0] = loft_real_from_int(1 + (int32_t)arb_below(a, 20));
+    p[2].axis[1] = p[3].axis[1] = loft_real_from_int((int32_t)arb_below(a, 20));
+    CHECK(loft_plan_init(&plan, &l, moves, MOVES, ahead, LOOK) == LOFT_OK);
+    for (; next < 3; next++) {
+        const loft_vec *q = &p[next];
+        const loft_move line = { { { q[0], loft_vec_lerp(q[0], q[1], loft_unit_of(1, 3)),
+                                     loft_vec_lerp(q[0], q[1], loft_unit_of(2, 3)), q[1] } },
+                                 LOFT_REAL(50) };
+        CHECK(loft_plan_push(&plan, &line) == LOFT_OK);
+    }
+    loft_plan_end(&plan);
+    while (loft_plan_next(&plan, &s) == LOFT_PLAN_SPAN)
+        for (int i = 0; i < 3; i++)
+            CHECK(beyond(&s, i, &p[i == 2 ? 3 : 0], &p[2]) <= exact_of(l.tol) / PASSED);
+}
+
 int main(void)
 {
     PROPERTY(each_point_is_passed_in_turn, 25);
     PROPERTY(the_loop_of_its_header_comes_to_the_end, LOOPS);
     PROPERTY(so_does_that_of_a_plan, LOOPS);
     PROPERTY(the_memory_of_a_chip_is_enough, LOOPS / 3);
+    PROPERTY(a_pen_stops_where_its_line_does, 2 * LOOPS);
     PROPERTY(what_cannot_be_moved_is_refused, 200);
     return check_failures();
 }

@@ -75,10 +75,12 @@ static void smoothing_stays_within_the_tolerance(arb *a)
     for (unsigned k = 0; k < knots; k++)
         before[k] = knot[k];
     const double rough = roughness();
+    period.one_sided = (uint8_t)(arb_below(a, 2) * arb_below(a, 1u << LOFT_AXES));
     const unsigned from = 3 + arb_below(a, 3), to = knots - 3;
     loft_tube_measure(&period, knot, from < to ? from : to, to);
-    loft_tube_smooth(knot, from < to ? from : to, to, 30);
-    CHECK(roughness() <= rough * 1.01 + 1000.0 * knots);
+    loft_tube_smooth(&period, knot, from < to ? from : to, to, 30);
+    if (period.one_sided == 0)
+        CHECK(roughness() <= rough * 1.01 + 1000.0 * knots);
     for (unsigned k = 0; k < knots; k++) {
         double sum = 0;
         for (int i = 0; i < LOFT_AXES; i++) {
@@ -107,7 +109,7 @@ static void a_line_stays_as_it_is(arb *a)
             knot[k].point.axis[i] = knot[k].is.on.at.axis[i] = (loft_coord)k * step[i];
     loft_tube_load(knot, 1, knots - 1);
     loft_tube_measure(&period, knot, 3, knots - 3);
-    loft_tube_smooth(knot, 3, knots - 3, 10);
+    loft_tube_smooth(&period, knot, 3, knots - 3, 10);
     for (unsigned k = 0; k < knots; k++)
         for (int i = 0; i < LOFT_AXES; i++)
             CHECK(knot[k].point.axis[i] == knot[k].is.on.at.axis[i]);
