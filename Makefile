@@ -210,8 +210,8 @@ deps-target:
 
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them --------------
 CHECK_STAGES := lint test test-axes test-effort test-tools check-vectors-all \
-                test-mixed+test-cplusplus+test-packages+test-readme+test-examples+test-peer+test-model \
-                test-e2e
+                test-mixed+test-cplusplus+test-packages+test-readme+test-examples \
+                test-peer+test-model test-e2e
 
 ## Check everything: rules of the house, all tests under sanitizers, vectors, README, whole jobs
 .PHONY: check
