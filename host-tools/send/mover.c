@@ -113,6 +113,7 @@ static int plan_move(const mover *v, const mover_move *m, job_work *w)
     const int code = planning_joints(&p, v->port, &nothing, start, false, &as.limits, &w->path,
                                      &w->of);
     const int status = code == 0 ? job_open(&w->j, &w->of, &as) : LOFT_OK;
+    w->j.k = w->of.k = &v->p.machine.k;     /* `p` ends here, and the job is drawn later */
     return status == LOFT_OK ? code
                              : tool_error(EX_DATAERR, "%s: this move cannot be planned: %s",
                                           v->port, engine_status(status, ENGINE_NO_MOTION));
