@@ -27,7 +27,17 @@
  * degrees, at the scale of the tolerance as well. It holds on ways from a place to the next that
  * are wholly within 31 times itself from them.
  *
- * Bends turn by too little at that scale. Where one of more than 16 tol is tightest, with the
+ * A joint of chords is a part of a bend, not a corner, where a curve in the tolerance follows it.
+ * Let the path turn by w around the joint, on the way s: as far as it turns by about a radian, at
+ * most 128 tol to each side, less where it begins or ends. Then its curvature is k = 2 w / s. If
+ * what that explains of the second differences, k l^2, leaves no more than 2 tol of them at any
+ * scale, and w is larger than the turn of the joint alone by a quarter, it is passed at
+ *
+ *     min(sqrt(a / k), cbrt(j / k^2))
+ *
+ * and no place goes onto it. So neither the feed nor the length of chords says what a corner is.
+ *
+ * Curves turn by too little at that scale. Where one of more than 16 tol is tightest, with the
  * curvature k, it is passed at sqrt(a / k): if that is less than half of the cap, or if the cubic
  * through places at the cap would skip more than a quarter of the tolerance, it is a corner as
  * well. So places come to the tip of a bend at a distance that shrinks slowly. So they do where the
@@ -48,6 +58,10 @@
 #define UNIT        LOFT_CHAIN_UNIT
 #define SHARP       LOFT_CHAIN_SHARP
 #define SCALES      5
+#define WIDE        7                               /* doublings of tol around a bend, */
+#define FAR_MAX     ((loft_coord)1 << 28)           /* and no farther than this */
+#define KINK        (UNIT / 400)                    /* what turns by less is smooth */
+#define BOW         (8 * LOFT_COORD_GRAIN)          /* of an arc that is not rounding alone */
 #define CLOSE       4                               /* parts of a period */
 #define HALF        (LOFT_CORNERS_STRETCHES / 2)
 #define NEAR        31                              /* tolerances of a corner */
@@ -166,49 +180,65 @@ static bool is_sharp(const loft_corner_stretch *before, const loft_corner_stretc
     return loft_chain_turn(before->to, after->from) > (int64_t)SHARP * SHARP;
 }
 
-/* The place l before or behind the start of stretch i, from there; false: it is not known, or, from
- * a joint that is not sharp, beyond one that is: that is a corner for itself. */
-static bool probe(const loft_corners *c, unsigned i, bool back, loft_coord l, loft_coord out[])
+/* The place l before or behind the start of stretch i, from there; less far off where no more is
+ * known, or, `near`, where a joint is sharp that is not: that is a corner for itself. Gives how
+ * far. */
+static loft_coord reach(const loft_corners *c, unsigned i, bool back, loft_coord l, bool near,
+                        loft_coord out[])
 {
     const loft_corner_stretch *e = c->stretch;
     const loft_position at = e[i].at;
-    const bool sharp = is_sharp(&e[i - 1], &e[i]);
+    const bool stops = near && !is_sharp(&e[i - 1], &e[i]);
     unsigned k = back ? i - 1 : i;
+    loft_coord left = l;
 
-    while (l > e[k].length) {
-        l -= e[k].length;
-        if (back ? k == 0 : k + 1 == c->stretches)
-            return false;
+    while (left > e[k].length) {
+        const unsigned joint = back ? k : k + 1;
+        if (joint == (back ? 0 : c->stretches) || (stops && is_sharp(&e[joint - 1], &e[joint]))) {
+            l -= left - e[k].length;
+            left = e[k].length;
+            break;
+        }
+        left -= e[k].length;
         k = back ? k - 1 : k + 1;
-        if (!sharp && is_sharp(&e[back ? k : k - 1], &e[back ? k + 1 : k]))
-            return false;
     }
-    const loft_position *from = &c->stretch[back ? k + 1 : k].at;
-    bow(&c->stretch[k], back, l, out);
+    const loft_position *from = &e[back ? k + 1 : k].at;
+    bow(&e[k], back, left, out);
     for (int j = 0; j < LOFT_AXES; j++)
         out[j] += loft_coord_sub(from->axis[j], at.axis[j]);
-    return true;
+    return l;
 }
 
-/* The most that the axes allow across the path, where its velocity changes by `v` of length
- * `size`. */
-static loft_coord swing(const loft_period *p, loft_coord tol, const loft_coord v[], loft_coord size)
+/* What the axes allow across the path, where its velocity changes along v: by that much. */
+typedef struct {
+    int64_t accel, jerk;
+    bool    soft;           /* is jerk limited? */
+} across;
+
+static across allowed_along(const loft_period *p, const loft_coord v[])
 {
-    int64_t accel = CAP_MAX, jerk = CAP_MAX;
-    bool soft = false;
+    const int64_t size = loft_coord_length(v) + 1;
+    across most = { CAP_MAX, CAP_MAX, false };
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const int64_t part = loft_coord_abs(v[i]) + 1;
-        if (part * accel > (int64_t)p->accel[i] * size)
-            accel = (int64_t)p->accel[i] * size / part;
-        if (p->jerk[i] > 0 && part * jerk > (int64_t)p->jerk[i] * size)
-            jerk = (int64_t)p->jerk[i] * size / part;
-        soft = soft || p->jerk[i] > 0;
+        if (part * most.accel > (int64_t)p->accel[i] * size)
+            most.accel = (int64_t)p->accel[i] * size / part;
+        if (p->jerk[i] > 0 && part * most.jerk > (int64_t)p->jerk[i] * size)
+            most.jerk = (int64_t)p->jerk[i] * size / part;
+        most.soft = most.soft || p->jerk[i] > 0;
     }
-    const uint64_t change = (uint64_t)jerk * (uint64_t)tol / 4096 * (uint64_t)tol / 4096;
-    const loft_coord by_accel = (loft_coord)loft_coord_sqrt((uint64_t)(8 * accel * tol)),
+    return most;
+}
+
+/* The most change of velocity along v that the tolerance swallows. */
+static loft_coord swing(const loft_period *p, loft_coord tol, const loft_coord v[])
+{
+    const across most = allowed_along(p, v);
+    const uint64_t change = (uint64_t)most.jerk * (uint64_t)tol / 4096 * (uint64_t)tol / 4096;
+    const loft_coord by_accel = (loft_coord)loft_coord_sqrt((uint64_t)(8 * most.accel * tol)),
                      by_jerk = (loft_coord)(29 * (int64_t)loft_coord_cbrt(change) * 256 / 10);
-    return soft ? loft_coord_least(by_accel, by_jerk) : by_accel / 2;
+    return most.soft ? loft_coord_least(by_accel, by_jerk) : by_accel / 2;
 }
 
 /* By what the path turns at the joint before stretch i, at the scale l; false: not known. */
@@ -216,7 +246,7 @@ static bool turn_at(const loft_corners *c, unsigned i, loft_coord l, loft_coord 
 {
     loft_coord b[LOFT_AXES];
 
-    if (!probe(c, i, true, l, out) || !probe(c, i, false, l, b))
+    if (reach(c, i, true, l, true, out) < l || reach(c, i, false, l, true, b) < l)
         return false;
     for (int j = 0; j < LOFT_AXES; j++)
         out[j] += b[j];
@@ -233,17 +263,104 @@ static bool is_corner(const loft_corners *c, unsigned i)
            turn_at(c, i, tol, a) && (int64_t)loft_coord_length(a) * UNIT > (int64_t)tol * SHARP;
 }
 
+/* How a path turns around a joint. */
+typedef struct {
+    loft_coord turn[LOFT_AXES];     /* between its directions before and behind, 2^-14, */
+    loft_coord size;                /* so much, */
+    int64_t    way;                 /* on this way */
+} bend;
+
+/* Does the path, which is at x after that way along u, turn by more than half a radian off it? */
+static bool strays(const loft_coord x[], const int16_t u[], loft_coord way)
+{
+    loft_coord off[LOFT_AXES];
+
+    for (int j = 0; j < LOFT_AXES; j++)
+        off[j] = x[j] - (loft_coord)((int64_t)u[j] * way / UNIT);
+    return 2 * (int64_t)loft_coord_length(off) > way;
+}
+
+/* As far around the joint before stretch i as it turns by about a radian. */
+static bend bend_at(const loft_corners *c, unsigned i)
+{
+    const loft_coord tol = c->chain->period->tol;
+    loft_coord a[LOFT_AXES], b[LOFT_AXES], l = loft_coord_least(tol, FAR_MAX >> WIDE) << WIDE, back,
+                                           on;
+    int16_t u[LOFT_AXES];
+
+    for (int j = 0; j < LOFT_AXES; j++)
+        u[j] = (int16_t)-c->stretch[i - 1].to[j];
+    for (;; l /= 2) {
+        back = reach(c, i, true, l, false, a);
+        on   = reach(c, i, false, l, false, b);
+        if (l <= tol || !(strays(a, u, back) || strays(b, c->stretch[i].from, on)))
+            break;
+    }
+    bend near = { .way = (int64_t)back + on };
+    for (int j = 0; j < LOFT_AXES; j++)
+        near.turn[j] = (loft_coord)((int64_t)a[j] * UNIT / back + (int64_t)b[j] * UNIT / on);
+    near.size = loft_coord_length(near.turn);
+    return near;
+}
+
+/* Is the joint before stretch i a part of the bend alone? What the bend explains of its second
+ * differences, turn * 2 l^2 / way, is taken off them; and it turns by more than the joint does. */
+static bool is_bend(const loft_corners *c, unsigned i, loft_coord tol, const bend *near)
+{
+    loft_coord a[LOFT_AXES];
+    int64_t dot = 0, size = 0;
+
+    for (int k = 0; k < SCALES && turn_at(c, i, tol << k, a); k++) {
+        const int64_t l = (int64_t)tol << k;
+        dot = 0;
+        size = (int64_t)loft_coord_length(a) * UNIT / l;
+        for (int j = 0; j < LOFT_AXES; j++) {
+            dot += (int64_t)a[j] * UNIT / l * near->turn[j];
+            a[j] -= (loft_coord)(near->turn[j] * l / UNIT * 2 * l / near->way);
+        }
+        if (loft_coord_length(a) > 2 * tol)
+            return false;
+    }
+    return size > 0 && 4 * dot >= 5 * size * size;
+}
+
+/* The speed with which the axes can follow it: the curvature is 2 turn / way. */
+static loft_coord bend_speed(const loft_period *p, const bend *near)
+{
+    const across most = allowed_along(p, near->turn);
+    const int64_t r = near->way * UNIT / (2 * (int64_t)near->size + 1);
+    int thirds = 0;
+
+    if (r > FAR)
+        return CAP_MAX;
+    while (r >> 3 * thirds >= 1 << 17)
+        thirds++;
+    const uint64_t part = (uint64_t)(r >> 3 * thirds);
+    const int64_t by_accel = loft_coord_sqrt((uint64_t)(most.accel * r)),
+                  by_jerk = (int64_t)loft_coord_cbrt((uint64_t)most.jerk * part * part)
+                            << 2 * thirds,
+                  speed = most.soft && by_jerk < by_accel ? by_jerk : by_accel;
+    return speed < CAP_MAX ? (loft_coord)speed : CAP_MAX;
+}
+
 /* The speed with which the joint before stretch i may be passed. */
-static loft_coord joint_speed(const loft_corners *c, unsigned i, bool corner)
+static loft_coord joint_speed(const loft_corners *c, unsigned i, bool corner, bool *bends)
 {
     const loft_period *p = c->chain->period;
     const loft_coord tol = p->tol + (corner ? p->more : 0);
     loft_coord speed = CAP_MAX, a[LOFT_AXES];
 
+    *bends = false;
+    if (loft_chain_turn(c->stretch[i - 1].to, c->stretch[i].from) > KINK * KINK) {
+        const bend near = bend_at(c, i);
+        *bends = is_bend(c, i, tol, &near);
+        if (*bends)
+            return bend_speed(p, &near);
+    }
     for (int k = 0; k < SCALES && turn_at(c, i, tol << k, a); k++) {
         const loft_coord size = loft_coord_length(a);
         if ((int64_t)size * 10 > (int64_t)tol * 13) {
-            const int64_t v = ((int64_t)swing(p, tol, a, size) << k) * tol / size;
+            const int64_t v = ((int64_t)swing(p, tol, a) << k) * tol / size;
             speed = v < speed ? (loft_coord)v : speed;
         }
     }
@@ -346,6 +463,15 @@ static bool is_close(const loft_corners *c, int64_t s, loft_coord speed)
     return c->count > 0 && last->sharp && s - last->s < speed / CLOSE;
 }
 
+/* Is a bend at s, less than a period behind the last one, hardly slower than that? */
+static bool is_known(const loft_corners *c, int64_t s, loft_coord speed)
+{
+    const loft_corner *last = &c->corner[c->count > 0 ? c->count - 1u : 0];
+
+    return c->count > 0 && !last->sharp && s - last->s < speed &&
+           ((int64_t)last->jerk * last->time >> 10) * last->time >> 11 <= speed + speed / 16;
+}
+
 /* A corner at s between two directions, around which the cap of speed is `cap`. */
 static void add_corner(loft_corners *c, int64_t s, loft_coord speed, loft_coord cap,
                        const int16_t before[], const int16_t after[], bool sharp)
@@ -364,36 +490,34 @@ static void look_at_joint(loft_corners *c)
     const unsigned i = c->looked;
     const loft_corner_stretch *before = &c->stretch[i - 1], *after = &c->stretch[i];
     const bool corner = is_corner(c, i), sharp = is_sharp(before, after);
+    const bool kinks = loft_chain_turn(before->to, after->from) > KINK * KINK;
+    bool bends;
     const loft_coord slow = loft_coord_least(before->cap, after->cap),
                      fast = loft_coord_most(before->cap, after->cap),
-                     speed = joint_speed(c, i, corner);
+                     speed = joint_speed(c, i, corner, &bends);
     const bool turns = speed < (sharp ? fast : slow);
 
     if (corner)
         add_zone(c, s);
+    if (kinks)
+        c->kink = (int32_t)(s >> (LOFT_COORD_BITS - 8));
+    if (bends && turns && slow >= fast - fast / EVEN && is_known(c, s, speed))
+        return;
     if (turns || slow < fast - fast / EVEN)
         add_corner(c, s, loft_coord_least(speed, slow), fast, before->to, after->from,
-                   turns && sharp && !is_close(c, s, speed));
+                   turns && sharp && !bends && !is_close(c, s, speed));
 }
 
-/* How much the path turns in a stretch. */
-static int32_t turned(const loft_corner_stretch *e)
+/* The radius of the bend of a stretch. */
+static loft_coord radius_of(const loft_corner_stretch *e)
 {
-    int32_t sum = 0;
-
-    for (int i = 0; i < LOFT_AXES; i++)
-        sum += loft_coord_abs(e->to[i] - e->from[i]);
-    return sum;
-}
-
-/* Does stretch a bend more than b? */
-static bool bends_more(const loft_corner_stretch *a, const loft_corner_stretch *b)
-{
-    return (int64_t)turned(a) * b->length > (int64_t)turned(b) * a->length;
+    const int64_t turn = (int64_t)loft_coord_sqrt((uint64_t)loft_chain_turn(e->from, e->to) << 8),
+                  r = (int64_t)e->length * UNIT * 16 / (turn + 1);
+    return r < INT32_MAX ? (loft_coord)r : INT32_MAX;
 }
 
 /* The speed with which the axes can follow the bend of a stretch. */
-static loft_coord bend_speed(const loft_period *p, const loft_corner_stretch *e)
+static loft_coord tip_speed(const loft_period *p, const loft_corner_stretch *e)
 {
     int64_t most = (int64_t)CAP_MAX * CAP_MAX / UNIT;
 
@@ -406,37 +530,43 @@ static loft_coord bend_speed(const loft_period *p, const loft_corner_stretch *e)
     return (loft_coord)loft_coord_sqrt((uint64_t)most * UNIT);
 }
 
-/* The longest way in its bend, of radius r, of which the cubic through places skips no more than a
+/* The longest way in a bend of radius r of which the cubic through places skips no more than a
  * quarter of the tolerance: 3 w^4 / (128 r^3) = tol / 4. */
-static loft_coord bend_way(const loft_period *p, const loft_corner_stretch *e)
+static loft_coord bend_way(const loft_period *p, int64_t r)
 {
-    const int64_t r = (int64_t)e->length * UNIT / (turned(e) + 1);
-    if (r > INT32_MAX)
-        return CAP_MAX;
     const uint32_t square = loft_coord_sqrt(((uint64_t)p->tol << 32) * 11 / (uint64_t)(r + 1));
     const int64_t way = r * loft_coord_sqrt((uint64_t)square << 16) >> 16;
     return way < CAP_MAX ? (loft_coord)way : CAP_MAX;
 }
 
-/* The tip of a bend, if that is the stretch before `looked`: smaller ones are corners. */
+/* The tip of a bend, if that is the stretch before `looked`: smaller ones are corners. Where the
+ * path has not become wider by a seventh since the last one, it is the same bend. */
 static void look_at_tip(loft_corners *c)
 {
     const loft_period *p = c->chain->period;
     const loft_corner_stretch *e = &c->stretch[c->looked - 1u];
+    const loft_coord r = radius_of(e);
 
-    if (c->looked < 2 || e->length <= (int64_t)p->tol << (SCALES - 1) || !bends_more(e, e - 1) ||
-        bends_more(e + 1, e))
+    if ((int64_t)e->length * e->length / ((int64_t)r + 1) < 8 * BOW)
         return;
-    const loft_coord speed = bend_speed(p, e), way = bend_way(p, e);
-    if (speed < e->cap / 2 || way < e->cap)
+    c->wide = loft_coord_most(c->wide, r);
+    if (c->looked < 2 || e->length <= (int64_t)p->tol << (SCALES - 1) || radius_of(e - 1) <= r ||
+        radius_of(e + 1) < r)
+        return;
+    const loft_coord speed = tip_speed(p, e), way = bend_way(p, r);
+    if ((speed < e->cap / 2 && r / 7 < c->wide / 8) || way < e->cap) {
         add_corner(c, known(c) - e->length / 2, loft_coord_least(speed, way), e->cap, e->from,
                    e->to, false);
+        c->wide = r;
+    }
 }
 
 /* The largest scale at which a joint is looked at. */
 static loft_coord scale_most(const loft_corners *c)
 {
-    return (c->chain->period->tol + c->chain->period->more) << (SCALES - 1);
+    const loft_period *p = c->chain->period;
+    return loft_coord_most((p->tol + p->more) << (SCALES - 1),
+                           loft_coord_least(p->tol, FAR_MAX >> WIDE) << WIDE);
 }
 
 /* Forget stretches that no joint to come looks back at, nor the tip of a bend: two are kept. */
@@ -507,6 +637,8 @@ void loft_corners_begin(loft_corners *c, const loft_chain *chain)
     loft_chain_begin(chain, &c->walk);
     c->stretches = c->looked = c->count = c->zones = 0;
     c->known = 0;
+    c->kink = -1;
+    c->wide = INT32_MAX;
 }
 
 

@@ -49,8 +49,10 @@ typedef struct {
     int64_t             known;                  /* what the corners are known of */
     loft_corner         corner[LOFT_CORNERS_MOST];
     uint8_t             count;
+    int32_t             kink;                   /* the last joint that turns, 2^-8 mm */
     loft_corner_zone    zone[LOFT_CORNERS_ZONES];
     uint8_t             zones;
+    loft_coord          wide;                   /* the largest radius since the last tip */
 } loft_corners;
 
 /* Start at the first arc of the chain, which is kept. */
@@ -68,6 +70,12 @@ void loft_corners_drop_zones(loft_corners *c, int64_t s, bool one);
 
 /* Are all corners known up to the end of the chain? */
 bool loft_corners_end_known(const loft_corners *c);
+
+/* Is the path smooth from s on, as far as its corners are known? */
+static inline bool loft_corners_smooth(const loft_corners *c, int64_t s)
+{
+    return s >> (LOFT_COORD_BITS - 8) > c->kink;
+}
 
 /* A corner at s that is passed with a speed in a period. */
 loft_corner loft_corner_of(int64_t s, loft_coord speed, loft_coord jerk, bool sharp);

@@ -12,8 +12,11 @@
 #define REACH       48                              /* periods that corners are known ahead */
 #define STEPS       12                              /* and more to the next corner */
 #define AHEAD       8                               /* places that are settled */
-#define SPARE       2
-#define EVENS       (LOFT_PLAN_EFFORT < 2)          /* ways are shared */
+#define NEXT        3                               /* and those that may not wait for it */
+#define RUN         3                               /* ways that are spaced anew at once */
+#define POINT       64                              /* what is shorter is a point */
+#define MEAN        16                              /* points of the path in a mean, */
+#define MEANS       2                               /* over so many ways before and behind */
 
 
 // Places
@@ -258,73 +261,106 @@ static loft_coord skipped(loft_path *path, unsigned k)
     return most;
 }
 
-/* Where a place goes between place k and the next: ways should be longer or shorter by little than
- * those around them, so it shares this one as they are, between 1 : 2 and 2 : 1. */
-static int64_t middle_of(const loft_path_waiting *q, unsigned count, unsigned k)
+/* The mean of the path around s that a parabola goes through: 4/3 of that within half a way before
+ * and behind, less 1/3 of that within a whole one. It is given as seen from `at`. */
+static void mean_of(const loft_path *path, int64_t s, int64_t way, const loft_position *at,
+                    loft_coord out[])
 {
-    const int64_t way = q[k + 1].s - q[k].s, before = k > 0 ? q[k].s - q[k - 1].s : 0,
-                  after = k + 2 < count ? q[k + 2].s - q[k + 1].s : 0;
+    loft_chain_walk w = *walk_before(path, s - way);
+    int64_t sum[LOFT_AXES] = { 0 };
 
-    return q[k].s + (before >= 2 * after   ? way - way / 3
-                     : after >= 2 * before ? way / 3
-                                           : before * way / (before + after));
+    for (int n = 0; n < MEAN; n++) {
+        const int64_t to = s - way + way * (2 * n + 1) / MEAN;
+        const int weight = n >= MEAN / 4 && n < MEAN - MEAN / 4 ? 7 : -1;
+        loft_position p;
+        while (to > w.s + w.length && follow(path, &w))
+            ;
+        loft_chain_place(&w, to, &p);
+        for (int i = 0; i < LOFT_AXES; i++)
+            sum[i] += (int64_t)weight * loft_coord_sub(p.axis[i], at->axis[i]);
+    }
+    for (int i = 0; i < LOFT_AXES; i++)
+        out[i] = (loft_coord)(sum[i] / (3 * MEAN));
 }
 
-/* Place k is at s, not farther than it was. */
-static void put(loft_path *path, unsigned k, int64_t s)
+/* The way from place k to that n places before or behind it, where no sharp one is between. */
+static int64_t way_beside(const loft_path *path, unsigned k, unsigned n)
+{
+    const loft_path_waiting *q = &path->queue[k];
+
+    if (k < n || k + n >= path->queued)
+        return 0;
+    for (unsigned i = 1; i < n; i++)
+        if (q[i].on.sharp || (q - i)->on.sharp)
+            return 0;
+    const int64_t back = q->s - (q - n)->s, on = q[n].s - q->s;
+    return back < on ? back : on;
+}
+
+/* Place k goes onto the mean of the path around it, where that has joints: a place is where the
+ * motion could pass, not a point of the chords that a curve was written in. The mean is over as
+ * many ways as it leaves the path by less than half of the tolerance for. */
+static void average(loft_path *path, unsigned k)
+{
+    loft_path_waiting *q = &path->queue[k];
+    const loft_position at = q->on.at;
+    int64_t before = 0;
+
+    for (unsigned n = 1; n <= MEANS && !q->on.sharp; n *= 2) {
+        const int64_t way = way_beside(path, k, n);
+        loft_coord mean[LOFT_AXES];
+        if (way < POINT || 2 * way < 3 * before || loft_corners_smooth(&path->corners, q->s - way))
+            return;
+        mean_of(path, q->s, way, &at, mean);
+        if (n > 1 && loft_coord_length(mean) > path->chain.period->tol / 2)
+            return;
+        for (int i = 0; i < LOFT_AXES; i++)
+            q->on.at.axis[i] = loft_coord_add(at.axis[i], mean[i]);
+        before = way;
+    }
+}
+
+/* Place k is at s. */
+static void put(loft_path *path, unsigned k, int64_t s, loft_coord feed)
 {
     loft_path_waiting *q = &path->queue[k];
     loft_chain_walk w = *walk_before(path, s);
 
+    (void)loft_chain_go(&path->chain, &w, s);
     q->s = s;
-    q->on.feed = loft_coord_least(loft_chain_go(&path->chain, &w, s), q[1].on.feed);
+    q->on.feed = feed;
     loft_chain_place(&w, s, &q->on.at);
     q->on.number = w.number;
     q->on.sharp = q->on.loose = false;
 }
 
-/* A place between place k and the next. */
-static void halve(loft_path *path, unsigned k)
+/* Way k and those beside it are spaced anew, one more of them: so ways change by little from one to
+ * the next. Places that ways which have been given depend on stay. Gives the first of them. */
+static unsigned respace(loft_path *path, unsigned k)
 {
-    loft_path_waiting *q = &path->queue[k];
-    const int64_t s = middle_of(path->queue, path->queued, k);
+    loft_path_waiting *q = path->queue;
+    const unsigned fixed = q[1].s > q[0].s ? 2 : 1;
+    const bool back = k > fixed && !q[k].on.sharp, on = k + 2 < path->queued && !q[k + 1].on.sharp;
+    const unsigned first = back ? k - 1 : k, n = 1u + back + on;
+    int64_t s[RUN + 1];
+    loft_coord feed[RUN + 2];
 
-    for (unsigned i = path->queued - k; i > 1; i--)
+    q += first;
+    for (unsigned j = 0; j <= n; j++) {
+        s[j] = q[j].s;
+        feed[j] = q[j > 0 ? j : 1].on.feed;
+    }
+    feed[n + 1] = feed[n];
+    for (unsigned i = path->queued - first; i > n; i--)
         q[i] = q[i - 1];
     path->queued++;
-    put(path, k + 1, s);
-}
-
-/* A coarse way much longer than the next one gives it a part: a place in it would make the way
- * before coarse, and so on back, to ways that are given already. Where all places are made again
- * (guess.h), that does not matter. */
-static bool shared(loft_path *path, unsigned k)
-{
-    const loft_path_waiting *q = &path->queue[k];
-
-    if (!EVENS || k + 2 >= path->queued || q[1].on.sharp ||
-        2 * (q[1].s - q[0].s) <= 3 * (q[2].s - q[1].s))
-        return false;
-    const loft_coord feed = loft_coord_least(q[1].on.feed, q[2].on.feed);
-    put(path, k + 1, q[0].s + (q[2].s - q[0].s) / 7 * 4);
-    path->queue[k + 2].on.feed = feed;
-    return true;
-}
-
-/* A place in the middle, if less than `whole` is skipped then: not of teeth that the tolerance
- * swallows. */
-static bool is_better_halved(loft_path *path, unsigned k, loft_coord whole)
-{
-    const loft_coord most = loft_path_tol(path->chain.period, &path->queue[k].on) * 13 / 20;
-
-    halve(path, k);
-    const loft_coord first = skipped(path, k), last = skipped(path, k + 1);
-    if (whole > most || (first > last ? first : last) < whole - whole / 4)
-        return true;
-    path->queued--;
-    for (unsigned i = k + 1; i < path->queued; i++)
-        path->queue[i] = path->queue[i + 1];
-    return false;
+    path->averaged++;
+    for (unsigned j = n; j > 0; j--)
+        put(path, first + j, s[j - 1] + (s[j] - s[j - 1]) * (n + 1 - j) / (n + 1),
+            loft_coord_least(feed[j - 1], feed[j]));
+    for (unsigned j = 1; j <= n; j++)
+        average(path, first + j);
+    return first;
 }
 
 /* The longest of the ways around place k, if it is so long beside shorter ones, or a tip, that the
@@ -364,41 +400,59 @@ static unsigned too_long(const loft_path *path, unsigned k)
     return loft_path_missed_between(at) > left ? longest : 0;
 }
 
-/* Set what is skipped from place k to the next; gives that, or 0, if no place is wanted between. */
-static loft_coord coarse(loft_path *path, unsigned k)
+/* Set what is skipped from place k to the next. May it not be, though the way is no point? Of a
+ * smooth path, where it falls with the fourth power of the way, half of that may. */
+static bool skips_too_much(loft_path *path, unsigned k)
 {
+    const loft_period *p = path->chain.period;
     loft_path_waiting *q = &path->queue[k];
     const loft_coord skip = skipped(path, k);
 
     loft_path_set_skip(&q->on, skip);
     q->on.loose = loft_corners_loose(&path->corners, q[0].s, q[1].s);
-    return skip > loft_path_tol(path->chain.period, &q->on) / 4 && q[1].s - q[0].s >= 64 ? skip : 0;
+    const loft_coord tube = p->tube + (q->on.loose ? p->more : 0);
+    const bool smooth = loft_corners_smooth(&path->corners, path->queue[k > 2 ? k - 2 : 0].s);
+    const loft_coord most = smooth ? tube / 2 : tube / 16 * 15;
+    return skip > most && q[1].s - q[0].s >= POINT;
 }
 
-/* A place that is put between two changes the cubic before them as well. Where there is no room for
- * it, there is when those before have been given. On the next two ways it may not wait so long:
- * what the first one skips is given with it. SPARE places are kept for them. */
+/* Room for a place: one of the last, if it may be one that is not sharp, is dropped. */
+static void make_room(loft_path *path)
+{
+    unsigned k = path->queued - 2u;
+
+    while (k > NEXT + RUN && path->queue[k].on.sharp)
+        k--;
+    if (k == NEXT + RUN)
+        k = path->queued - 2u;
+    path->queued--;
+    path->averaged = (uint8_t)loft_coord_least(path->averaged, path->queued);
+    path->settled  = (uint8_t)loft_coord_least(path->settled, (int32_t)k - 3);
+    for (; k < path->queued; k++)
+        path->queue[k] = path->queue[k + 1];
+}
+
+/* No place is given with a way that skips too much, or is too long: it is spaced anew, with those
+ * beside it. That changes the cubics of the ways around them as well. Where there is no room for a
+ * place, there is when those before have been given; the next ways may not wait so long. */
 static void settle(loft_path *path)
 {
-    while (path->settled < AHEAD && path->settled + 2u < path->queued) {
-        const unsigned k = path->settled + 1u;
-        const loft_coord skip = coarse(path, k);
-        const bool full = path->queued >= LOFT_PATH_QUEUE - (k > 2 ? SPARE : 0);
-        if (skip > 0 && shared(path, k)) {
-            path->settled = (uint8_t)(k > 2 ? k - 2 : 0);
+    const unsigned behind = path->chain.closed ? 0 : 2;
+
+    while (path->settled < AHEAD && path->settled + 2u < path->queued &&
+           path->settled + 1u + behind < path->averaged) {
+        const unsigned k = path->settled + 1u, at = skips_too_much(path, k) ? k : too_long(path, k);
+        path->settled = (uint8_t)k;
+        if (at == 0)
             continue;
-        }
-        if (skip > 0 && full && k > 1)
-            break;
-        unsigned at = skip > 0 && !full && is_better_halved(path, k, skip) ? k : 0;
-        if (at == 0) {
-            at = too_long(path, k);
-            if (at > 0 && full)
+        if (path->queued >= LOFT_PATH_QUEUE) {
+            path->settled--;
+            if (k > NEXT)
                 break;
-            if (at > 0)
-                halve(path, at);
+            make_room(path);
         }
-        path->settled = (uint8_t)(at == 0 ? k : at > 2 ? at - 2 : 0);
+        const unsigned first = respace(path, at);
+        path->settled = (uint8_t)(first > 2 ? first - 2 : 0);
     }
 }
 
@@ -419,6 +473,8 @@ static enum loft_path_state fill(loft_path *path)
             path->queued++;
         }
     }
+    while (path->averaged + (path->chain.closed ? 0u : MEANS) < path->queued)
+        average(path, path->averaged++);
     return LOFT_PATH_PLACE;
 }
 
@@ -448,6 +504,7 @@ enum loft_path_state loft_path_next(loft_path *path, loft_path_place *out)
         out->skip = 0;
     (void)loft_chain_go(&path->chain, &path->check, path->queue[1].s);
     path->queued--;
+    path->averaged--;
     path->settled = (uint8_t)(path->settled > 0 ? path->settled - 1 : 0);
     for (unsigned k = 0; k < path->queued; k++)
         path->queue[k] = path->queue[k + 1];
@@ -460,7 +517,7 @@ void loft_path_begin(loft_path *path)
     path->chain.walked = path->chain.closed = path->over = false;
     loft_corners_begin(&path->corners, &path->chain);
     path->last = path->check = path->walk = path->corners.walk;
-    path->queued = path->settled = 0;
+    path->queued = path->averaged = path->settled = 0;
     path->s = 0;
     path->along = -1;
     path->step = ONE;

@@ -41,7 +41,9 @@ typedef struct {
     loft_coord         cap;                 /* the most speed in a period, */
     loft_corner        launch;              /* and a launch to it */
     loft_path_waiting  queue[LOFT_PATH_QUEUE];
-    uint8_t            queued, settled;     /* how many of them are known to be close enough? */
+    uint8_t            queued;
+    uint8_t            averaged, settled;   /* how many of them are on the mean of the path, and how
+                                             * many ways are known to be close enough? */
 } loft_path;
 
 /* Start an empty path in the caller's memory; `period` is kept. */

@@ -1,7 +1,7 @@
 /* tests/lib/path/test_path.c -- properties of lib/path/path.h
  * SPDX-License-Identifier: MIT
  */
-#define CURVES 64
+#define CURVES 512
 
 #include "support/motion_any.h"     /* arb_short_chain, path_distance */
 
@@ -141,6 +141,148 @@ static void it_does_not_matter_how_a_path_is_cut(arb *a)
     CHECK(fabs(more) <= 3 + count_whole / 50.0);
 }
 
+
+// Chords
+// ------
+
+#define TURN 6.283185307179586
+
+/* A circle of radius r about its start, as `n` chords, or as cubics of an eighth each; turned by
+ * that angle, or its mirror image. */
+typedef struct {
+    double r, feed, angle;
+    bool   mirror;
+} ring_of;
+
+static void add_piece(const ring_of *c, double from, double to, bool chord)
+{
+    const double bow = chord ? 0 : 4 / 3.0 * tan((to - from) / 4) * c->r,
+                 part[4] = { from, from, to, to }, side = c->mirror ? -1 : 1;
+    const double zero[4] = { 0 };
+    double at[4][2];
+
+    for (int k = 0; k < 4; k++) {
+        const double t = part[k] + c->angle, off = k == 1 ? bow : k == 2 ? -bow : 0;
+        at[k][0] = c->r * cos(t) - off * sin(t);
+        at[k][1] = side * (c->r * sin(t) + off * cos(t));
+    }
+    for (int i = 0; i < 2 && chord; i++) {
+        at[1][i] = at[0][i] + (at[3][i] - at[0][i]) / 3;
+        at[2][i] = at[3][i] - (at[3][i] - at[0][i]) / 3;
+    }
+    add_curve(zero, zero, zero, zero, c->feed);
+    loft_move *m = &chain[curves - 1];
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < 2; i++)
+            m->curve.p[k].axis[i] = real_of(at[k][i]);
+    if (curves > 1)
+        m->curve.p[0] = chain[curves - 2].curve.p[3];
+}
+
+/* sag: of a chord, a part of the tolerance; 0: cubics. */
+static void add_ring(const ring_of *c, double sag)
+{
+    const double tol = arb_value(limits.tol);
+    const double chords = fmin(500, ceil(TURN / sqrt(8 * sag * tol / c->r + 1e-9)));
+    const unsigned n = sag > 0 ? (unsigned)chords : 8;
+
+    begin_chain();
+    for (unsigned k = 0; k < n; k++)
+        add_piece(c, TURN * k / n, TURN * (k + 1) / n, sag > 0);
+}
+
+static ring_of arb_ring(arb *a)
+{
+    const double accel = arb_decades(a, 300, 8000);
+
+    even_limits(200, accel, accel * arb_decades(a, 10, 100));
+    limits.tol = real_of(arb_decades(a, 0.003, 0.01));
+    return (ring_of){ arb_decades(a, 1, 15), arb_decades(a, 30, 200), arb_between(a, 0, TURN),
+                      false };
+}
+
+/* The joints of chords on the way from place k, which is on one from arc `*joint` on. */
+static void joints_are_near(unsigned k, unsigned *joint, double *s)
+{
+    const loft_path_place *at[4];
+
+    for (unsigned i = 0; i < 4; i++)
+        at[i] = &found_at[k + i == 0 ? 0 : k + i - 1 < found ? k + i - 1 : found - 1];
+    while (*joint + 1 < curves) {
+        const loft_vec *p = chain[*joint].curve.p;
+        double chord = 0, part;
+        loft_position end;
+        for (int i = 0; i < LOFT_AXES; i++) {
+            const double d = arb_value(p[3].axis[i]) - arb_value(p[0].axis[i]);
+            chord += d * d;
+            end.axis[i] = loft_coord_of(loft_to_acc(p[3].axis[i]));
+        }
+        part = (ldexp(*s + sqrt(chord), 24) - (double)along[k]) / (double)(along[k + 1] - along[k]);
+        if (part > 1)
+            return;
+        CHECK(loft_path_off(at, (int32_t)ldexp(fmax(part, 0), 24), &end) <=
+              loft_path_skip(&found_at[k]) + 8 * LOFT_COORD_GRAIN);
+        *s += sqrt(chord);
+        ++*joint;
+    }
+}
+
+/* Nor is more of it skipped than is said. */
+static void no_place_skips_more_than_the_tube(arb *a)
+{
+    const bool turns = arb_below(a, 2);
+    const ring_of c = arb_ring(a);
+    unsigned joint = 0;
+    double s = 0;
+
+    if (turns)
+        arb_case(a);
+    else
+        add_ring(&c, arb_between(a, 0.05, 0.95));
+    CHECK(find_places() || found == PLACES);
+    for (unsigned k = 0; k + 1 < found; k++) {
+        const loft_coord most = period.tube + (found_at[k].loose ? period.more : 0);
+        CHECK(loft_path_skip(&found_at[k]) <= most || along[k + 1] - along[k] < 64);
+        if (!turns && k > 0)
+            joints_are_near(k, &joint, &s);
+    }
+}
+
+/* Away from the ends of a circle of chords each way is as long as the last one, by little. */
+static void ways_change_by_little(arb *a)
+{
+    const ring_of c = arb_ring(a);
+
+    add_ring(&c, arb_between(a, 0.05, 0.7));
+    CHECK(find_places());
+    for (unsigned k = 12; k + 12 < found; k++) {
+        const int64_t before = along[k] - along[k - 1], behind = along[k + 1] - along[k];
+        CHECK(5 * before <= 7 * behind && 5 * behind <= 7 * before);
+        CHECK(!found_at[k].sharp);
+    }
+}
+
+static unsigned places_of(const ring_of *c, double sag)
+{
+    add_ring(c, sag);
+    CHECK(find_places());
+    return found;
+}
+
+/* Chords of a circle have about as many places as the circle, however it is turned. */
+static void a_circle_is_one_however_it_is_written(arb *a)
+{
+    ring_of c = arb_ring(a);
+    const double sag = arb_between(a, 0.05, 0.6), whole = places_of(&c, 0),
+                 chords = places_of(&c, sag);
+
+    CHECK(chords < 1.5 * whole + 6);
+    c.angle += TURN / 4;
+    CHECK_NEAR(places_of(&c, sag), chords, 2 + chords / 50);
+    c.mirror = true;
+    CHECK_NEAR(places_of(&c, sag), chords, 2 + chords / 50);
+}
+
 static void curves_that_do_not_fit_are_refused(arb *a)
 {
     arb_limits(a);
@@ -168,6 +310,9 @@ int main(void)
     PROPERTY(what_is_skipped_is_less_than_the_tolerance, 30);
     PROPERTY(corners_are_near_where_they_count, 30);
     PROPERTY(it_does_not_matter_how_a_path_is_cut, 20);
+    PROPERTY(no_place_skips_more_than_the_tube, 40);
+    PROPERTY(ways_change_by_little, 30);
+    PROPERTY(a_circle_is_one_however_it_is_written, 20);
     PROPERTY(curves_that_do_not_fit_are_refused, 5);
     return check_failures();
 }
