@@ -1,5 +1,5 @@
-/* host-tools/base/say.h -- prints what people read: the one place where words of others pass, such as
- * names of files, layers and devices, comments of programs, and what a controller says
+/* host-tools/base/say.h -- prints what people read: the one place where words of others pass, such
+ * as names of files, layers and devices, comments of programs, and what a controller says
  * SPDX-License-Identifier: MIT
  *
  * A terminal obeys bytes that do not print. Here they become visible: \x1b for a byte, \u202e for a

@@ -45,7 +45,7 @@ typedef struct {
                     "no more than this on any axis (the machine's)"),                              \
         TOOL_NUMBER("jerk", "MM/S3", &(p)->jerk, 0, 1e7,                                           \
                     "change of acceleration on any axis (the machine's); 0: at once"),             \
-        TOOL_NUMBER("tol", "MM", &(p)->tol, 0.00098, 1,                                             \
+        TOOL_NUMBER("tol", "MM", &(p)->tol, 0.00098, 1,                                            \
                     "how far the machine may leave the drawing (0.005)"),                          \
         TOOL_NUMBER("corner", "MM", &(p)->corner, 0, 1,                                            \
                     "the same at corners, where it turns by more than 5 degrees, and up "          \

@@ -32,8 +32,8 @@ static struct {
 // JSON
 // ----
 
-/* A text in quotes. Bytes that are no UTF-8 are taken for Latin 1. What does not print is written in
- * digits, beyond U+FFFF as two surrogates: a terminal may show this, too. */
+/* A text in quotes. Bytes that are no UTF-8 are taken for Latin 1. What does not print is written
+ * in digits, beyond U+FFFF as two surrogates: a terminal may show this, too. */
 static void put_text(const char *text)
 {
     int32_t c;

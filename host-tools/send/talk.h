@@ -55,8 +55,8 @@ int  talk_vanished(const talk *t, const char *where);
 int talk_certain(const talk *t);
 
 /* Job `id` of `file`, which stays, is about to begin: when the machine has taken it, and before any
- * item is sent, that is noted. The job is over, as the sender's phase tells. The place of these axes
- * is known again. */
+ * item is sent, that is noted. The job is over, as the sender's phase tells. The place of these
+ * axes is known again. */
 void talk_begins(talk *t, uint32_t id, const char *file);
 void talk_over(talk *t);
 void talk_placed(const talk *t, unsigned axes);

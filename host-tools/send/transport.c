@@ -13,7 +13,7 @@
 #include "base/tool.h"
 #include "send/transport.h"
 
-/* A simulated machine looks whether byte 0 is locked: then its sender is there, though maybe slow. */
+/* A simulated machine looks whether byte 0 is locked: then its sender is there, maybe slow. */
 bool transport_own(int fd, const char *name)
 {
     struct flock first = { .l_type = F_WRLCK, .l_whence = SEEK_SET, .l_len = 1 };

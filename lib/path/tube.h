@@ -27,7 +27,8 @@ typedef struct {
 
 /* A path is smoothed first, and then it is timed. With little effort both use the same memory:
  * `on` is known until a knot is placed, its `at` until the next one is; then it has a pace, and all
- * of it when the next but one is placed. So v2 lies behind `at`. The guess (guess.h) goes on with the places. */
+ * of it when the next but one is placed. So v2 lies behind `at`. The guess (guess.h) goes on with
+ * the places. */
 #if LOFT_PLAN_EFFORT > 1
 typedef struct {
     loft_path_place on;     /* what is given */

@@ -10,8 +10,9 @@
  * the queue is at least half full, when the machine needs no more items to do what is asked, and
  * when the sender is gone. Then the machine starves as it should. Otherwise time stops. A sender is
  * gone when it no longer has the lock of the line; one that takes none, when nothing has arrived
- * for GONE_MS of real time. A line of line_baud brings its bytes in simulated time. A board: slots are made ahead, and the board gives them in its own time
- * (board.h). In all cases the loop sleeps in poll while nothing moves.
+ * for GONE_MS of real time. A line of line_baud brings its bytes in simulated time. A board: slots
+ * are made ahead, and the board gives them in its own time (board.h). In all cases the loop sleeps
+ * in poll while nothing moves.
  */
 #include "host/host.h"
 

@@ -27,8 +27,8 @@ static int report_error(const char *what, const char *name)
 }
 
 /* A machine holds a lock on the slave of its pseudo terminal, at the byte with the inode number of
- * its link. The slave of an abandoned link may belong to another machine by now. flock, and the lock
- * of byte 0, are for the programs that talk to the machine. */
+ * its link. The slave of an abandoned link may belong to another machine by now. flock, and the
+ * lock of byte 0, are for the programs that talk to the machine. */
 static struct flock lock_of(const struct stat *link)
 {
     struct flock lock;

@@ -338,7 +338,8 @@ case_bad_places_for_files() {
             bash -c "ulimit -t 10; exec '$loft' $job"
     done
     one_line 73 'folder' "$loft" figures family -o "$none"
-    one_line 73 'name a place in a folder' "$loft" stream "$tmp/small.csv" --port "$tmp/no" --log "$none"
+    one_line 73 'name a place in a folder' "$loft" stream "$tmp/small.csv" --port "$tmp/no" \
+        --log "$none"
     one_line 73 'name a file that can be written' "$loft" simulate --record "$none" --link "$tmp/l"
     one_line 73 'name a place in a folder that exists' "$loft" simulate --link "$none"
     one_line 73 'name a file that can be written' "$loft" simulate --link "$tmp/l" --keep "$none"
