@@ -63,8 +63,10 @@ char *near_text(const near_words *n, const char *before, char out[160])
     for (size_t k = 0; k < NEAR_MOST && n->found[k] != NULL; k++) {
         const bool last = k + 1 == NEAR_MOST || n->found[k + 1] == NULL;
         used += (size_t)snprintf(out + used, 160 - used, "%s%s%s",
-                                 k == 0 ? ": did you mean " : last ? " or " : ", ", before,
-                                 n->found[k]);
+                                 k == 0 ? ": did you mean "
+                                 : last ? " or "
+                                        : ", ",
+                                 before, n->found[k]);
     }
     if (used > 0 && used < 158)
         strcpy(out + used, "?");

@@ -333,7 +333,7 @@ static loft_coord bend_speed(const loft_period *p, const bend *near)
 
     if (r > FAR)
         return CAP_MAX;
-    while (r >> 3 * thirds >= 1 << 17)
+    while (r >> 3 * thirds >= INT64_C(1) << 17)
         thirds++;
     const uint64_t part = (uint64_t)(r >> 3 * thirds);
     const int64_t by_accel = loft_coord_sqrt((uint64_t)(most.accel * r)),
