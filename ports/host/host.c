@@ -465,7 +465,7 @@ static void give_output(struct host *h, int output)
     host_record_output(&h->record, h->slot, output, level);
 }
 
-static void run_slots(struct host *h, uint64_t count)
+static void give_slots(struct host *h, uint64_t count)
 {
     const uint32_t slot_hz = (uint32_t)h->o->tick_hz * h->o->slots;
     const uint32_t every   = slot_hz > 1000 ? slot_hz / 1000 : 1;
@@ -486,6 +486,12 @@ static void run_slots(struct host *h, uint64_t count)
         if (!h->board && loft_machine_senses(&h->machine))
             loft_machine_sense(&h->machine, closed_of(h, h->world.inputs));
     }
+}
+
+/* The next tick is prepared at the end, as by a board that waits for its slot. */
+static void run_slots(struct host *h, uint64_t count)
+{
+    give_slots(h, count);
     loft_machine_tick(&h->machine);
 }
 
@@ -542,7 +548,7 @@ static void run_tick(struct host *h)
 {
     const double each = h->o->line_baud / 10.0 / h->o->tick_hz;
 
-    run_slots(h, h->o->slots);
+    give_slots(h, h->o->slots);
     h->credit = fmin(h->credit + each, LINE_KEPT);
 }
 
@@ -558,6 +564,7 @@ static int run_simulated(struct host *h)
         if (!obeys(&h->machine.drive))
             return -1;
         run_tick(h);
+        loft_machine_tick(&h->machine);
         if (!obeys(&h->machine.drive))
             note_halt(h, h->machine.drive.abort  ? "asked to stop"
                          : h->machine.drive.hold ? "asked to hold"
@@ -568,6 +575,7 @@ static int run_simulated(struct host *h)
         return QUIET_MS / 10;
     for (int n = 0; n < batch && !is_halted(h); n++)
         run_tick(h);
+    loft_machine_tick(&h->machine);
     return h->halted || machine_moves(h)                 ? 0
            : loft_state_busy(h->machine.drive.state) ? QUIET_MS
                                                      : -1;

@@ -14,6 +14,7 @@
  *     @TEXT@KEY       when CMD has printed TEXT since the key before
  *     #TEXT#KEY       when LOG says TEXT, behind the last place where it said what was awaited
  *     *TEXT*KEY       KEY is held, so it comes again and again, until LOG says TEXT
+ *     ~TEXT~KEY       the same, until CMD has printed TEXT since the key before
  *     _KEY            when a terminal would repeat no key that was held any more
  * KEY is a character, or
  *     ^C ^\\ ^[       a control character
@@ -166,7 +167,7 @@ static void relay_line(const char *path, const char *link)
 
 /* An event and the key that follows it. */
 typedef struct {
-    char kind;              /* one of "@#*_"; 0: no more */
+    char kind;              /* one of "@#*~_"; 0: no more */
     char text[80];
     const char *key;
 } event;
@@ -181,7 +182,7 @@ static event next_event(const char **script)
     if (*at == '\0')
         return e;
     e.kind = *at;
-    end    = *at == '_' ? at : strchr("@#*", *at) ? strchr(at + 1, *at) : NULL;
+    end    = *at == '_' ? at : strchr("@#*~", *at) ? strchr(at + 1, *at) : NULL;
     if (end == NULL || end[1] == '\0') {
         fprintf(stderr, "e2e_pty: no event and key: %s\n", at);
         exit(64);
@@ -281,6 +282,18 @@ static void press(int master, pid_t machine, const char *key)
         exit(die("key"));
 }
 
+static int is_due(const event *e, const char *log, long *from, double typed)
+{
+    switch (e->kind) {
+    case '@':
+    case '~': return strstr(seen.text, e->text) != NULL;
+    case '#':
+    case '*': return says(log, e->text, from);
+    case '_': return now_seconds() - typed > RELEASED;
+    default:  return 0;
+    }
+}
+
 static int type_keys(const char *log, pid_t machine, const char *script, char **command)
 {
     int master, status;
@@ -293,15 +306,12 @@ static int type_keys(const char *log, pid_t machine, const char *script, char **
         struct pollfd p = { .fd = master, .events = POLLIN };
         if (poll(&p, 1, 10) > 0 && pass_output(master) <= 0)
             usleep(10000);
-        const int due = e.kind == '@'                ? strstr(seen.text, e.text) != NULL
-                        : e.kind == '#' || e.kind == '*' ? says(log, e.text, &from)
-                        : e.kind == '_'                ? now_seconds() - typed > RELEASED
-                                                         : 0;
-        if (!due && e.kind == '*')
+        const int held = e.kind == '*' || e.kind == '~', due = is_due(&e, log, &from, typed);
+        if (!due && held)
             press(master, machine, e.key);
         if (!due)
             continue;
-        if (e.kind != '*')
+        if (!held)
             press(master, machine, e.key);
         typed = now_seconds();
         seen.text[seen.count = 0] = '\0';
