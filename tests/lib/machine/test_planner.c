@@ -147,37 +147,6 @@ static void curves_are_told_when_they_are_behind(arb *a)
         CHECK(spans[given - 1].p[2][i] == items[curves - 1].p[2][i]);
 }
 
-/* Where a call gives nothing, and says that no part of the work was done, the next ones give
- * nothing either until there is something new: a main loop may sleep. */
-static void a_planner_that_is_not_busy_has_nothing_to_do(arb *a)
-{
-    const loft_planner_memory memory = memory_of(CURVES);
-    unsigned next = 0, given = 0;
-    int32_t start[LOFT_AXES];
-    loft_item span;
-
-    arb_job(a, start);
-    const loft_machine_info machine = info();
-    const loft_job_limits l = asked();
-    CHECK(loft_planner_init(&planner, &memory, CELLS) == LOFT_OK &&
-          loft_planner_begin(&planner, &machine, &l, start) == LOFT_OK);
-    while (next <= curves && !check_bad) {
-        for (unsigned n = 1 + arb_below(a, 5); n > 0 && next < curves; n--)
-            CHECK(loft_planner_push(&planner, &items[next++]) == LOFT_REFUSAL_NONE);
-        if (next == curves) {
-            CHECK(loft_planner_end(&planner) == LOFT_REFUSAL_NONE);
-            next++;
-        }
-        while (given < SPANS && next_of(false, &span))
-            given++;
-        if (given == SPANS)
-            return;
-        for (int call = 0; call < 3; call++)
-            CHECK(!loft_planner_next(&planner, false, &span) && !loft_planner_busy(&planner));
-    }
-    CHECK(loft_planner_done(&planner));
-}
-
 /* The planner adds only the encoding to lib/motion/plan.h: the same curves give the same spans. */
 static void the_spans_are_those_of_the_plan(arb *a)
 {
@@ -414,7 +383,6 @@ static void a_machine_without_a_planner_is_sent_no_curves(arb *a)
 int main(void)
 {
     PROPERTY(curves_are_told_when_they_are_behind,           8);
-    PROPERTY(a_planner_that_is_not_busy_has_nothing_to_do,   4);
     PROPERTY(the_spans_are_those_of_the_plan,                6);
     PROPERTY(the_lower_limit_holds,                          4);
     PROPERTY(impossible_jobs_are_refused,                    1);
