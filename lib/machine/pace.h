@@ -13,12 +13,10 @@
  *
  * The state is the level. If the aim is 0 from now on, time stops after level / unit ticks of the
  * plan, rounded up. The level changes by at most `unit` per tick. r^2 is level / full, where `full`
- * is the level of pace 1. A level that is that of a whole percentage means it exactly. The slowest
- * pace is sqrt(1 / full) or a percentage that has level 1: `full` is 16,383 less the rest of
- * ceil(ramp / 2), or less from 128 slots on: up to 267 slots each percentage has its own level.
+ * is the level of pace 1. The slowest pace is sqrt(1 / full).
  *
  * Only the context that prepares ticks may call loft_pace_next, which changes the level (span.h has
- * the order of calls). Any context may call loft_pace_aim, if 16 bits are stored at once. 20 bytes.
+ * the order of calls). Any context may call loft_pace_aim, if 16 bits are stored at once. 16 bytes.
  */
 #ifndef LOFT_MACHINE_PACE_H
 #define LOFT_MACHINE_PACE_H
@@ -37,8 +35,7 @@ typedef struct {
     uint16_t level, aim, full;      /* pace = sqrt(level / full)                                */
     uint16_t root;                  /* sqrt(level), Q8                                          */
     uint16_t slots;
-    uint16_t unit;                  /* levels per tick, the most that fit                       */
-    uint8_t percent;                /* of the level; 0 not looked up yet, 255 no whole one      */
+    uint8_t unit;                   /* levels per tick: 1, 2, 4, 8 or 16, the most that fit     */
     uint8_t carry;                  /* slots carried from the ticks before, Q8                  */
 } loft_pace;
 
@@ -51,7 +48,6 @@ enum loft_status loft_pace_init(loft_pace *p, uint16_t slots, uint16_t ramp) LOF
 
 /* The level of the pace percent / 100.
  *
- *   error   none at that level, up to 267 slots; above, half a level, and level 1 is the least
  *   cost    a 32-bit division
  *   range   percent 0..LOFT_PACE_MAX; more counts as that. Any percent above 0 gives at least
  *           level 1 */
@@ -67,8 +63,8 @@ static inline void loft_pace_stop(loft_pace *p)     { p->level = p->aim = p->roo
 
 /* The slots that the next tick lasts; 0 while time is stopped.
  *
- *   error   1 slot and 0.3 % of the law above; fractions are carried to the next tick; at a whole
- *           percentage 1/256 slot, at pace 1 none; never below 1 slot
+ *   error   1 slot and 0.3 % of the law above; fractions are carried to the next tick; at pace 1
+ *           none; never below 1 slot
  *   cost    none at a steady pace of 0 or 1; otherwise one 32-bit division and one 32-bit square
  *           root: at most 1,500 cycles of an ATmega328P, 170 instructions of a Cortex-M4 */
 uint16_t loft_pace_next(loft_pace *p);
@@ -81,7 +77,7 @@ static inline uint16_t loft_pace_distance(const loft_pace *p)
 
 /* The level of pace 1, and the largest change of the level per tick. */
 static inline uint16_t loft_pace_full(const loft_pace *p)       { return p->full; }
-static inline uint16_t loft_pace_unit(const loft_pace *p)       { return p->unit; }
+static inline uint8_t  loft_pace_unit(const loft_pace *p)       { return p->unit; }
 
 LOFT_END_C
 

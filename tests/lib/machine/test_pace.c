@@ -39,9 +39,6 @@ static double roots_error(double full, double from, double to)
     return error * (1 + error);
 }
 
-/* The largest part by which a whole percentage may be beside the pace of its level. */
-static double beside(const loft_pace *p) { return p->level > 1 ? 0.3 / p->level : 1; }
-
 static void each_tick_lasts_what_the_law_says(arb *a)
 {
     uint16_t slots, ramp;
@@ -63,8 +60,7 @@ static void each_tick_lasts_what_the_law_says(arb *a)
         else
             CHECK_NEAR(lasts, law(slots, loft_pace_full(&p), from, to),
                        1 + law(slots, loft_pace_full(&p), from, to) *
-                               (roots_error(loft_pace_full(&p), from, to) +
-                                (from == to && p.percent ? beside(&p) : 0)));
+                               roots_error(loft_pace_full(&p), from, to));
         CHECK(lasts <= 32767);
     }
 }
@@ -130,54 +126,26 @@ static void a_hold_from_full_pace_takes_the_ramp(arb *a)
                1 + ticks_of(ramp) / 256 + 0.003 * 2 * ticks_of(ramp) * slots);
 }
 
-static void settle(loft_pace *p)
-{
-    while (p->level != p->aim)
-        CHECK(loft_pace_next(p) != 0);
-    loft_pace_next(p);
-}
-
 static void fractions_are_carried_at_any_steady_pace(arb *a)
 {
     uint16_t slots, ramp;
     loft_pace p = arb_pace(a, &slots, &ramp);
     double sum = 0;
 
-    /* a level that no whole percentage has, if it comes so */
-    loft_pace_aim(&p, (uint16_t)(1 + arb_below(a, 4u * loft_pace_full(&p))));
-    settle(&p);
-    const double level = p.level, ideal = fmax(1, law(slots, loft_pace_full(&p), level, level));
+    const unsigned percent = 1 + arb_below(a, 200);
+    aim(&p, percent);
+    uint16_t before;
+    do {
+        before = p.level;
+        CHECK(loft_pace_next(&p) != 0);
+    } while (p.level != before);
+    /* of that pace */
+    CHECK_NEAR(p.level, fmax(1, loft_pace_full(&p) * (percent * percent / 1e4)), 0.5);
+    const double ideal = law(slots, loft_pace_full(&p), before, before);
     for (int tick = 0; tick < 1000; tick++)
         sum += loft_pace_next(&p);
     CHECK_NEAR(sum, 1000 * ideal,
-               1 + 1000. / 256 +
-                   1000 * ideal *
-                       (roots_error(loft_pace_full(&p), level, level) +
-                        (p.percent == 255 ? 0 : beside(&p))));
-}
-
-/* Whatever was ordered before; the level is the next one, and stops after as many ticks. */
-static void a_percentage_is_that_percentage(arb *a)
-{
-    uint16_t slots, ramp;
-    loft_pace p = arb_pace(a, &slots, &ramp);
-
-    for (int order = 0; order < 5; order++) {
-        const unsigned percent = 1 + arb_below(a, arb_below(a, 2) ? 200 : 10);
-        double sum = 0;
-        aim(&p, percent);
-        settle(&p);
-        CHECK_NEAR(p.level, fmax(1, loft_pace_full(&p) * (percent * percent / 1e4)), 0.5);
-        for (int tick = 0; tick < 100; tick++)
-            sum += loft_pace_next(&p);
-        const double want = 100 * fmax(1, slots * 100. / percent),
-                     grain = 0.5 / loft_pace_full(&p) * 1e4;
-        if (slots <= 267)
-            CHECK_NEAR(sum, want, 1 + 100. / 256);
-        else        /* half a level, and the least level */
-            CHECK(percent * percent < 2 * grain ||
-                  fabs(sum / want - 1) < grain / percent / percent);
-    }
+               1 + 1000. / 256 + 1000 * ideal * roots_error(loft_pace_full(&p), before, before));
 }
 
 static void init_refuses_what_does_not_fit(arb *a)
@@ -201,7 +169,6 @@ int main(void)
     PROPERTY(a_hold_stands_after_the_stated_number_of_ticks, 300);
     PROPERTY(a_hold_from_full_pace_takes_the_ramp,           100);
     PROPERTY(fractions_are_carried_at_any_steady_pace,       300);
-    PROPERTY(a_percentage_is_that_percentage,                300);
     PROPERTY(init_refuses_what_does_not_fit,                   1);
     return check_failures();
 }
