@@ -167,7 +167,7 @@ typedef struct {
  * 3 are `value`. The sum in place 1 is less than 2^32 + 2^32 + 2^38. */
 static term scaled_term(int64_t g, const uint32_t inverse[3])
 {
-    const uint64_t size = loft_acc_size(g);
+    const uint64_t size = (uint64_t)(g < 0 ? -g : g);
     const uint64_t at_1 = word_product(low_word(size), inverse[1]);
     const uint64_t sum_1 = word_product(high_word(size), inverse[0]) +
                            high_word(word_product(low_word(size), inverse[0])) + low_word(at_1);
