@@ -6,7 +6,7 @@
 
 #define COUNT 6
 #define MOVES 4
-#define LOOK_MOST 400
+#define LOOK_MOST (LOFT_PLAN_EFFORT > 1 || LOFT_AXES > 3 ? 400 : 220)   /* a chip has 16 kB */
 #define PASSED    (LOFT_PLAN_EFFORT > 1 ? 8 : 4)
 #define LOOPS     (LOFT_PLAN_EFFORT > 1 ? 9 : 30)
 #define LOOK      112       /* knots of a chip */
