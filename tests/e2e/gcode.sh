@@ -230,7 +230,7 @@ case_short_lines_become_curves() {
     says out '^planned: [1-9][0-9]\? curves, 0.080 m drawn'
     run 0 "$loft" stream "$tmp/dense.loft" --dry-run --feed 60 --smooth 0
     says out '^planned: 2000 curves, 0.080 m drawn'
-    one_line 64 'leave half of the tolerance of 0.005 mm to the machine' "$loft" plan "$tmp/dense.loft" --smooth 0.004
+    one_line 64 'leave half of the tolerance' "$loft" plan "$tmp/dense.loft" --smooth 0.004
     machine dense --steps 250 --once
     run 0 "$loft" stream "$tmp/dense.loft" --feed 60 --port "$tmp/dense" --record "$tmp/dense.csv"
     gone "$machine"
