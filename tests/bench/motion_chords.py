@@ -11,6 +11,8 @@
 # that of the cubics: against the sag, and against the feed, a panel for each shape.
 import math, random, sys
 
+from motion_lists import line, write
+
 TOL = 0.005
 SAGS = (0.02, 0.1, 0.3, 0.5, 0.7, 0.95)
 
@@ -98,25 +100,6 @@ def rounded(p, decimals):
     if decimals == 'inch':
         return tuple(round(x / 25.4, 4) * 25.4 for x in p)
     return tuple(round(x, int(decimals)) for x in p)
-
-
-def grain(x):
-    return round(x * 65536) / 65536
-
-
-def write(folder, name, path):
-    end = None
-    with open('%s/%s.moves' % (folder, name), 'w') as f:
-        for p in path:
-            p = [tuple(grain(x) for x in q) for q in p]
-            p[0] = end or p[0]
-            end = p[3]
-            print(*('%.16g %.16g %.16g' % q for q in p), 1, file=f)
-
-
-def line(a, b):
-    part = lambda t: tuple(x + (y - x) * t for x, y in zip(a, b))
-    return a, part(1 / 3), part(2 / 3), b
 
 
 def lists(folder):

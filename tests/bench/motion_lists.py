@@ -79,7 +79,7 @@ def write(folder, name, path):
             if end is not None:
                 p[0] = end
             end = p[3]
-            print(*('%.16g %.16g 0' % q for q in p), 1, file=f)
+            print(*('%.16g %.16g %.16g' % (q + (0,))[:3] for q in p), 1, file=f)
 
 
 def main():
@@ -100,4 +100,5 @@ def main():
         write(folder, 'line-%g' % length, [line((0, 0), (length, 0))])
 
 
-main()
+if __name__ == '__main__':
+    main()
