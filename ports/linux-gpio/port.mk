@@ -14,7 +14,7 @@ $(1): $$(GPIO_SRC) ports/linux-gpio/gpio_v$(2).c $$(GPIO_HDR) build/q16x3/liblof
 	@mkdir -p $$(@D)
 	$$(SAY) "  LD  $$@"
 	$$(Q)$$(CC) $$(LDFLAGS) $$(BUILT) $$(GPIO_FLAGS) $(3) $$(filter %.c %.a,$$^) $(4) \
-	    -pthread -o $$@
+	    -pthread -lm -o $$@
 endef
 $(eval $(call gpio_program,build/loft-gpio,$(GPIO_VERSION),$$(GPIO_CFLAGS),$$(GPIO_LIBS)))
 build/loft-gpio: GPIO_CFLAGS = $(patsubst -I%,-isystem %,\
@@ -47,7 +47,7 @@ $(GPIO_GUEST)/loft-gpio-$(1): $$(GPIO_SRC) tests/target/gpio_paper.c $$(GPIO_HDR
 	@mkdir -p $$(@D)
 	$$(SAY) "  LD  $$@"
 	$$(Q)$$(CC) $$(LDFLAGS) $$(TESTED) $$(GPIO_FLAGS) -Werror $(2) $$(filter %.c %.a,$$^) \
-	    -pthread -o $$@
+	    -pthread -lm -o $$@
 endef
 $(eval $(call gpio_paper,race,-fsanitize=thread))
 $(eval $(call gpio_paper,memory,$(SANITIZE)))
