@@ -48,8 +48,9 @@ send() {
         kill -0 $qemu 2>/dev/null || return 1
         sleep 0.05
     done
-    timeout 300 "$loft" stream "$drawing" --feed $feed --port "unix:$tmp/line" \
-        >"$tmp/$1.out" 2>&1 </dev/null
+    # each case has a machine of its own, whose place no job before has lost
+    XDG_STATE_HOME=$tmp/state.$1 timeout 300 "$loft" stream "$drawing" --feed $feed \
+        --port "unix:$tmp/line" >"$tmp/$1.out" 2>&1 </dev/null
     echo $? > "$tmp/$1.code"
 }
 
@@ -274,7 +275,7 @@ refuses 78 'a number, but of which chip'                x.step=0 x.dir=1
 refuses 78 'has no such line'                           chip=/dev/0 x.step=0 x.dir=8
 refuses 71 'another program has it\|not a serial port'  chip=/dev/0 x.step=0 x.dir=1 port=/dev/null
 row "the guest: kernel, modules, chips, every case" "$ended" = 33        # (16 << 1) | 1
-[ "$ended" = 33 ] || { cat "$tmp/qemu" "$tmp/console"; sum; exit 1; }
+[ "$ended" = 33 ] || { cat "$tmp/qemu" "$tmp/console" "$tmp"/*.out; sum; exit 1; }
 
 for v in 1 2; do
     name="libgpiod $("$guest/loft-gpio$v" --help | sed -n 's/.*(libgpiod \([0-9.]*\)).*/\1/p')"
