@@ -51,7 +51,7 @@ wrong_arrows() {        # wrong_arrows TOP ROOM..: includes of a later room
     done
     ls -d "$top"/*/ | while read -r found; do
         found=${found%/}
-        case " $* examples pictures " in
+        case " $* examples page pictures " in
         *" ${found##*/} "*) ;;
         *) echo "$found: a room without a rank" ;;
         esac
