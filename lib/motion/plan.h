@@ -7,15 +7,15 @@
  *     static loft_knot knots[160];
  *     loft_span span;
  *
- *     loft_plan_init(&plan, &limits, moves, 8, knots, 160);
- *     for (;;) {
- *         while (another curve is at hand && loft_plan_push(&plan, curve) == LOFT_OK)
- *             take the next curve;
- *         if (there is no other)
- *             loft_plan_end(&plan);
- *         while (loft_plan_next(&plan, &span) == LOFT_PLAN_SPAN)
- *             send(&span);
- *     }
+ *     if (loft_plan_init(&plan, &limits, moves, 8, knots, 160) == LOFT_OK)
+ *         do {
+ *             while (next < count && loft_plan_push(&plan, &curve[next]) == LOFT_OK)
+ *                 next++;                     // LOFT_ERR_SPACE: again when spans are taken
+ *             if (next == count)
+ *                 loft_plan_end(&plan);
+ *             while ((state = loft_plan_next(&plan, &span)) == LOFT_PLAN_SPAN)
+ *                 send(&span);
+ *         } while (next < count || state != LOFT_PLAN_REST);
  *
  * How it works: MOTION.md. What becomes of the spans, and what else may run in an interrupt:
  * span.h. A plan belongs to one context, the main loop: it may be interrupted anywhere, but no

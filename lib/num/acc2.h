@@ -6,12 +6,12 @@
  * keep the direction there:
  *
  *     loft_acc2 v[2];
- *     loft_acc  d[2];
+ *     loft_acc  way[2];
  *     for (int i = 0; i < 2; i++)
  *         v[i] = loft_acc2_lerp(loft_acc2_sub(b.axis[i], a.axis[i]),
  *                               loft_acc2_sub(d.axis[i], c.axis[i]), t);
- *     if (loft_acc2_scaled(v, 2, d))
- *         use(d);                         // the direction; false where v is 0
+ *     if (loft_acc2_scaled(v, 2, way))
+ *         use(way);                       // the direction; false where v is 0
  *
  *   loft_acc2   q16: an integer of 128 bits   f32, f64: the sum of two doubles
  *

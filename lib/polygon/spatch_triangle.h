@@ -8,7 +8,7 @@
  *     loft_weighted p[LOFT_SPATCH_TRIANGLE_MAX];
  *     for (unsigned edge = 0; edge < s.sides; edge++)
  *         if (loft_spatch_triangle(&s, &domain, edge, p) == LOFT_OK &&
- *             loft_triangle_rational_init(&t, p, s.depth * (s.sides - 2)) == LOFT_OK) ..
+ *             loft_triangle_rational_init(&t, p, s.depth * (s.sides - 2u)) == LOFT_OK) ..
  */
 #ifndef LOFT_POLYGON_SPATCH_TRIANGLE_H
 #define LOFT_POLYGON_SPATCH_TRIANGLE_H

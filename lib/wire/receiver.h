@@ -4,16 +4,16 @@
  *
  * It has no memory but the struct, no clock and no transport. The machine's main loop:
  *
- *     while (port has a byte)
+ *     while (port_read(&byte))
  *         if (loft_receiver_push(&r, byte)) {                              // a frame is complete
  *             loft_snapshot now = where_i_stand();
  *             enum loft_event e;
  *             while ((e = loft_receiver_next(&r, &now, &what)) != LOFT_EVENT_NONE)
  *                 act(e, &what);                                           // queue what.item, ...
  *         }
- *     if (the port can take a frame) {
+ *     if (port_takes_a_frame()) {
  *         loft_snapshot now = where_i_stand();
- *         write(wire, loft_receiver_poll(&r, &now, wire));
+ *         port_write(wire, loft_receiver_poll(&r, &now, wire));
  *     }
  *
  * An item counts as taken at the moment loft_receiver_next gives it. Put it in the queue before

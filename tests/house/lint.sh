@@ -174,6 +174,9 @@ without_test() {
 }
 without_test | rule "each header has a test of its name, or tests/README.md names another"
 
+# ... and each loop that a header prints stands in a test, word for word
+python3 tests/house/loops.py 2>&1 | rule "loops of headers are run by tests"
+
 # ... and no line has more than 100 columns (characters). Excepted: tables of pages, a line with a
 # word (a link) of more than 80 characters, generated files, drawings, data and pictures.
 too_wide() {

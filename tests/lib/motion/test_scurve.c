@@ -271,6 +271,22 @@ static void what_cannot_be_is_refused(arb *a)
     CHECK(loft_scurve_retarget(&s, 2000, LOFT_REAL(30000)) == LOFT_ERR_RANGE && s.count == 1);
 }
 
+/* The loop of the header, with these limits: every tick is given, the last one is the end. */
+static void the_loop_of_its_header_comes_to_the_end(arb *a)
+{
+    const loft_real from = arb_real(a, 100), to = arb_real(a, 100);
+    loft_real place = from;
+
+    static const loft_scurve_limits limits = {
+        .max_speed = LOFT_REAL(100), .max_accel = LOFT_REAL(500), .max_jerk = 10000, .tick_hz = 1000
+    };
+    loft_scurve move;
+    if (loft_scurve_init(&move, from, to, &limits) == LOFT_OK)
+        for (uint32_t tick = 1; tick <= move.ticks; tick++)
+            place = loft_scurve_eval(&move, tick);
+    CHECK(place >= to && place <= to);
+}
+
 int main(void)
 {
     PROPERTY(places_are_those_of_even_jerk, 2000);
@@ -280,5 +296,6 @@ int main(void)
     PROPERTY(a_new_target_takes_a_stop_and_a_move_at_most, 5000);
     PROPERTY(a_target_further_ahead_is_met_without_a_stop, 500);
     PROPERTY(what_cannot_be_is_refused, 200);
+    PROPERTY(the_loop_of_its_header_comes_to_the_end, 30);
     return check_failures();
 }

@@ -14,7 +14,7 @@
 static loft_plan plan;
 static loft_move moves[MOVES];
 static loft_knot ahead[LOOK_MOST];
-static loft_natural_knot knots[COUNT];
+static loft_natural_knot slopes[COUNT];
 
 static loft_limits limits_of(int32_t speed, int32_t accel, uint32_t jerk)
 {
@@ -74,7 +74,7 @@ static void each_point_is_passed_in_turn(arb *a)
     enum loft_plan_state state;
 
     CHECK(loft_plan_init(&plan, &limits, moves, MOVES, ahead, 160) == LOFT_OK);
-    CHECK(loft_waypoints_init(&w, &plan, p, count, LOFT_REAL(50), knots) == LOFT_OK);
+    CHECK(loft_waypoints_init(&w, &plan, p, count, LOFT_REAL(50), slopes) == LOFT_OK);
     while ((state = loft_waypoints_next(&w, &s)) == LOFT_PLAN_SPAN)
         while (next < count) {
             const long double step = s.ticks * 0.05L / 64;     /* at most, at 50 mm/s */
@@ -96,13 +96,13 @@ static void what_cannot_be_moved_is_refused(arb *a)
     loft_waypoints w;
 
     CHECK(loft_plan_init(&plan, &limits, moves, MOVES, ahead, 160) == LOFT_OK);
-    CHECK(loft_waypoints_init(&w, &plan, p, 1, LOFT_REAL(50), knots) == LOFT_ERR_ARG);
-    CHECK(loft_waypoints_init(&w, &plan, p, count, 0, knots) == LOFT_ERR_ARG);
-    CHECK(loft_waypoints_init(&w, &plan, p, count, LOFT_REAL(20000), knots) == LOFT_ERR_RANGE);
+    CHECK(loft_waypoints_init(&w, &plan, p, 1, LOFT_REAL(50), slopes) == LOFT_ERR_ARG);
+    CHECK(loft_waypoints_init(&w, &plan, p, count, 0, slopes) == LOFT_ERR_ARG);
+    CHECK(loft_waypoints_init(&w, &plan, p, count, LOFT_REAL(20000), slopes) == LOFT_ERR_RANGE);
     p[0].axis[0] = LOFT_REAL(-9000);
-    CHECK(loft_waypoints_init(&w, &plan, p, count, LOFT_REAL(50), knots) == LOFT_ERR_RANGE);
+    CHECK(loft_waypoints_init(&w, &plan, p, count, LOFT_REAL(50), slopes) == LOFT_ERR_RANGE);
     p[0] = p[1];
-    CHECK(loft_waypoints_init(&w, &plan, p, count, LOFT_REAL(50), knots) == LOFT_SINGULAR);
+    CHECK(loft_waypoints_init(&w, &plan, p, count, LOFT_REAL(50), slopes) == LOFT_SINGULAR);
 }
 
 /* Points near each other: less than a launch. */
@@ -117,61 +117,78 @@ static uint32_t arb_near_points(arb *a, loft_vec p[COUNT])
     return count;
 }
 
-/* A plan with any memory, which may stop at joints. */
-static void arb_plan(arb *a)
+/* Any memory, and a plan that may stop at joints. */
+static uint16_t arb_move_room(arb *a) { return (uint16_t)(1 + arb_below(a, MOVES)); }
+
+static uint16_t arb_knot_room(arb *a)
 {
-    const uint16_t room = (uint16_t)(1 + arb_below(a, MOVES));
     const uint32_t most = arb_below(a, 2) ? 8 : 160 - LOFT_PLAN_KNOTS_MIN;
+    return (uint16_t)(LOFT_PLAN_KNOTS_MIN + arb_below(a, most + 1));
+}
+
+static loft_limits arb_limits(arb *a)
+{
     loft_limits l = limits_of(200, 2000, 50000);
 
     if (arb_below(a, 2))
         l.exact = arb_below(a, 2) ? LOFT_REAL(0.02) : LOFT_REAL(0.5);
-    CHECK(loft_plan_init(&plan, &l, moves, room, ahead,
-                         (uint16_t)(LOFT_PLAN_KNOTS_MIN + arb_below(a, most + 1))) == LOFT_OK);
+    return l;
 }
 
 /* The loop of waypoints.h, with any memory. */
 static void the_loop_of_its_header_comes_to_the_end(arb *a)
 {
-    loft_vec p[COUNT];
-    const uint32_t count = arb_near_points(a, p);
-    loft_waypoints way;
-    loft_span span = { .ticks = 0 };
+    const uint16_t move_room = arb_move_room(a), knot_room = arb_knot_room(a);
+    const loft_limits limits = arb_limits(a);
+    loft_vec points[COUNT], at = { { 0 } };
+    const uint32_t count = arb_near_points(a, points);
+    uint32_t ticks = 0;
 
-    arb_plan(a);
-    if (loft_waypoints_init(&way, &plan, p, count, LOFT_REAL(200), knots) == LOFT_OK)
-        while (loft_waypoints_next(&way, &span) == LOFT_PLAN_SPAN)
-            CHECK(span.ticks > 0);
-    CHECK(span.ticks > 0 && loft_vec_equal(span.p[3], p[count - 1]));
+    static loft_natural_knot knots[COUNT];
+    loft_waypoints way;
+    loft_span span;
+    if (loft_plan_init(&plan, &limits, moves, move_room, ahead, knot_room) == LOFT_OK &&
+        loft_waypoints_init(&way, &plan, points, count, LOFT_REAL(200), knots) == LOFT_OK)
+        while (loft_waypoints_next(&way, &span) == LOFT_PLAN_SPAN) {
+            ticks += span.ticks;
+            at = span.p[3];
+        }
+    CHECK(ticks > 0 && loft_vec_equal(at, points[count - 1]));
 }
+
+static loft_vec sent_to;
+
+static void send(const loft_span *span) { sent_to = span->p[3]; }
 
 /* The loop of plan.h. Each turn of it pushes a curve or gives a span, but for one at most. */
 static void so_does_that_of_a_plan(arb *a)
 {
+    const uint16_t move_room = arb_move_room(a), knot_room = arb_knot_room(a);
+    const loft_limits limits = arb_limits(a);
+    loft_knot *const knots = ahead;
     loft_vec p[COUNT];
-    const uint32_t count = arb_near_points(a, p);
-    loft_span span = { .ticks = 0 };
+    loft_move curve[COUNT];
+    const uint32_t count = arb_near_points(a, p) - 1;
     uint32_t next = 0;
+    enum loft_plan_state state;
+    loft_span span;
 
-    arb_plan(a);
-    for (int idle = 0; idle < 3; idle++) {
-        const loft_vec *q = &p[next];
-        loft_move curve = { .feed = LOFT_REAL(200) };
-        while (next + 1 < count) {
-            q = &p[next];
-            curve.curve = (loft_cubic){ { q[0], loft_vec_lerp(q[0], q[1], loft_unit_of(1, 3)),
-                                          loft_vec_lerp(q[0], q[1], loft_unit_of(2, 3)), q[1] } };
-            if (loft_plan_push(&plan, &curve) != LOFT_OK)
-                break;
-            next++;
-            idle = 0;
-        }
-        if (next + 1 == count)
-            loft_plan_end(&plan);
-        while (loft_plan_next(&plan, &span) == LOFT_PLAN_SPAN)
-            idle = 0;
+    for (uint32_t k = 0; k < count; k++) {
+        const loft_vec *q = &p[k];
+        curve[k] = (loft_move){ .feed = LOFT_REAL(200) };
+        curve[k].curve = (loft_cubic){ { q[0], loft_vec_lerp(q[0], q[1], loft_unit_of(1, 3)),
+                                         loft_vec_lerp(q[0], q[1], loft_unit_of(2, 3)), q[1] } };
     }
-    CHECK(next + 1 == count && loft_vec_equal(span.p[3], p[count - 1]));
+    if (loft_plan_init(&plan, &limits, moves, move_room, knots, knot_room) == LOFT_OK)
+        do {
+            while (next < count && loft_plan_push(&plan, &curve[next]) == LOFT_OK)
+                next++;
+            if (next == count)
+                loft_plan_end(&plan);
+            while ((state = loft_plan_next(&plan, &span)) == LOFT_PLAN_SPAN)
+                send(&span);
+        } while (next < count || state != LOFT_PLAN_REST);
+    CHECK(next == count && loft_vec_equal(sent_to, p[count]));
 }
 
 /* Ticks through the points with so many knots. */
@@ -183,7 +200,7 @@ static uint32_t ticks_with(uint16_t room, const loft_vec p[COUNT], uint32_t coun
     uint32_t ticks = 0;
 
     CHECK(loft_plan_init(&plan, &fast, moves, MOVES, ahead, room) == LOFT_OK);
-    CHECK(loft_waypoints_init(&w, &plan, p, count, LOFT_REAL(200), knots) == LOFT_OK);
+    CHECK(loft_waypoints_init(&w, &plan, p, count, LOFT_REAL(200), slopes) == LOFT_OK);
     while (loft_waypoints_next(&w, &s) == LOFT_PLAN_SPAN)
         ticks += s.ticks;
     return ticks;
