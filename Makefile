@@ -48,8 +48,9 @@ build/names.stamp: $(LIB_HDR) tests/house/names.sh
 	@sh tests/house/names.sh > $@.$$$$ && \
 	    if cmp -s $@.$$$$ lib/names.h; then rm $@.$$$$; else mv $@.$$$$ lib/names.h; fi
 	@touch $@
+# (+: also by make -n, which takes it as written otherwise, and announces all that includes it)
 lib/names.h: build/names.stamp
-	@test -f $@
+	+@test -f $@
 
 # What each function may err by is read from the headers too, when asked for: lint says when.
 lib/ERRORS.md: $(LIB_HDR) tests/house/errors.sh
@@ -89,19 +90,19 @@ TOOL_INC   = -Ihost-tools -Iports $(if $(filter cairo,$(WITHOUT)),-DLOFT_WITHOUT
 TOOL_STD   = $(STD) $(DEPS) -D_GNU_SOURCE $(TOOL_INC)
 tool_flag  = -DLOFT_NUM=LOFT_$(call upper,$(1)) -DLOFT_AXES=3
 TOOL_ONCE := host-tools/engine/engine_status.c host-tools/engine/engines.c
-TOOL_ENGINE := $(filter-out $(TOOL_ONCE),$(wildcard host-tools/engine/engine*.c \
-                 host-tools/study/engine*.c))
+TOOL_ENGINE := $(filter-out $(TOOL_ONCE),$(wildcard $(patsubst %,host-tools/%/engine*.c, \
+                 engine make figures)))
 # what needs a library that may be left out, and what refuses in its place
 TOOL_WITH_cairo            := $(wildcard $(patsubst %,host-tools/draw/%.c,plot* scene* gallery \
                                 surface_* plan_plot)) \
-                              host-tools/read/svg_glyphs.c
-TOOL_WITH_geos             := host-tools/plan/region.c host-tools/plan/pieces.c
+                              host-tools/svg/svg_glyphs.c
+TOOL_WITH_geos             := host-tools/arrange/region.c host-tools/arrange/pieces.c
 TOOL_WITH_libserialport    := host-tools/send/transport_serial.c
-TOOL_WITH_ncurses          := host-tools/base/screen.c
-TOOL_WITHOUT_cairo         := host-tools/draw/without_cairo.c host-tools/read/without_glyphs.c
-TOOL_WITHOUT_geos          := host-tools/plan/without_region.c
+TOOL_WITH_ncurses          := host-tools/cmd/screen.c
+TOOL_WITHOUT_cairo         := host-tools/draw/without_cairo.c host-tools/svg/without_glyphs.c
+TOOL_WITHOUT_geos          := host-tools/arrange/without_region.c
 TOOL_WITHOUT_libserialport := host-tools/send/without_serial.c
-TOOL_WITHOUT_ncurses       := host-tools/base/without_ncurses.c
+TOOL_WITHOUT_ncurses       := host-tools/cmd/without_ncurses.c
 TOOL_LEFT := $(foreach l,cairo geos libserialport ncurses,\
                  $(TOOL_WITH$(if $(filter $(l),$(WITHOUT)),,OUT)_$(l)))
 TOOL_SRC  := $(filter-out $(TOOL_ENGINE) $(TOOL_LEFT),$(sort $(wildcard host-tools/*.c \
@@ -115,8 +116,8 @@ TOOL_OBJ  := $(patsubst %.c,$(TOOL_OUT)/tools/%.o,$(TOOL_SRC)) \
              $(foreach n,$(NUMS),$(patsubst %.c,$(TOOL_OUT)/tools/$(n)/%.o,$(TOOL_EACH)))
 
 build/tools/reached: FORCE
-	@mkdir -p $(@D)
-	@echo $(TOOL_REACHED) | cmp -s - $@ || echo $(TOOL_REACHED) > $@
+	+@mkdir -p $(@D)
+	+@echo $(TOOL_REACHED) | cmp -s - $@ || echo $(TOOL_REACHED) > $@
 .PHONY: FORCE
 FORCE:
 
@@ -220,7 +221,7 @@ check:
 
 ## Check the rules of the house: warnings of gcc and clang, arrows, freestanding, names, docs
 .PHONY: lint
-lint:
+lint: build/loft
 	@sh tests/house/lint.sh
 
 ## Print which functions of geometry a command reaches, header by header

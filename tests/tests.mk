@@ -158,8 +158,8 @@ test-effort: $(CHIP_EACH)
 
 # --- exact results: one line per CSV of a folder --------------------------------------------------
 VECTORS ?= tests/vectors
-VECTOR_SRC := $(sort $(wildcard tests/vectors/*.c)) host-tools/study/engine_chapter.c \
-              host-tools/study/chapter.c host-tools/study/chapter_study.c
+VECTOR_SRC := $(sort $(wildcard tests/vectors/*.c)) host-tools/figures/engine_chapter.c \
+              host-tools/figures/chapter.c host-tools/figures/chapter_study.c
 define vectored
 build/vectors/$(1)-obj/%.o: %.c | lib/names.h
 	@mkdir -p $$(@D)
@@ -195,11 +195,11 @@ REPLAY   = for n in $(FUZZERS); do \
 # --- readers, plans and pictures: build/test/tools/<module>, sanitized ----------------------------
 # The tests replace base/tool.c: they catch the lines that it would print.
 TOOL_TESTS  := $(patsubst tests/tools/test_%.c,%,$(sort $(wildcard tests/tools/test_*.c)))
-TOOL_TESTED := $(filter-out %/tool.c $(TOOL_LEFT),$(sort $(foreach r,base engine read plan draw, \
-                 $(wildcard host-tools/$(r)/*.c))))
+TOOL_TESTED := $(filter-out %/tool.c $(TOOL_LEFT),$(sort $(wildcard $(patsubst %, \
+                 host-tools/%/*.c,base engine geometry read svg gcode fit arrange plan draw mill))))
 TOOL_TESTED := $(filter-out host-tools/engine/engines.c,$(TOOL_TESTED))
-TOOL_TESTED += host-tools/send/gcode.c host-tools/send/near_move.c host-tools/send/unfinished.c \
-               $(wildcard host-tools/send/grbl*.c)
+TOOL_TESTED += $(patsubst %,host-tools/%.c,cmd/keys send/gcode_write send/near_move \
+                 send/unfinished) $(wildcard host-tools/send/grbl*.c)
 TOOL_FLAGS   = $(INCLUDE) $(TESTED) $(TOOL_STD) $(SANITIZE) -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3
 TOOL_TESTED_OBJ := $(patsubst %.c,build/test/tools/%.o,$(TOOL_TESTED))
 
@@ -354,11 +354,11 @@ fuzz: lib/names.h
 FUZZED = $(INCLUDE) -O1 -g $(TOOL_STD) -fsanitize=address,undefined \
          -fno-sanitize-recover=all -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3 -DDRAWING_CURVES_MAX=2000u
 COUNTED = -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp
+READERS := $(patsubst %,host-tools/%/%,base geometry read svg gcode)
 build/fuzz/tools/%.o: %.c | lib/names.h
 	@mkdir -p $(@D)
 	$(SAY) "  CC  $@"
-	$(Q)clang $(FUZZED) $(if $(filter host-tools/base/% host-tools/read/%,$<),$(COUNTED)) \
-	    -c $< -o $@
+	$(Q)clang $(FUZZED) $(if $(filter $(READERS),$<),$(COUNTED)) -c $< -o $@
 FUZZED_OBJ = $(patsubst %.c,build/fuzz/tools/%.o,$(TOOL_TESTED) $(LIB_SRC))
 -include $(FUZZED_OBJ:.o=.d)
 build/fuzz/tools.a: $(FUZZED_OBJ)
@@ -371,7 +371,7 @@ build/fuzz/tools.a: $(FUZZED_OBJ)
 # the system take four fifths of the time.
 FUZZ_RUNS   ?= 0
 FUZZ_LENGTH ?= 300
-FUZZ_MAIN_svg     := tests/tools/fuzz_svg.c host-tools/read/without_glyphs.c
+FUZZ_MAIN_svg     := tests/tools/fuzz_svg.c host-tools/svg/without_glyphs.c
 FUZZ_MAIN_text    := tests/tools/fuzz_svg.c
 FUZZ_MAIN_gcode   := tests/gcode/fuzz_gcode.c
 FUZZ_MAIN_loft    := tests/tools/fuzz_loft.c

@@ -13,7 +13,7 @@
 #include "base/near.h"       /* near_try */
 #include "base/progress.h"   /* progress_clear_any */
 #include "base/say.h"
-#include "base/screen.h"     /* screen_close */
+#include "cmd/screen.h"     /* screen_close */
 #include "base/tool.h"
 #include "loft.h"            /* LOFT_VERSION */
 

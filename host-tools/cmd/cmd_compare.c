@@ -12,7 +12,7 @@
 #include "engine/curve.h"
 #include "engine/engine.h"
 #include "engine/piece.h"
-#include "engine/reference.h"
+#include "geometry/reference.h"
 #include "base/source.h"         /* source_name */
 #include "base/tool.h"
 

@@ -10,7 +10,7 @@
 #include "num/status.h"     /* LOFT_ERR_ARG */
 
 #include "draw/contour.h"   /* contour_heights */
-#include "engine/print.h"   /* print_words */
+#include "geometry/print.h"   /* print_words */
 #include "base/source.h"    /* source_name */
 #include "engine/surface.h"
 #include "base/tool.h"

@@ -1,7 +1,7 @@
 /* host-tools/cmd/cmd_decide.c -- loft decide: questions of the texts, decided exactly
  * SPDX-License-Identifier: MIT
  */
-#include "study/decide.h"
+#include "make/decide.h"
 
 static int run_decide(const tool_command *self, int argc, char **argv)
 {

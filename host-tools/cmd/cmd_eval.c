@@ -6,7 +6,7 @@
 #include "num/status.h"     /* LOFT_SINGULAR */
 
 #include "engine/piece.h"
-#include "engine/print.h"
+#include "geometry/print.h"
 #include "engine/sided.h"   /* sided_has */
 #include "base/source.h"    /* source_name */
 #include "engine/surface.h"

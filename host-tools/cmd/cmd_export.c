@@ -19,7 +19,7 @@
 #include "draw/export.h"
 #include "plan/planning.h"
 #include "read/drawing.h"
-#include "send/gcode.h"
+#include "send/gcode_write.h"
 
 typedef struct {
     int16_t *word;

@@ -13,10 +13,10 @@
 #include "base/space.h"         /* space_distance */
 #include "base/tool.h"
 #include "engine/engine.h"
-#include "engine/print.h"       /* print_point */
-#include "plan/grid_fit.h"
-#include "plan/point_fit.h"
-#include "plan/scatter_fit.h"
+#include "geometry/print.h"       /* print_point */
+#include "fit/grid_fit.h"
+#include "fit/point_fit.h"
+#include "fit/scatter_fit.h"
 
 #define GRID_MOST 1000  /* rows, columns */
 #define TOL_MOST  1000

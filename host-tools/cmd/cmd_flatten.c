@@ -7,7 +7,7 @@
 #include "num/status.h"     /* LOFT_ERR_RANGE */
 
 #include "engine/piece.h"
-#include "engine/print.h"
+#include "geometry/print.h"
 #include "base/source.h"         /* source_name */
 #include "base/tool.h"
 

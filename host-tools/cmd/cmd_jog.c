@@ -12,7 +12,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/keys.h"           /* keys_next */
+#include "cmd/keys.h"           /* keys_next */
 #include "base/say.h"
 #include "base/scan.h"           /* scan_number */
 #include "base/tool.h"

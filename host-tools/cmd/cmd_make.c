@@ -1,7 +1,7 @@
 /* host-tools/cmd/cmd_make.c -- loft make: curves and surfaces made of curves, as .loft
  * SPDX-License-Identifier: MIT
  */
-#include "study/decide.h"
+#include "make/decide.h"
 
 static int run_make(const tool_command *self, int argc, char **argv)
 {

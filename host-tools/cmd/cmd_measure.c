@@ -13,9 +13,9 @@
 #include "num/status.h"     /* LOFT_SINGULAR */
 
 #include "base/say.h"
-#include "engine/element.h"
-#include "engine/print.h"   /* print_words */
-#include "engine/stretches.h"
+#include "geometry/element.h"
+#include "geometry/print.h"   /* print_words */
+#include "geometry/stretches.h"
 #include "base/source.h"    /* source_name */
 #include "base/tool.h"
 #include "cmd/measure_surface.h"

@@ -12,14 +12,14 @@
 #include "base/source.h"        /* source_name */
 #include "base/tool.h"
 #include "cmd/mill_chip.h"      /* mill_chip_run */
-#include "draw/left.h"
-#include "draw/stock.h"
+#include "mill/left.h"
+#include "mill/stock.h"
 #include "draw/surface_plot.h"
 #include "engine/mill.h"
-#include "engine/print.h"       /* print_point */
+#include "geometry/print.h"       /* print_point */
 #include "engine/surface.h"
 #include "num/status.h"         /* LOFT_ERR_ARG */
-#include "read/mill_trim.h"
+#include "mill/mill_trim.h"
 
 typedef struct {
     mill_order o;

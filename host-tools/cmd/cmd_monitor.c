@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "host/line.h"  /* host_line: the sender's side */
-#include "base/keys.h"  /* keys_interrupted */
+#include "cmd/keys.h"  /* keys_interrupted */
 #include "base/tool.h"
 #include "send/transport.h"
 #include "send/wire_text.h"

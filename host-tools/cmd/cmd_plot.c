@@ -10,7 +10,7 @@
 #include "engine/curve.h"
 #include "draw/plot.h"
 #include "draw/surface_plot.h"
-#include "plan/page.h"
+#include "arrange/page.h"
 #include "base/create.h"      /* create_check */
 #include "base/tool.h"
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "engine/piece.h"
-#include "engine/print.h"
+#include "geometry/print.h"
 #include "base/source.h"         /* source_name */
 #include "engine/surface.h"
 #include "base/tool.h"

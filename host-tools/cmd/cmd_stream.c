@@ -7,7 +7,7 @@
 
 #include "wire/action_code.h"    /* LOFT_OUTPUTS_MOST */
 
-#include "base/keys.h"           /* keys_start, keys_hasty */
+#include "cmd/keys.h"           /* keys_start, keys_hasty */
 #include "base/say.h"
 #include "cmd/stream_grbl.h"     /* stream_grbl, stream_parts */
 #include "send/change.h"         /* change_tool */
@@ -15,7 +15,7 @@
 #include "plan/missing.h"        /* missing_tell */
 #include "plan/planning.h"       /* planning_limit */
 #include "send/settings.h"       /* settings_adopt */
-#include "send/report.h"         /* report_start */
+#include "cmd/report.h"         /* report_start */
 #include "send/stream.h"         /* stream_run */
 #include "base/tool.h"
 #include "plan/toolpath.h"       /* toolpath_make */

@@ -8,7 +8,7 @@
 #include "num/status.h"         /* enum loft_status */
 
 #include "cmd/compare.h"
-#include "engine/reference_surface.h"
+#include "geometry/reference_surface.h"
 #include "engine/sided.h"
 
 typedef struct {

@@ -4,7 +4,7 @@
 #include "base/source.h"    /* source_name */
 #include "cmd/measure_surface.h"
 #include "engine/surface.h"
-#include "study/decide.h"   /* decide_surfaces */
+#include "make/decide.h"   /* decide_surfaces */
 
 int measure_surfaces(const char *file, const engine *e, const tool_list *at, double tol, bool path,
                      bool *done)

@@ -4,12 +4,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/keys.h"           /* keys_start, keys_hasty */
+#include "cmd/keys.h"           /* keys_start, keys_hasty */
 #include "base/say.h"
 #include "base/source.h"         /* source_name */
 #include "base/tool.h"
 #include "cmd/mill_chip.h"
-#include "send/report.h"         /* report_start */
+#include "cmd/report.h"         /* report_start */
 #include "send/settings.h"       /* settings_adopt */
 #include "send/stream.h"         /* stream_run */
 

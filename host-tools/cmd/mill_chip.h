@@ -4,7 +4,7 @@
 #ifndef LOFT_MILL_CHIP_H
 #define LOFT_MILL_CHIP_H
 
-#include "plan/patch.h"         /* patch_order */
+#include "mill/patch.h"         /* patch_order */
 #include "plan/planning.h"      /* planning */
 #include "send/talk.h"          /* TALK_OPTIONS */
 

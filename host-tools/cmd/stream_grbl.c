@@ -10,7 +10,7 @@
 #include "cmd/stream_grbl.h"
 #include "plan/table.h"         /* table_check */
 #include "send/change.h"        /* change_tool */
-#include "send/gcode.h"         /* gcode_make */
+#include "send/gcode_write.h"         /* gcode_make */
 #include "send/grbl.h"          /* grbl_run */
 
 /* The G-code of a part, sent from where the controller is, or printed in a dry run. */

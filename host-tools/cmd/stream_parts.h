@@ -5,7 +5,7 @@
 #define LOFT_STREAM_PARTS_H
 
 #include "plan/planning.h"      /* planning */
-#include "plan/tools.h"         /* tools_part */
+#include "arrange/tools.h"         /* tools_part */
 
 typedef struct {
     planning p;

@@ -8,7 +8,7 @@
 #include "num/status.h"     /* LOFT_SINGULAR */
 
 #include "draw/mesh.h"
-#include "engine/drawn_surface.h"
+#include "geometry/drawn_surface.h"
 #include "engine/sided.h"   /* sided_spot */
 #include "base/tool.h"      /* tool_error, tool_grow, sysexits */
 

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "engine/curve.h"
-#include "engine/drawn.h"   /* drawn_pieces, piece_bend */
+#include "geometry/drawn.h"   /* drawn_pieces, piece_bend */
 #include "draw/plot.h"
 #include "base/tool.h"      /* tool_grow */
 

@@ -8,7 +8,7 @@
 
 #include "base/tool.h"          /* tool_grow */
 #include "engine/engine_num.h"
-#include "engine/lines.h"
+#include "engine/patch_lines.h"
 
 typedef char engine_lines_degree[LOFT_PATCH_DEGREE == LOFT_LINES_DEGREE ? 1 : -1];
 

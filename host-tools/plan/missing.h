@@ -5,7 +5,7 @@
 #define LOFT_MISSING_H
 
 #include "plan/job.h"            /* struct job_does */
-#include "plan/tools.h"          /* tools_part */
+#include "arrange/tools.h"          /* tools_part */
 
 typedef struct {
     const char *file;

@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "plan/planning.h"
-#include "plan/smooth.h"         /* drawing_smooth */
+#include "fit/smooth.h"         /* drawing_smooth */
 #include "plan/table.h"          /* table_check */
-#include "plan/tools.h"          /* tools_apply */
+#include "arrange/tools.h"          /* tools_apply */
 #include "base/source.h"         /* source_name */
 
 #define JERK_MAX 1e7        /* mm/s^3, of lib/path/limits.h                    */

@@ -6,12 +6,12 @@
 #define LOFT_PLANNING_H
 
 #include "read/drawing.h"        /* drawing */
-#include "read/gcode.h"          /* GCODE_OPTION */
+#include "gcode/gcode.h"          /* GCODE_OPTION */
 #include "plan/joints.h"         /* joints */
 #include "read/machine_file.h"   /* machine_file */
 #include "base/tool.h"           /* tool_option */
-#include "plan/order.h"          /* order_options */
-#include "plan/page.h"           /* page_options */
+#include "arrange/order.h"          /* order_options */
+#include "arrange/page.h"           /* page_options */
 #include "plan/toolpath.h"       /* toolpath_options */
 
 typedef struct {

@@ -12,7 +12,7 @@
 #include "engine/curve.h"
 #include "read/drawing.h"    /* drawing_read_svg */
 #include "read/foreign.h"
-#include "read/gcode.h"      /* gcode_is_text */
+#include "gcode/gcode.h"      /* gcode_is_text */
 #include "base/scan.h"       /* scan_numbers */
 #include "base/source.h"     /* source_read */
 #include "base/tool.h"       /* tool_error, sysexits */

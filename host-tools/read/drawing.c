@@ -9,7 +9,7 @@
 #include "engine/curve.h"   /* curves_is_text, curves_free */
 #include "read/drawing.h"
 #include "read/foreign.h"
-#include "read/gcode.h"
+#include "gcode/gcode.h"
 #include "base/source.h"    /* source_read */
 #include "base/space.h"     /* space_distance */
 #include "base/spool.h"     /* spool_grow */

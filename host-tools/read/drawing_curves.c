@@ -6,7 +6,7 @@
  */
 #include "engine/curve.h"
 #include "read/drawing.h"
-#include "engine/drawn.h"   /* drawn_pieces, drawn_cubics */
+#include "geometry/drawn.h"   /* drawn_pieces, drawn_cubics */
 #include "base/tool.h"      /* tool_error, sysexits */
 
 typedef struct {

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/nearest.h"
+#include "geometry/nearest.h"
 #include "read/record.h"
 #include "base/scan.h"       /* scan_number */
 #include "base/tool.h"       /* tool_error, tool_grow */

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "base/keys.h"              /* keys_answer, keys_interrupted */
+#include "cmd/keys.h"              /* keys_answer, keys_interrupted */
 #include "base/say.h"
 #include "base/tool.h"              /* tool_error, tool_clock */
 #include "send/change.h"

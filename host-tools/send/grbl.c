@@ -11,8 +11,8 @@
 #include "send/grbl_talk.h"
 #include "send/near_move.h"      /* near_move */
 #include "send/grbl_words.h"     /* grbl_error_text, grbl_alarm_text */
-#include "base/keys.h"           /* keys_next, keys_interrupted */
-#include "send/report.h"         /* report_show */
+#include "cmd/keys.h"           /* keys_next, keys_interrupted */
+#include "cmd/report.h"         /* report_show */
 #include "base/tool.h"           /* tool_error, tool_clock */
 #include "base/waits.h"          /* waits_due */
 

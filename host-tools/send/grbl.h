@@ -11,8 +11,8 @@
 
 #include "engine/engine.h"  /* ENGINE_AXES */
 #include "read/machine_file.h"  /* machine_file */
-#include "send/gcode.h"     /* gcode */
-#include "send/report.h"    /* report_job */
+#include "send/gcode_write.h"     /* gcode */
+#include "cmd/report.h"    /* report_job */
 
 typedef struct grbl grbl;
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "send/grbl_talk.h"
-#include "base/keys.h"           /* keys_interrupted */
+#include "cmd/keys.h"           /* keys_interrupted */
 #include "base/tool.h"           /* tool_error, tool_clock */
 #include "base/waits.h"          /* waits_for */
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/keys.h"           /* keys_start, keys_interrupted */
+#include "cmd/keys.h"           /* keys_start, keys_interrupted */
 #include "base/spool.h"          /* spool_grow */
 #include "base/tool.h"
 #include "plan/job.h"            /* job */

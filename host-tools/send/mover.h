@@ -16,7 +16,7 @@ typedef struct {
     const char *port, *log;
     unsigned baud;
     double wait;                /* s */
-    bool keys;                  /* also read single keys: see base/keys.h */
+    bool keys;                  /* also read single keys: see cmd/keys.h */
     talk t;
     double at[ENGINE_AXES];     /* mm: where the tool is */
 } mover;

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "machine/settings.h"   /* LOFT_SETTINGS_AXES */
-#include "base/keys.h"          /* keys_interrupted */
+#include "cmd/keys.h"          /* keys_interrupted */
 #include "base/tool.h"
 #include "send/settings.h"
 

@@ -6,8 +6,8 @@
 #include <string.h>
 #include <unistd.h>              /* isatty */
 
-#include "base/keys.h"           /* keys_next, keys_answer */
-#include "send/report.h"         /* report_show */
+#include "cmd/keys.h"           /* keys_next, keys_answer */
+#include "cmd/report.h"         /* report_show */
 #include "send/stream.h"
 #include "send/stream_end.h"     /* stream_drawn, stream_place */
 #include "base/tool.h"

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "base/create.h"
-#include "base/keys.h"           /* keys_interrupted */
+#include "cmd/keys.h"           /* keys_interrupted */
 #include "send/talk.h"
 #include "send/unfinished.h"
 #include "base/tool.h"

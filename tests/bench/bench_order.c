@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "plan/order.h"
+#include "arrange/order.h"
 #include "tools/tour_bound.h"
 
 #define MOST   1.05

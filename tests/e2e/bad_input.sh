@@ -209,7 +209,7 @@ case_strict_svg_warning_by_warning() {
     done < <(svg_warnings)
     # each has a line above
     diff <(svg_warnings | cut -d'|' -f1 | sort) \
-         <(sed -n 's/^    SVG_WARN_\([A-Z_]*\),\?$/\1/p' host-tools/read/svg.h | sort) \
+         <(sed -n 's/^    SVG_WARN_\([A-Z_]*\),\?$/\1/p' host-tools/svg/svg.h | sort) \
         || job_fails "warnings without a line, or lines without a warning"
 }
 # a program for each word that G-code leaves out

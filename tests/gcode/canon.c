@@ -13,7 +13,7 @@
 
 #include "base/source.h"
 #include "base/tool.h"
-#include "read/gcode.h"
+#include "gcode/gcode.h"
 #include "read/machine_file.h"
 
 int tool_error(int code, const char *format, ...)

@@ -60,10 +60,11 @@ wrong_arrows() {        # wrong_arrows TOP ROOM..: includes of a later room
 { wrong_arrows lib num geom basis curve kinematics path motion wire machine surface polygon toolpath
   grep -nE '#[[:space:]]*include.*(ports|host-tools|loft\.h|port\.h)' $sources
 } | rule "arrows of lib/ point one way"
-{ wrong_arrows host-tools base engine read plan send draw study cmd
+{ python3 tests/house/arrows.py base engine geometry read svg gcode readers fit arrange plan send \
+      draw mill make cmd loft figures
   grep -nE '#[[:space:]]*include[[:space:]]*"[^/]*"' host-tools/*/*.[ch] |
       grep -v '"loft\.h"'
-} | rule "arrows of host-tools/ point one way, and includes name the room"
+} | rule "arrows of host-tools/ point one way, in no circle, and includes name the room"
 
 # 2. freestanding
 grep -nE '#[[:space:]]*include[[:space:]]*<' lib/*.h $sources |
@@ -199,13 +200,14 @@ too_wide | rule "no line has more than 100 columns"
         [ -f "lib/$header" ] || echo "lib/TEXTS.md: $header: no such header"
     done
     grep -o '`loft [a-z ]*`' lib/TEXTS.md | tr -d '`' | sort -u | while read -r _ command verb; do
-        [ -f "host-tools/cmd/cmd_$command.c" ] || echo "lib/TEXTS.md: loft $command: no command"
-        [ -z "$verb" ] || grep -q "{ \"$verb\", DECIDE" host-tools/study/engine_*.c ||
+        ls host-tools/*/"cmd_$command.c" >/dev/null 2>&1 ||
+            echo "lib/TEXTS.md: loft $command: no command"
+        [ -z "$verb" ] || grep -q "{ \"$verb\", DECIDE" host-tools/make/engine_*.c ||
             echo "lib/TEXTS.md: loft $command $verb: no such verb"
     done
     awk -F '|' 'NF == 6 && $5 !~ /figures|---/ { gsub(/,/, " ", $5); print $5 }' lib/TEXTS.md |
         tr -s ' ' '\n' | grep -v '^–*$' | LC_ALL=C sort -u >"$result.texts"
-    sed -n 's/^    { "\([a-z0-9-]*\)".*/\1/p' host-tools/study/figures_*.c | LC_ALL=C sort -u |
+    sed -n 's/^    { "\([a-z0-9-]*\)".*/\1/p' host-tools/figures/figures_*.c | LC_ALL=C sort -u |
         LC_ALL=C comm -3 "$result.texts" - | sed 's/^/lib\/TEXTS.md and loft figures differ: /'
     rm -f "$result.texts"
 } | rule "lib/TEXTS.md names what exists, and every figure"

@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "tools/drawn.h"
-#include "read/gcode.h"
+#include "gcode/gcode.h"
 #include "read/machine_tools.h"
 
 typedef struct {

@@ -5,7 +5,7 @@
  */
 #include <cairo.h>
 
-#include "plan/areas.h"
+#include "arrange/areas.h"
 #include "tools/drawn.h"
 
 static bool areas_of(const char *inner, bool strokes, bool fills, drawing *d)

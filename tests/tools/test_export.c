@@ -9,7 +9,7 @@
 
 #include "draw/export.h"
 #include "plan/toolpath.h"
-#include "send/gcode.h"
+#include "send/gcode_write.h"
 #include "tools/drawn.h"
 
 #define DIGITS 0.0002       /* mm: four decimals of ends and centres */

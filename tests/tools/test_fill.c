@@ -5,7 +5,7 @@
  */
 #include <cairo.h>
 
-#include "plan/fill.h"
+#include "arrange/fill.h"
 #include "tools/drawn.h"
 
 static bool fill_svg(const char *inner, const char *how, const char *outline, drawing *d)

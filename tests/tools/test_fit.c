@@ -10,9 +10,9 @@
 #include "base/space.h"
 #include "base/tool.h"          /* tool_grow */
 #include "num/status.h"         /* LOFT_OK */
-#include "plan/grid_fit.h"
-#include "plan/point_fit.h"
-#include "plan/scatter_fit.h"
+#include "fit/grid_fit.h"
+#include "fit/point_fit.h"
+#include "fit/scatter_fit.h"
 
 #define MOST  600
 #define LOOKS 40

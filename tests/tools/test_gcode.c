@@ -7,7 +7,7 @@
 
 #include "tools/gcode_moves.h"
 #include "plan/toolpath.h"
-#include "read/gcode.h"
+#include "gcode/gcode.h"
 
 static int read_text(drawing *d, const char *text)
 {

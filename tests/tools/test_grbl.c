@@ -13,7 +13,7 @@
 #include <sysexits.h>
 #include <unistd.h>
 
-#include "base/keys.h"
+#include "cmd/keys.h"
 #include "base/tool.h"
 #include "check.h"
 #include "send/grbl.h"

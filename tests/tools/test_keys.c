@@ -8,7 +8,7 @@
 #include <sysexits.h>
 #include <unistd.h>
 
-#include "base/keys.h"
+#include "cmd/keys.h"
 #include "check.h"
 
 enum { LEFT_ALONE = 99 };

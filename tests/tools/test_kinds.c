@@ -6,7 +6,7 @@
 #include "engine/curve.h"
 #include "engine/engine.h"
 #include "engine/piece.h"
-#include "engine/reference.h"
+#include "geometry/reference.h"
 
 static double random_to(arb *a, double most)
 {

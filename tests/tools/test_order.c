@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "plan/order.h"
+#include "arrange/order.h"
 #include "tools/drawn.h"
 
 double tool_clock(void) { return 0; }

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "plan/page.h"
+#include "arrange/page.h"
 #include "base/spool.h"      /* spool_grow */
 #include "tools/drawn.h"
 

@@ -6,7 +6,7 @@
 #include <libxml/parser.h>
 #include <libxml/xpath.h>
 
-#include "read/svg.h"
+#include "svg/svg.h"
 #include "tools/drawn.h"
 
 #define ROOM 4000

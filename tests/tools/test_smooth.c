@@ -7,7 +7,7 @@
 
 #include "check.h"
 #include "tools/drawn.h"
-#include "plan/smooth.h"
+#include "fit/smooth.h"
 
 static double random_unit(arb *a)      { return (double)(arb_next(a) >> 11) / 9007199254740992.0; }
 

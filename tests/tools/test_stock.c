@@ -1,8 +1,8 @@
 /* tests/tools/test_stock.c -- blocks: their words, their places, what leaves them, what is left
  * SPDX-License-Identifier: MIT
  */
-#include "draw/left.h"
-#include "draw/stock.h"
+#include "mill/left.h"
+#include "mill/stock.h"
 #include "tools/drawn.h"            /* CHECK, tool_error */
 
 static void words_are_read_or_refused(arb *a)

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "plan/tools.h"
+#include "arrange/tools.h"
 #include "plan/toolpath.h"
 #include "tools/drawn.h"
 

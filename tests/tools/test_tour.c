@@ -7,7 +7,7 @@
 #include <time.h>
 
 #include "check.h"
-#include "plan/tour.h"
+#include "arrange/tour.h"
 #include "tools/drawn.h"
 #include "tools/tour_bound.h"
 

@@ -2,13 +2,13 @@
  * points, along contours
  * SPDX-License-Identifier: MIT
  *
- * The pentagons and nets are those of host-tools/study/chapter.h, made of numbers that coordinates
- * of 32 bits do not hold. In f32 and q16 the bounds allow for what that moves.
+ * The pentagons and nets are those of host-tools/figures/chapter.h, made of numbers that
+ * coordinates of 32 bits do not hold. In f32 and q16 the bounds allow for what that moves.
  */
 #include <string.h>
 
 #include "support/polygons.h"   /* decimal, sheet_of */
-#include "study/chapter.h"
+#include "figures/chapter.h"
 #include "names.h"              /* LOFT_TAG */
 
 #define ENGINE_(tag) engine_chapters_ ## tag

@@ -1,0 +1,69 @@
+/* host-tools/cmd/report.h -- tells how a job goes: a bar, the whole terminal, or lines of JSON
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_REPORT_H
+#define LOFT_REPORT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/progress.h"      /* progress */
+#include "plan/toolpath.h"      /* toolpath */
+
+enum report_form { REPORT_BAR, REPORT_VIEW, REPORT_JSON };
+
+/* What does not change in a job. */
+typedef struct {
+    const char *file, *port;
+    const char *tool;               /* NULL: the drawing has no tools */
+    const toolpath *path;           /* NULL: unknown */
+    double tol;                     /* mm, planned */
+    uint32_t id;                    /* 0: the machine keeps none */
+} report_job;
+
+/* Is the pen down in this move of the path? */
+static inline bool report_draws(const report_job *of, size_t move)
+{
+    return of->path != NULL && move < of->path->count && of->path->curve[move] != TOOLPATH_TRAVEL;
+}
+
+/* Where it is. */
+typedef struct {
+    const char *state;              /* "draws", "holds", "held", "pause", "aborts", "waits",
+                                     * "plans" */
+    double done, total;             /* ticks, or items while it plans */
+    uint32_t item, items;           /* items 0: not known yet */
+    uint32_t queued;
+    double feed;                    /* mm/s */
+    unsigned override;              /* % */
+    double at[ENGINE_AXES];         /* of the tool, mm */
+    size_t moves;                   /* of the path, which are behind it */
+    bool rests;                     /* nothing can go on: this time does not count */
+} report_facts;
+
+/* Prepare this form. From then on, standard output is that of a program that reads JSON: what is
+ * printed for people goes to standard error. Returns 0, or an exit code after printing one line. */
+int report_start(enum report_form form);
+
+/* A job begins: `job` must stay. */
+void report_begin(const report_job *job);
+
+/* Tell of a job that is planned and not sent. */
+void report_planned(const report_job *job, double seconds, uint32_t items);
+
+/* Show this, at most ten times a second. The bar is a line of standard error, as `words`. */
+void report_show(const report_facts *f, const char *words);
+
+/* Is the state shown, so that a line about it would repeat it? */
+bool report_shown(void);
+
+/* Tell an event in one line. */
+void report_line(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* The job is over, or its terminal is needed for a line. */
+void report_end(void);
+
+/* The last line of JSON: the exit code. Returns it. */
+int report_exit(int code);
+
+#endif

@@ -1,0 +1,110 @@
+/* host-tools/geometry/print.c -- points as text
+ * SPDX-License-Identifier: MIT
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "geometry/print.h"
+#include "base/tool.h"       /* tool_error, sysexits */
+
+#define EACH_LINE 8     /* knots */
+#define SAME 1e-6       /* mm; closer ends count as one point */
+
+void print_number(const engine *e, double x)
+{
+    const double near = (e->fixed ? e->lsb : e->lsb * fabs(x)) / 4;
+    char text[32];
+
+    for (int digits = 5; digits <= 17; digits++) {
+        snprintf(text, sizeof text, "%.*g", digits, x);
+        if (fabs(strtod(text, NULL) - x) <= near)
+            break;
+    }
+    fputs(text, stdout);
+}
+
+const char *number_text(bool all, double x)
+{
+    static char text[8][32];
+    static unsigned next;
+    char *const out = text[next++ % 8];
+
+    for (int digits = 9; digits <= (all ? 17 : 9); digits++) {
+        snprintf(out, sizeof text[0], "%.*g", digits, x);
+        if (!(fabs(strtod(out, NULL) - x) > 0))
+            break;
+    }
+    return out;
+}
+
+void print_words(const print_options *p, const double point[ENGINE_AXES])
+{
+    for (int i = 0; i < (p->solid ? ENGINE_AXES : 2); i++) {
+        if (i > 0)
+            putchar(' ');
+        print_number(p->e, point[i]);
+    }
+}
+
+void print_point(void *context, const double point[ENGINE_AXES])
+{
+    print_words(context, point);
+    putchar('\n');
+}
+
+void print_knot(const engine *e, const char *head, double knot, size_t k, size_t count)
+{
+    if (k % EACH_LINE == 0)
+        fputs(head, stdout);
+    putchar(' ');
+    print_number(e, knot);
+    if (k % EACH_LINE == EACH_LINE - 1 || k + 1 == count)
+        putchar('\n');
+}
+
+static bool same(const double a[ENGINE_AXES], const double b[ENGINE_AXES])
+{
+    return fabs(a[0] - b[0]) <= SAME && fabs(a[1] - b[1]) <= SAME && fabs(a[2] - b[2]) <= SAME;
+}
+
+/* `end` is the end of the curve before, and becomes the end of this one; NULL: there was none. */
+static int chain_one(const print_options *p, const curve *c, double end[ENGINE_AXES], bool first,
+                     print_curve *one, void *context)
+{
+    const engine_curves *make = p->e->curve;
+    double start[ENGINE_AXES];
+    engine_curve *held;
+    int status = make->open(c, &held);
+
+    if (status != 0)
+        return status;
+    status = make->eval(held, curve_from(c), start);
+    if (status == 0 && (first || !same(start, end))) {
+        if (!first)
+            putchar('\n');
+        print_options how = *p;
+        print_point(&how, start);
+    }
+    if (status == 0)
+        status = one(context, c, held);
+    if (status == 0)
+        status = make->eval(held, curve_to(c), end);
+    make->close(held);
+    return status;
+}
+
+int print_chain(const print_options *p, const curves *all, const char *file, const char *words,
+                print_curve *one, void *context)
+{
+    double end[ENGINE_AXES];
+
+    for (size_t i = 0; i < all->count; i++) {
+        const int status = chain_one(p, &all->curve[i], end, i == 0, one, context);
+        if (status != 0)
+            return tool_error(EX_DATAERR, "%s:%u: %s of degree %u%s: %s", file, all->curve[i].line,
+                              curve_name(all->curve[i].kind), all->curve[i].degree, words,
+                              curve_status(&all->curve[i], status));
+    }
+    return EX_OK;
+}

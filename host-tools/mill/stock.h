@@ -1,0 +1,31 @@
+/* host-tools/mill/stock.h -- the block out of which a mill cuts surfaces
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_HOST_STOCK_H
+#define LOFT_HOST_STOCK_H
+
+#include "engine/mill.h"        /* mill_cut, mill_trim */
+#include "engine/surface.h"
+
+/* mm; width, depth and height are along x, y and z. */
+typedef struct {
+    bool given, placed;
+    double low[3], size[3];     /* its lowest corner, once it is placed */
+} stock;
+
+#define STOCK_MOST 4096
+
+/* WxDxH or WxDxH@X,Y,Z. Prints its own error. */
+bool stock_parse(const char *text, void *out);
+
+/* Place the block, if its place is not given: its middle below that of the surfaces, its top at
+ * their highest point, each rounded up to 0.001 mm. Of trimmed surfaces only what is inside of the
+ * loops counts. Returns 0, or an exit code after printing one line: the surfaces leave the block.
+ *
+ *   error   the surfaces are known by at least 16 x 16 points each, those of few by 96 x 96 */
+int stock_place(stock *s, const surfaces *all, const mill_trim *trim, const char *file);
+
+/* Do the places of a path stay over the block and above its bottom? Returns as above. */
+int stock_holds(const stock *s, const mill_cut *path, const char *file);
+
+#endif

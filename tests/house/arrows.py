@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+# tests/house/arrows.py -- the arrows between the files of host-tools/: upward ones and circles
+# SPDX-License-Identifier: MIT
+# usage: tests/house/arrows.py ROOM.. ; in their order. Prints what is wrong, one line each
+#
+# An arrow goes from a file to each header that it includes, and to the file that defines what it
+# uses, as the objects in build/tools say: a function that one room declares and another defines
+# counts where it is defined. It points to its own room or to one before it. Arrows of files go in
+# no circle; a header and the source of its name are one file here. What is not mended yet is in
+# tests/house/arrows.txt, which only shrinks: `up FROM TO`, and `circle FIRST FILE` for each file of
+# the circle of FIRST.
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+TOP = Path("host-tools")
+LIST = Path("tests/house/arrows.txt")
+BUILT = "build/tools/"
+
+
+def unit(path):
+    return str(path.relative_to(TOP).with_suffix(""))
+
+
+def symbols():
+    """Lines of nm: the source, the symbol, its letter. One number type stands for all three."""
+    objects = [str(p) for top in ("", "q16/")
+               for p in sorted(Path(BUILT + top + "host-tools").rglob("*.o"))
+               if (p.relative_to(BUILT + top).with_suffix(".c")).is_file()]
+    nm = subprocess.run(["nm", "-A", "-P", *objects], capture_output=True, text=True, check=True)
+    for line in nm.stdout.splitlines():
+        built, symbol, letter = re.match(r"(.*)\.o: (\S+) (\S)", line).groups()
+        yield Path(built[len(BUILT):].removeprefix("q16/") + ".c"), symbol, letter
+
+
+def read_files():
+    """For each file its arrows, by includes and by definitions."""
+    arrows, home, used = {}, {}, []
+    for p in sorted(TOP.rglob("*.[ch]")):
+        includes = re.findall(r'^#\s*include "([^"]+)"', p.read_text(encoding="utf-8"), re.M)
+        arrows[p] = {TOP / i for i in includes if (TOP / i).is_file()}
+    for p, symbol, letter in symbols():
+        if letter == "U":
+            used.append((p, symbol))
+        elif letter.isupper():
+            home[symbol] = p
+    for p, symbol in used:
+        if symbol in home:
+            arrows[p].add(home[symbol])
+    return {p: {t for t in to if unit(t) != unit(p)} for p, to in arrows.items()}
+
+
+def circles(graph):
+    """The strongly connected parts of more than one file (Tarjan 1972), without recursion."""
+    number, low, stack, on, found = {}, {}, [], set(), []
+    for root in sorted(graph):
+        work = [(root, iter(sorted(graph[root])))] if root not in number else []
+        if work:
+            number[root] = low[root] = len(number)
+            stack.append(root), on.add(root)
+        while work:
+            node, rest = work[-1]
+            step = next(rest, None)
+            if step is None:
+                work.pop()
+                if work:
+                    low[work[-1][0]] = min(low[work[-1][0]], low[node])
+                if low[node] == number[node]:
+                    part = []
+                    while not part or part[-1] != node:
+                        part.append(stack.pop())
+                        on.discard(part[-1])
+                    if len(part) > 1:
+                        found.append(sorted(part))
+            elif step not in number:
+                number[step] = low[step] = len(number)
+                stack.append(step), on.add(step)
+                work.append((step, iter(sorted(graph[step]))))
+            elif step in on:
+                low[node] = min(low[node], number[step])
+    return sorted(found)
+
+
+def main(rooms):
+    arrows = read_files()
+    rank = {room: i for i, room in enumerate(rooms)}
+    wrong, graph = set(), {}
+    for p, to in arrows.items():
+        mine = graph.setdefault(unit(p), set())
+        mine |= {unit(t) for t in to}
+        here = rank.get(unit(p).split("/")[0])
+        if here is None:
+            print("%s: a room without a rank" % p)
+            continue
+        for t in to:
+            if rank.get(unit(t).split("/")[0], here) > here:
+                wrong.add("up %s %s" % (unit(p), unit(t)))
+    wrong |= {"circle %s %s" % (c[0], f) for c in circles(graph) for f in c}
+    listed = {line for line in LIST.read_text().split("\n") if line and line[0] != "#"}
+    for line in sorted(wrong - listed):
+        print("%s: let arrows point one way" % line)
+    for line in sorted(listed - wrong):
+        print("%s: %s: is mended: take it off the list" % (LIST, line))
+
+
+main(sys.argv[1:])
