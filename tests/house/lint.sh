@@ -64,7 +64,7 @@ wrong_arrows() {        # wrong_arrows TOP ROOM..: includes of a later room
       draw mill make cmd loft figures
   grep -nE '#[[:space:]]*include[[:space:]]*"[^/]*"' host-tools/*/*.[ch] |
       grep -v '"loft\.h"'
-} | rule "arrows of host-tools/ point one way, in no circle, and includes name the room"
+} | rule "arrows of host-tools/ point one way, in no circle; only cmd/ has the terminal"
 
 # 2. freestanding
 grep -nE '#[[:space:]]*include[[:space:]]*<' lib/*.h $sources |
