@@ -32,8 +32,19 @@ SAY := @$(if $(V)$(findstring s,$(firstword -$(MAKEFLAGS))),:,echo)
 JOBS     ?= $(shell nproc)
 PARALLEL  = $(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 
-LIB_SRC  := $(filter-out lib/examples/%,$(sort $(wildcard lib/*/*.c lib/*/*/*.c)))
+# two libraries in one tree: the second needs the first, the first does not know the second
+LOFT_ROOMS     := num geom basis curve kinematics path motion wire machine
+SURFACES_ROOMS := surface polygon toolpath
+sources_of   = $(sort $(foreach r,$(1),$(wildcard lib/$(r)/*.c lib/$(r)/*/*.c)))
+LOFT_SRC     := $(call sources_of,$(LOFT_ROOMS))
+SURFACES_SRC := $(call sources_of,$(SURFACES_ROOMS))
+LIB_SRC  := $(LOFT_SRC) $(SURFACES_SRC)
 LIB_HDR  := $(sort $(wildcard lib/config.h lib/*/*.h lib/*/*/*.h))
+LIBRARIES ?= loft loft-surfaces
+# libs FOLDER: both archives there; linked: objects and archives, those of surfaces first
+libs   = $(1)/libloft-surfaces.a $(1)/libloft.a
+linked = $(filter %.o,$^) $(filter %/libloft-surfaces.a,$^) \
+         $(filter-out %/libloft-surfaces.a,$(filter %.a,$^))
 
 ## Show this list
 .PHONY: help
@@ -56,24 +67,26 @@ lib/names.h: build/names.stamp
 lib/ERRORS.md: $(LIB_HDR) tests/house/errors.sh
 	@sh tests/house/errors.sh > $@.new && mv $@.new $@
 
-# --- the library: build/<num>x<axes>/libloft.a, once per number type ------------------------------
+# --- the libraries: build/<num>x<axes>/libloft.a and libloft-surfaces.a, once per number type -----
 define library
 build/$(1)x$(AXES)/%.o: %.c | lib/names.h
 	@mkdir -p $$(@D)
 	$$(SAY) "  CC  $$@"
 	$$(Q)$$(CC) $$(INCLUDE) $$(BUILT) $$(STD) $$(DEPS) -ffreestanding $$(call num_flag,$(1)) \
 	    -c $$< -o $$@
-build/$(1)x$(AXES)/libloft.a: $(patsubst %.c,build/$(1)x$(AXES)/%.o,$(LIB_SRC))
+build/$(1)x$(AXES)/libloft.a: $(patsubst %.c,build/$(1)x$(AXES)/%.o,$(LOFT_SRC))
+build/$(1)x$(AXES)/libloft-surfaces.a: $(patsubst %.c,build/$(1)x$(AXES)/%.o,$(SURFACES_SRC))
+$(call libs,build/$(1)x$(AXES)):
 	$$(SAY) "  AR  $$@"
 	$$(Q)rm -f $$@; $$(AR) rcs $$@ $$^
 -include $(patsubst %.c,build/$(1)x$(AXES)/%.d,$(LIB_SRC))
 endef
 $(foreach n,$(NUMS),$(eval $(call library,$(n))))
 
-## Build build/<num>x<axes>/libloft.a   NUM=q16|f32|f64  AXES=1..6
+## Build libloft.a, libloft-surfaces.a   NUM=q16|f32|f64 AXES=1..6 LIBRARIES="loft loft-surfaces"
 .PHONY: lib
 lib:
-	+@$(PARALLEL) build/$(NUM)x$(AXES)/libloft.a
+	+@$(PARALLEL) $(LIBRARIES:%=build/$(NUM)x$(AXES)/lib%.a)
 
 # --- the command: build/loft, one program with all three number types -----------------------------
 # WITHOUT="cairo geos libserialport ncurses": pictures, contour fills, serial ports and --view are
@@ -111,7 +124,7 @@ TOOL_EACH := $(TOOL_ENGINE) $(sort $(wildcard ports/host/*.c))
 # of the library, only what the command reaches
 TOOL_REACHED := $(shell sh tests/house/tool_reach.sh)
 TOOL_LIB  ?= build/tools/%/libloft.a
-TOOL_LIBS := $(foreach n,$(NUMS),$(subst %,$(n),$(TOOL_LIB)))
+TOOL_LIBS  = $(foreach n,$(NUMS),$(subst %,$(n),$(TOOL_LIB)))
 TOOL_OBJ  := $(patsubst %.c,$(TOOL_OUT)/tools/%.o,$(TOOL_SRC)) \
              $(foreach n,$(NUMS),$(patsubst %.c,$(TOOL_OUT)/tools/$(n)/%.o,$(TOOL_EACH)))
 

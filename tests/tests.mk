@@ -8,6 +8,10 @@ SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-fra
 # --- the library: build/test/<num>/<module>, one sanitized program per module and number type -----
 TEST_SRC := $(sort $(wildcard tests/lib/*/test_*.c tests/lib/*/*/test_*.c))
 TESTS    := $(sort $(patsubst test_%.c,%,$(notdir $(TEST_SRC))))
+# tests of motion link libloft alone, but a machine that is given patches
+SURFACES_TESTS := $(patsubst test_%.c,%,$(notdir \
+                      $(filter $(foreach r,$(SURFACES_ROOMS),tests/lib/$(r)/%),$(TEST_SRC)))) \
+                  wire_fuzz
 vpath test_%.c $(sort $(dir $(TEST_SRC)))
 
 # the solver of harmonic coordinates, with which tests make tables: on the host, in long double
@@ -26,13 +30,16 @@ build/test/$(1)/lib/%.o: lib/%.c | lib/names.h
 	$$(SAY) "  CC  $$@"
 	$$(Q)$$(CC) $$(INCLUDE) $$(TESTED) $$(STD) $$(DEPS) $$(SANITIZE) $$(call num_flag,$(1)) \
 	    -c $$< -o $$@
-build/test/$(1)/libloft.a: $(patsubst %.c,build/test/$(1)/%.o,$(LIB_SRC))
+build/test/$(1)/libloft.a: $(patsubst %.c,build/test/$(1)/%.o,$(LOFT_SRC))
+build/test/$(1)/libloft-surfaces.a: $(patsubst %.c,build/test/$(1)/%.o,$(SURFACES_SRC))
+$(call libs,build/test/$(1)):
 	$$(SAY) "  AR  $$@"
 	$$(Q)rm -f $$@; $$(AR) rcs $$@ $$^
 build/test/$(1)/%: test_%.c build/test/$(1)/libloft.a
 	$$(SAY) "  LD  $$@"
 	$$(Q)$$(CC) $$(LDFLAGS) $$(INCLUDE) -Itests $$(TESTED) $$(STD) $$(DEPS) -MF $$@.d -MT $$@ \
-	    $$(SANITIZE) $$(call num_flag,$(1)) $$< $$(filter %.o %.a,$$^) -lm -o $$@
+	    $$(SANITIZE) $$(call num_flag,$(1)) $$< $$(linked) -lm -o $$@
+$(SURFACES_TESTS:%=build/test/$(1)/%): build/test/$(1)/libloft-surfaces.a
 build/test/$(1)/$(SOLVED): INCLUDE += -Ihost-tools
 build/test/$(1)/flash_log: INCLUDE += -Iports
 build/test/$(1)/$(SOLVED): $(SOLVER_OBJ)
@@ -167,9 +174,9 @@ build/vectors/$(1)-obj/%.o: %.c | lib/names.h
 	$$(Q)$$(CC) $$(INCLUDE) -Itests -Ihost-tools $$(TESTED) $$(STD) $$(DEPS) $$(SANITIZE) \
 	    $$(call num_flag,$(1)) -c $$< -o $$@
 build/vectors/$(1): $(patsubst %.c,build/vectors/$(1)-obj/%.o,$(VECTOR_SRC)) $(SOLVER_OBJ) \
-                    build/test/$(1)/libloft.a
+                    $(call libs,build/test/$(1))
 	$$(SAY) "  LD  $$@"
-	$$(Q)$$(CC) $$(LDFLAGS) $$(TESTED) $$(SANITIZE) $$^ -lm -o $$@
+	$$(Q)$$(CC) $$(LDFLAGS) $$(TESTED) $$(SANITIZE) $$(linked) -lm -o $$@
 -include $(patsubst %.c,build/vectors/$(1)-obj/%.d,$(VECTOR_SRC))
 endef
 $(foreach n,$(NUMS),$(eval $(call vectored,$(n))))
@@ -210,7 +217,7 @@ build/test/tools/%.o: %.c | lib/names.h
 build/test/tools/libtools.a: $(TOOL_TESTED_OBJ)
 	$(SAY) "  AR  $@"
 	$(Q)rm -f $@; $(AR) rcs $@ $^
-build/test/tools/%: tests/tools/test_%.c build/test/tools/libtools.a build/test/f64/libloft.a
+build/test/tools/%: tests/tools/test_%.c build/test/tools/libtools.a $(call libs,build/test/f64)
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -Itests -MF $@.d -MT $@ \
 	    $< $(filter %.a,$^) \
@@ -239,7 +246,7 @@ build/sweep/mill: tests/tools/test_mill.c build/sweep/libtools.a $(TOOL_LIBS)
 	    $(filter %.c %.a,$^) $(shell $(PKG_CONFIG) --libs $(TOOL_PKG)) -lm -o $@
 
 # --- G-code beside LinuxCNC's interpreter, which is large: make deps-gcode ------------------------
-build/gcode/canon: tests/gcode/canon.c build/test/tools/libtools.a build/test/f64/libloft.a
+build/gcode/canon: tests/gcode/canon.c build/test/tools/libtools.a $(call libs,build/test/f64)
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -MF $@.d -MT $@ $(filter %.c %.a,$^) \
@@ -262,12 +269,12 @@ test-mixed: $(foreach n,$(NUMS),build/$(n)x$(AXES)/libloft.a)
 
 ## Compile loft.h and each header alone as C++11 to C++20, and link every function with the library
 .PHONY: test-cplusplus
-test-cplusplus: $(foreach n,$(NUMS),build/$(n)x3/libloft.a)
+test-cplusplus: $(foreach n,$(NUMS),$(call libs,build/$(n)x3))
 	@sh tests/house/cplusplus.sh build
 
 ## Compile each form of the packages: one file as C99 and C++11, sketches, samples, modules
 .PHONY: test-packages
-test-packages: lib/names.h
+test-packages: lib/names.h $(call libs,build/q16x3)
 	@bash tests/packages/compile.sh
 
 ## Compile and run the README's example
@@ -277,7 +284,7 @@ test-readme: build/q16x3/libloft.a
 
 ## Compile and run the programs of lib/examples in all number types, link the files of RECIPES.md
 .PHONY: test-examples
-test-examples: $(foreach n,$(NUMS),build/$(n)x3/libloft.a)
+test-examples: $(foreach n,$(NUMS),$(call libs,build/$(n)x3))
 	@sh tests/house/examples.sh build
 
 ## Decode the examples of lib/wire/WIRE.md with a peer that was written from that page alone
@@ -292,7 +299,7 @@ test-model:
 
 # --- long sweeps, not part of `make check` --------------------------------------------------------
 define swept
-build/sweep/$(1)/%: test_%.c build/$(1)x$(AXES)/libloft.a
+build/sweep/$(1)/%: test_%.c $(call libs,build/$(1)x$(AXES))
 	@mkdir -p $$(@D)
 	$$(SAY) "  LD  $$@"
 	$$(Q)$$(CC) $$(LDFLAGS) $$(INCLUDE) -Itests $$(BUILT) $$(STD) $$(call num_flag,$(1)) \
@@ -305,7 +312,8 @@ $(foreach n,$(NUMS),$(eval $(call swept,$(n))))
 sweep-offset: $(foreach n,$(NUMS),build/sweep/$(n)/offset)
 	@for t in $^; do LOFT_CASES=$(or $(LOFT_CASES),1000000) $$t || exit 1; done
 
-build/sweep/harmonic: tests/lib/polygon/sweep_harmonic.c $(SOLVER_OBJ) build/q16x$(AXES)/libloft.a
+build/sweep/harmonic: tests/lib/polygon/sweep_harmonic.c $(SOLVER_OBJ) \
+                      $(call libs,build/q16x$(AXES))
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(INCLUDE) -Ihost-tools $(BUILT) $(STD) $(call num_flag,q16) \
@@ -393,7 +401,7 @@ $(addprefix fuzz-,$(FUZZERS)): fuzz-%: build/fuzz/%_fuzz
 	    -dict=tests/corpus/$(*:text=svg).dict -artifact_prefix=build/fuzz/$*- build/fuzz/$*
 
 # --- what the fuzzers found, read again: without libFuzzer ----------------------------------------
-build/corpus/%: tests/support/fuzz_main.c build/test/tools/libtools.a build/test/f64/libloft.a
+build/corpus/%: tests/support/fuzz_main.c build/test/tools/libtools.a $(call libs,build/test/f64)
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -Itests -MF $@.d -MT $@ $(FUZZ_MAIN_$*) $^ \
@@ -407,7 +415,7 @@ test-corpus: $(CORPUS)
 .PHONY: test-e2e
 test-e2e: build/loft build/e2e/pty build/e2e/shim.so
 	+@$(PARALLEL) -s tools TOOL_OUT=build/e2e BUILT="$(TESTED) $(SANITIZE)" \
-	    TOOL_LIB=build/test/%/libloft.a
+	    TOOL_LIB="$(call libs,build/test/%)"
 	@bash tests/e2e/e2e.sh build/e2e/loft build/loft build/e2e $(CASE)
 
 ## Run one whole job many times side by side, beside a load    CASE=name RUNS=20
@@ -415,7 +423,7 @@ RUNS = 20
 .PHONY: stress
 stress: build/loft build/e2e/pty build/e2e/shim.so
 	+@$(PARALLEL) -s tools TOOL_OUT=build/e2e BUILT="$(TESTED) $(SANITIZE)" \
-	    TOOL_LIB=build/test/%/libloft.a
+	    TOOL_LIB="$(call libs,build/test/%)"
 	@bash tests/e2e/stress.sh $(RUNS) build/e2e/loft build/loft build/e2e $(CASE)
 
 build/e2e/pty: tests/e2e/e2e_pty.c

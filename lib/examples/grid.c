@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
-#include "loft.h"
+#include "loft/surfaces.h"
 
 #define P(x, y, z) { { LOFT_REAL(x), LOFT_REAL(y), LOFT_REAL(z) } }
 static const loft_vec net[4 * 4] = {

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
-#include "loft.h"
+#include "loft/surfaces.h"
 
 #define V(x, y) { { LOFT_REAL(x), LOFT_REAL(y) } }
 enum { SIDES = 5, DEPTH = 2 };

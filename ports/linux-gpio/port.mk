@@ -10,7 +10,8 @@ GPIO_FLAGS = -std=c99 $(WARN) -D_GNU_SOURCE -Ilib -Iports -DLOFT_NUM=LOFT_Q16 -D
 
 # loft-gpio, version of libgpiod, its flags, its libraries
 define gpio_program
-$(1): $$(GPIO_SRC) ports/linux-gpio/gpio_v$(2).c $$(GPIO_HDR) build/q16x3/libloft.a
+$(1): $$(GPIO_SRC) ports/linux-gpio/gpio_v$(2).c $$(GPIO_HDR) \
+      $$(call libs,build/q16x3)
 	@mkdir -p $$(@D)
 	$$(SAY) "  LD  $$@"
 	$$(Q)$$(CC) $$(LDFLAGS) $$(BUILT) $$(GPIO_FLAGS) $(3) $$(filter %.c %.a,$$^) $(4) \
@@ -43,7 +44,7 @@ $(GPIO_GUEST)/guest: tests/target/gpio_guest.c
 # and on paper, here, under sanitizers
 define gpio_paper
 $(GPIO_GUEST)/loft-gpio-$(1): $$(GPIO_SRC) tests/target/gpio_paper.c $$(GPIO_HDR) \
-                              build/q16x3/libloft.a
+                              $$(call libs,build/q16x3)
 	@mkdir -p $$(@D)
 	$$(SAY) "  LD  $$@"
 	$$(Q)$$(CC) $$(LDFLAGS) $$(TESTED) $$(GPIO_FLAGS) -Werror $(2) $$(filter %.c %.a,$$^) \

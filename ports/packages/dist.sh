@@ -30,7 +30,7 @@ from=$(pwd)
     xargs -0 python3 "$from/ports/packages/sbom.py" "$VERSION" "$DATE" \
         "$from/$out/$name.tar.gz") > "$out/$name.spdx.json"
 
-# two files
+# each library as two files
 one=$tree/loft-c-$VERSION
 python3 ports/packages/amalgam/amalgam.py --num "${NUM:-q16}" --rooms "${ROOMS:-all}" --out "$one"
 cp LICENSE ports/packages/cpp/loft.hpp "$one"
@@ -38,7 +38,11 @@ packed "loft-c-$VERSION.tar.gz" "$tree" "loft-c-$VERSION"
 
 filled() { sed "s/@VERSION@/$VERSION/g; s/@HASH@/$hash/" "$1"; }
 
-# Arduino and PlatformIO: one library, the two files and sketches
+surfaces() {    # surfaces FOLDER: their files there, if the rooms have some
+    [ ! -e "$one/loft_surfaces.c" ] ||
+        cp -r "$one/loft_surfaces.h" "$one/loft_surfaces.c" "$one/loft" "$1"
+}
+# Arduino and PlatformIO: a library of curves and motion, with sketches, and one of surfaces
 library=$tree/loft
 mkdir -p "$library/src"
 cp "$one/loft.h" "$one/loft.c" "$library/src"
@@ -46,17 +50,28 @@ cp -r ports/packages/arduino/examples ports/packages/arduino/keywords.txt LICENS
 filled ports/packages/arduino/library.properties > "$library/library.properties"
 filled ports/packages/platformio/library.json > "$library/library.json"
 packed "loft-arduino-$VERSION.tar.gz" "$tree" loft
+if [ -e "$one/loft_surfaces.c" ]; then
+    library=$tree/loft_surfaces
+    mkdir -p "$library/src"
+    surfaces "$library/src"
+    cp -r ports/packages/arduino/surfaces/. LICENSE "$library"
+    filled ports/packages/arduino/surfaces/library.properties > "$library/library.properties"
+    filled ports/packages/platformio/surfaces.json > "$library/library.json"
+    packed "loft-surfaces-arduino-$VERSION.tar.gz" "$tree" loft_surfaces
+fi
 
 # ESP-IDF: a component; CMSIS: a pack's description beside the same two files
 component=$tree/esp/loft
 mkdir -p "$component"
 cp -r ports/packages/esp-idf/. "$component"
 cp "$one/loft.h" "$one/loft.c" LICENSE "$component"
+surfaces "$component"
 filled ports/packages/esp-idf/idf_component.yml > "$component/idf_component.yml"
 packed "loft-esp-idf-$VERSION.tar.gz" "$tree/esp" loft
 pack=$tree/cmsis/loft
 mkdir -p "$pack"
 cp "$one/loft.h" "$one/loft.c" LICENSE "$pack"
+surfaces "$pack"
 cp -r ports/packages/cmsis/examples "$pack"
 sed "s/@VERSION@/$VERSION/g; s/@DATE@/$DATE/g" ports/packages/cmsis/loft.pdsc \
     > "$pack/loft.loft.pdsc"

@@ -15,7 +15,8 @@ VERSION   := $(call version_part,MAJOR).$(call version_part,MINOR).$(call versio
 SOVERSION := $(patsubst 0,0.$(call version_part,MINOR),$(call version_part,MAJOR))
 DATE      := $(shell sed -n 's/^\#\# \[$(VERSION)\] - //p' CHANGELOG.md)
 
-# --- shared libraries: build/<num>x<axes>/libloft-<num>.so, named as what is installed ------------
+# --- shared libraries: build/<num>x<axes>/libloft-<num>.so, libloft-surfaces-<num>.so -------------
+# named as what is installed
 # Three axes are the usual number; a library of another carries it in its name.
 INSTALLED_AS = $(1)$(if $(filter-out 3,$(AXES)),x$(AXES))
 define shared
@@ -25,15 +26,19 @@ build/$(1)x$(AXES)/shared/%.o: %.c | lib/names.h
 	$$(Q)$$(CC) $$(INCLUDE) $$(BUILT) $$(STD) $$(DEPS) -ffreestanding -fPIC $$(call num_flag,$(1)) \
 	    -c $$< -o $$@
 build/$(1)x$(AXES)/libloft-$(INSTALLED_AS).so: \
-        $(patsubst %.c,build/$(1)x$(AXES)/shared/%.o,$(LIB_SRC)) build/loft.map
+        $(patsubst %.c,build/$(1)x$(AXES)/shared/%.o,$(LOFT_SRC))
+build/$(1)x$(AXES)/libloft-surfaces-$(INSTALLED_AS).so: \
+        $(patsubst %.c,build/$(1)x$(AXES)/shared/%.o,$(SURFACES_SRC)) \
+        build/$(1)x$(AXES)/libloft-$(INSTALLED_AS).so
+$(foreach l,loft loft-surfaces,build/$(1)x$(AXES)/lib$(l)-$(INSTALLED_AS).so): build/loft.map
 	$$(SAY) "  LD  $$@"
-	$$(Q)$$(CC) -shared $$(LDFLAGS) $$(BUILT) $$(filter %.o,$$^) \
+	$$(Q)$$(CC) -shared $$(LDFLAGS) $$(BUILT) $$(filter %.o,$$^) $$(filter %.so,$$^) \
 	    -Wl,-soname,$$(@F).$(SOVERSION) -Wl,--version-script=build/loft.map -o $$@
 -include $(patsubst %.c,build/$(1)x$(AXES)/shared/%.d,$(LIB_SRC))
 endef
 $(foreach n,$(NUMS),$(eval $(call shared,$(n))))
-SHARED := $(foreach n,$(NUMS),build/$(n)x$(AXES)/libloft-$(call INSTALLED_AS,$(n)).so)
-STATIC := $(foreach n,$(NUMS),build/$(n)x$(AXES)/libloft.a)
+SHARED = $(foreach n,$(NUMS),$(LIBRARIES:%=build/$(n)x$(AXES)/lib%-$(call INSTALLED_AS,$(n)).so))
+STATIC = $(foreach n,$(NUMS),$(LIBRARIES:%=build/$(n)x$(AXES)/lib%.a))
 
 build/loft.map: lib/loft.h
 	@mkdir -p $(@D)
@@ -41,6 +46,7 @@ build/loft.map: lib/loft.h
 
 # --- install: what goes where is laid out in build/stage first ------------------------------------
 STAGE = VERSION=$(VERSION) SOVERSION=$(SOVERSION) DATE=$(DATE) AXES=$(AXES) NUMS="$(NUMS)" \
+        LIBRARIES="$(LIBRARIES)" LOFT_ROOMS="$(LOFT_ROOMS)" SURFACES_ROOMS="$(SURFACES_ROOMS)" \
         INCLUDEDIR="$(INCLUDEDIR)" LIBDIR="$(LIBDIR)" sh ports/packages/stage.sh build/stage
 # copied FOLDER, where: a folder of the stage, with its links, to its place
 copied = mkdir -p "$(DESTDIR)$(2)" && cp -RP build/stage/$(1)/. "$(DESTDIR)$(2)"
@@ -65,13 +71,13 @@ install: install-lib tools
 	@$(call copied,bin,$(BINDIR)) && $(call copied,share,$(DATADIR))
 	@echo "installed in $(DESTDIR)$(PREFIX): the command, man pages, completions"
 
-## Install headers and libraries alone, which needs a C compiler and nothing else
+## Install headers and libraries alone, with a C compiler alone   LIBRARIES="loft loft-surfaces"
 .PHONY: install-lib
 install-lib: libraries lib/names.h
 	@$(STAGE)
 	@$(call copied,include,$(INCLUDEDIR)) && $(call copied,lib,$(LIBDIR))
-	@echo "installed in $(DESTDIR)$(PREFIX): headers, libloft-$(subst $() $(),$(),$(NUMS:%=%,))" \
-	    "pkg-config and CMake files"
+	@echo "installed in $(DESTDIR)$(PREFIX): headers," \
+	    "$(foreach l,$(LIBRARIES),$(NUMS:%=lib$(l)-%,)) pkg-config and CMake files"
 
 ## Remove what `make install` with the same DESTDIR= and PREFIX= put there
 .PHONY: uninstall
@@ -81,7 +87,7 @@ uninstall: libraries tools
 	 $(call removed,bin,$(BINDIR)); $(call removed,share,$(DATADIR))
 
 # --- dist: what is given away, in build/dist ----------------------------------------------------
-## Pack sources, loft.h and loft.c, trees for other tools in build/dist   NUM= ROOMS=curve,..
+## Pack sources, single files, trees for other tools in build/dist   NUM= ROOMS=curve,..
 .PHONY: dist
 dist: lib/names.h
 	@VERSION=$(VERSION) SOVERSION=$(SOVERSION) DATE=$(DATE) NUM=$(NUM) ROOMS=$(ROOMS) \

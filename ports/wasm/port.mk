@@ -3,11 +3,13 @@
 WASM_FLAGS = --target=wasm32 -std=c99 -O2 -ffreestanding -nostdlib $(CPPFLAGS) -Wl,--no-entry \
              -Wl,--export-dynamic -Wl,--export=__heap_base -Wl,-z,stack-size=65536 \
              -fvisibility=default
-WASM_SRC   = ports/bare/memory.c ports/wasm/layout.c
-build/wasm/loft-%.wasm: $(WASM_SRC) $(LIB_SRC) $(LIB_HDR) | lib/names.h
+# both libraries in one module, or libloft alone: make wasm LIBRARIES=loft
+WASM_SRC   = $(LOFT_SRC) $(if $(filter loft-surfaces,$(LIBRARIES)),$(SURFACES_SRC)) \
+             ports/bare/memory.c ports/wasm/layout.c
+build/wasm/loft-%.wasm: $(WASM_SRC) $(LIB_HDR) | lib/names.h
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
-	$(Q)clang $(WASM_FLAGS) $(INCLUDE) $(call num_flag,$*) $(LIB_SRC) $(WASM_SRC) -o $@
+	$(Q)clang $(WASM_FLAGS) $(INCLUDE) $(call num_flag,$*) $(WASM_SRC) -o $@
 
 ## Build build/wasm/loft-q16.wasm, f32, f64 and loft.mjs for browsers and node
 .PHONY: wasm

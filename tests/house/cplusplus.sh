@@ -2,7 +2,8 @@
 # tests/house/cplusplus.sh -- loft.h in C++11 to C++20: no warning, each header alone as well;
 # every function links with the C library
 # SPDX-License-Identifier: MIT
-# usage: tests/house/cplusplus.sh BUILD ; the libraries BUILD/{q16,f32,f64}x3/libloft.a must exist
+# usage: tests/house/cplusplus.sh BUILD ; libloft.a and libloft-surfaces.a of BUILD/{q16,f32,f64}x3
+# must exist
 set -u
 build=$1 work=$1/cplusplus
 result=$work/result
@@ -50,13 +51,13 @@ compiles() {    # compiles COMPILER STANDARD NUM FILE..
     $compiler -std=c++$standard -Wall -Wextra -Wpedantic -Werror -Ilib $given \
         -DLOFT_NUM="$(macro $num)" -fsyntax-only -x c++ "$@"
 }
-runs() {        # runs COMPILER NUM LIBRARY
+runs() {        # runs COMPILER NUM FOLDER
     $1 -std=c++11 -Wall -Wextra -Wpedantic -Werror -Ilib $given ${LDFLAGS:-} \
         -DLOFT_NUM="$(macro $2)" \
-        "$work/$2.cpp" "$3" -o "$work/$2" && "$work/$2"
+        "$work/$2.cpp" "$3/libloft-surfaces.a" "$3/libloft.a" -o "$work/$2" && "$work/$2"
 }
 
-echo '#include "loft.h"' > "$work/loft.cpp"
+echo '#include "loft/surfaces.h"' > "$work/loft.cpp"
 for num in q16 f32 f64; do program $num > "$work/$num.cpp"; done
 for compiler in g++ clang++; do
     for num in q16 f32 f64; do
@@ -65,7 +66,7 @@ for compiler in g++ clang++; do
                 compiles $compiler $standard $num "$work/loft.cpp"
         done
         verdict "$compiler $num: every function links, and a cubic is evaluated" \
-            runs $compiler $num "$build/${num}x3/libloft.a"
+            runs $compiler $num "$build/${num}x3"
     done
 done
 mkdir -p "$work/alone"

@@ -1,7 +1,8 @@
 #!/bin/sh
 # tests/house/examples.sh -- run the programs of lib/examples, link the files of lib/RECIPES.md
 # SPDX-License-Identifier: MIT
-# usage: tests/house/examples.sh BUILD ; the libraries BUILD/{q16,f32,f64}x3/libloft.a must exist
+# usage: tests/house/examples.sh BUILD ; libloft.a and libloft-surfaces.a of BUILD/{q16,f32,f64}x3
+# must exist
 # It calls itself for parallel work: examples.sh BUILD linked RECIPE
 set -u
 build=$1 work=$1/examples most=40 page=lib/RECIPES.md
@@ -16,8 +17,9 @@ functions() { grep -o '`loft_[a-z0-9_]*`' | tr -d '`' | LC_ALL=C sort -u; }
 files() {
     awk '/^```text$/ { on = 1; next } /^```$/ { on = 0 } on' | tr -s ' ' '\n' | LC_ALL=C sort
 }
-caller() {      # caller FUNCTION..: a program that needs each of them
-    echo '#include "loft.h"'
+caller() {      # caller HEADER FUNCTION..: a program that needs each of them
+    echo "#include \"$1\""
+    shift
     echo 'typedef void (*any)(void);'
     echo 'extern const any all[];'
     echo 'const any all[] = {'
@@ -28,14 +30,17 @@ caller() {      # caller FUNCTION..: a program that needs each of them
 taken() {       # taken SOURCE NUM: files that the linker takes from the library, by its trace
     given="${CPPFLAGS:-} ${CFLAGS:-} ${LDFLAGS:-}"
     ${CC:-cc} -std=c99 -Ilib $given -DLOFT_NUM="$(macro "$2")" -DLOFT_AXES=3 \
-        "$1" "$build/${2}x3/libloft.a" -Wl,-t,-t -o "${1%.c}" > "${1%.c}.trace" || return
-    sed -n 's/^.*libloft\.a[()]\([a-z0-9_]*\)\.o)*$/\1.c/p' "${1%.c}.trace"
+        "$1" "$build/${2}x3/libloft-surfaces.a" "$build/${2}x3/libloft.a" -Wl,-t,-t \
+        -o "${1%.c}" > "${1%.c}.trace" || return
+    sed -n 's/^.*libloft[a-z-]*\.a[()]\([a-z0-9_]*\)\.o)*$/\1.c/p' "${1%.c}.trace"
 }
 linked() {      # linked NUMBER: in all number types together
     title=$(recipe "$1" | sed -n '1s/^### //p')
     source=$work/recipe$1.c
-    caller $(recipe "$1" | functions) > "$source"
     recipe "$1" | files > "$work/recipe$1.listed"
+    header=loft.h               # one that needs no file of surfaces needs no header of them
+    ! grep -qE '^(surface|polygon|toolpath)/' "$work/recipe$1.listed" || header=loft/surfaces.h
+    caller $header $(recipe "$1" | functions) > "$source"
     for num in q16 f32 f64; do taken "$source" $num || echo "$num does not link"; done |
         LC_ALL=C sort -u > "$work/recipe$1.names"
     while read -r name; do
@@ -64,9 +69,12 @@ programs() {    # one command to a line
     for source in lib/examples/*.c; do
         wanted=$work/$(basename "$source" .c).expected
         expected "$source" > "$wanted"
+        surfaces=$(grep -c '"loft/surfaces.h"' "$source")
         for num in q16 f32 f64; do
+            library=$build/${num}x3/libloft.a
+            [ "$surfaces" = 0 ] || library="$build/${num}x3/libloft-surfaces.a $library"
             echo "sh tests/house/example.sh '$source in $num' $source $wanted $work/$num" \
-                 "$build/${num}x3/libloft.a -DLOFT_NUM=$(macro $num) -DLOFT_AXES=3"
+                 "$library -DLOFT_NUM=$(macro $num) -DLOFT_AXES=3"
         done
     done
 }

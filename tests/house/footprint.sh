@@ -42,8 +42,10 @@ built() {       # built CHIP: each file of lib/ once
         [ "$o" -nt "$c" ] && [ -z "$(find lib -name '*.h' -newer "$o" | head -1)" ] && continue
         $(compiler "$1") $flags -c "$c" -o "$o" || return
     done
-    printf '#include "loft.h"\n%s\n' "$(echo "$selections" | cut -d'|' -f3 | tr ' ' '\n' | sort -u |
-        sed 's/.*/char size_&[sizeof(loft_&)];/')" > "$out/$1.c"
+    {   echo '#include "loft/surfaces.h"'
+        echo "$selections" | cut -d'|' -f3 | tr ' ' '\n' | sort -u |
+            sed 's/.*/char size_&[sizeof(loft_&)];/'
+    } > "$out/$1.c"
     $(compiler "$1") -std=c99 -ffreestanding -fno-common -Ilib -c "$out/$1.c" -o "$out/$1.o"
 }
 measured() {    # measured CHIP FUNCTIONS STRUCTS: `flash RAM`

@@ -20,7 +20,7 @@ warnings="$warnings -Wstrict-prototypes -Wmissing-prototypes -Wundef -Werror"
 compiled() {
     given="$warnings -ffreestanding -Ilib -DLOFT_NUM=LOFT_$2 -DLOFT_AXES=$3 -fsyntax-only"
     {   $1 $given $(printf '%s\n' $sources | grep '\.c$')
-        echo '#include "loft.h"' | $1 $given -x c -
+        echo '#include "loft/surfaces.h"' | $1 $given -x c -
     } 2>&1 | rule "$1 $2 x$3"
 }
 compiled_tools() {      # compiled_tools COMPILER
@@ -51,14 +51,15 @@ wrong_arrows() {        # wrong_arrows TOP ROOM..: includes of a later room
     done
     ls -d "$top"/*/ | while read -r found; do
         found=${found%/}
-        case " $* examples page pictures " in
+        case " $* examples loft page pictures " in
         *" ${found##*/} "*) ;;
         *) echo "$found: a room without a rank" ;;
         esac
     done
 }
 { wrong_arrows lib num geom basis curve kinematics path motion wire machine surface polygon toolpath
-  grep -nE '#[[:space:]]*include.*(ports|host-tools|loft\.h|port\.h)' $sources
+  grep -nE '#[[:space:]]*include.*(ports|host-tools|loft\.h|port\.h)' $sources |
+      grep -v '^lib/loft/surfaces\.h:'
 } | rule "arrows of lib/ point one way"
 { python3 tests/house/arrows.py base engine geometry read svg gcode readers fit arrange plan send \
       draw mill make cmd loft figures
@@ -85,11 +86,20 @@ for header in $headers; do
         sort -u
 done | sort | uniq -d | rule "no public name stands for two functions"
 
-# ... and loft.h includes every header, except internal ones of motion/ and of the packer
-not_for_users='lib/path/|lib/motion/|lib/num/(q16|f32|f64|floats|avr).h|lib/wire/(curve_code|varint).h'
-echo '#include "loft.h"' | cc -Ilib -M -x c - | tr -d '\\' | tr -s ' ' '\n' |
-    { cat; printf '%s\n' $headers | grep -E "$not_for_users"; } | sort -u >"$result.included"
-printf '%s\n' $headers | grep -vxF -f "$result.included" | rule "loft.h includes every header"
+# ... loft.h and loft/surfaces.h include every header of their library, and loft.h no other.
+# Excepted are internal ones of motion/ and of the packer
+not_for_users='lib/path/|lib/motion/|lib/num/(q16|f32|f64|floats|avr).h'
+not_for_users="$not_for_users|lib/wire/(curve_code|varint).h"
+of_surfaces='^lib/(loft|surface|polygon|toolpath)/'
+included() { echo "#include \"$1\"" | cc -Ilib -M -x c - | tr -d '\\' | tr -s ' ' '\n' | sort -u; }
+missing() {     # missing HEADER: lines of standard input that it does not include
+    included "$1" | { cat; printf '%s\n' $headers | grep -E "$not_for_users"; } >"$result.included"
+    grep -vxF -f "$result.included"
+}
+{ printf '%s\n' $headers | grep -vE "$of_surfaces" | missing loft.h
+  included loft.h | grep -E "$of_surfaces" | sed 's/$/: loft.h includes it/'
+} | rule "loft.h includes every header of libloft, and none of surfaces"
+printf '%s\n' $headers | missing loft/surfaces.h | rule "loft/surfaces.h includes every header"
 rm "$result.included"
 
 # 4. only num/ tests the number type

@@ -8,13 +8,17 @@ row=arduino
 needs arduino-builder avr-gcc arm-none-eabi-g++ simavr qemu-system-arm
 given() {
     make -s dist && mkdir -p "$work/libraries" &&
-        tar -xf "build/dist/loft-arduino-$(version).tar.gz" -C "$work/libraries"
+        for name in loft loft-surfaces; do
+            tar -xf "build/dist/$name-arduino-$(version).tar.gz" -C "$work/libraries" || return
+        done
 }
-verdict "make dist: the library, src/loft.h and src/loft.c" given
-verdict "library.properties: fields and their forms, by arduino-lint's rules (it is not here)" \
-    python3 tests/packages/forms.py arduino "$work/libraries/loft"
-verdict "library.json: fields and their forms, by PlatformIO's rules (it is not here)" \
-    python3 tests/packages/forms.py platformio "$work/libraries/loft"
+verdict "make dist: both libraries, each with its header and its source in src/" given
+for name in loft loft_surfaces; do
+    verdict "$name: library.properties as arduino-lint's rules ask for (it is not here)" \
+        python3 tests/packages/forms.py arduino "$work/libraries/$name"
+    verdict "$name: library.json as PlatformIO's rules ask for (it is not here)" \
+        python3 tests/packages/forms.py platformio "$work/libraries/$name"
+done
 verdict "platformio.ini: sections and keys, by PlatformIO's rules (it is not here)" \
     python3 tests/packages/forms.py platformio-ini ports/packages/platformio/examples/walk
 
@@ -26,7 +30,7 @@ build() {       # build BOARD SKETCH FLAG..: as the IDE does
         -hardware /usr/share/arduino/hardware -hardware "$top/tests/packages/arduino" \
         -tools /usr/bin -libraries "$work/libraries" -fqbn "$board" -build-path "$out" \
         -warnings all -prefs=compiler.cpp.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__ "$@" \
-        "$work/libraries/loft/examples/$sketch/$sketch.ino" 2>&1
+        "$work"/libraries/*/examples/"$sketch/$sketch.ino" 2>&1
 }
 uno() {         # uno SKETCH: built without a warning of ours, and it fits
     build arduino:avr:uno "$1" > "$work/said" || { cat "$work/said"; return 1; }
@@ -49,7 +53,7 @@ on_arm() {      # on_arm SKETCH LINE
     grep -qx "$2" "$work/said" || { tail -3 "$work/said"; return 1; }
 }
 bytes() { avr-size "$work/arduino:avr:uno-$1/$1.ino.elf" | awk 'NR == 2 { print $1 + $2 }'; }
-for sketch in "$work"/libraries/loft/examples/*/; do
+for sketch in "$work"/libraries/*/examples/*/; do
     sketch=$(basename "$sketch")
     verdict "$sketch.ino for the Uno, by arduino-builder and Debian's core" uno "$sketch"
     echo "     $(bytes "$sketch") bytes of flash with the core"

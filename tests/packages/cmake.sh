@@ -43,6 +43,20 @@ installed() { make -s install-lib PREFIX=/usr DESTDIR="$work/moved" LIBDIR=/usr/
 verdict "make install-lib PREFIX=/usr DESTDIR=" installed
 short=$(version | cut -d. -f1,2)
 project found "find_package(loft $short CONFIG REQUIRED)"
+patches() {     # the same of surfaces: WHERE CMake finds loft, OPTION..
+    local folder=$work/patches-$1 says=$2; shift 2
+    mkdir -p "$folder" && cp lib/examples/grid.c "$folder" &&
+        printf '%s\n' 'cmake_minimum_required(VERSION 3.13)' 'project(user C)' "$says" \
+            'add_executable(user grid.c)' \
+            'target_link_libraries(user PRIVATE loft::surfaces-q16)' > "$folder/CMakeLists.txt" &&
+        cmake -S "$folder" -B "$folder/build" "$@" && cmake --build "$folder/build" &&
+        "$folder/build/user" | grep -q '^  0.00  6.06  9.69'
+}
+verdict "add_subdirectory(loft/lib): loft::surfaces-q16, built and run" \
+    patches subdirectory "add_subdirectory(\"$top/lib\" loft)"
+verdict "find_package(loft-surfaces CONFIG): built and run" \
+    patches found "find_package(loft-surfaces CONFIG REQUIRED)" \
+        -DCMAKE_PREFIX_PATH="$work/moved/usr/lib/multi"
 verdict "find_package(loft $short CONFIG) in the moved tree, shared: built and run" \
     runs found -Dloft_DIR="$work/moved/usr/lib/multi/cmake/loft"
 project static "find_package(loft CONFIG REQUIRED)" 'set(KIND -static)'

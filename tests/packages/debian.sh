@@ -33,6 +33,9 @@ verdict "loft has the command, man pages, completions" holds loft ' ./usr/bin/lo
     'man1/loft-stream.1.gz' 'completions/loft$' '/_loft$' 'loft.fish$'
 verdict "libloft-dev has headers, archives, pkg-config, CMake" holds libloft-dev \
     'include/loft/curve/bezier.h' 'libloft-f32.a' 'loft-f64.pc' 'loft-config.cmake'
+verdict "libloft-surfaces-dev has the same of surfaces" holds libloft-surfaces-dev \
+    'loft/loft/surfaces.h' 'libloft-surfaces-f32.a' 'loft-surfaces-f64.pc' \
+    'loft-surfaces-config.cmake'
 symbols() {
     dpkg -e libloft-q16-"$so"_*.deb control && cat control/symbols &&
         grep -q "^libloft-q16.so.$so libloft-q16-$so" control/symbols

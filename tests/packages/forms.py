@@ -82,12 +82,15 @@ def platformio(root):
     found = json.load(open(os.path.join(root, 'library.json'), encoding='utf-8'))
     names = r'[a-z\d_-]+|\*'
 
+    def names_match(value):
+        return re.fullmatch(r'[^:;/,@<>]{1,100}', value)
+
     def star_or_names(value):
         return value == '*' or some(names)(value)
     fields(found, {'name': r'[^:;/,@<>]{1,100}', 'version': VERSION}, {
         'description': r'.{1,1000}', 'keywords': some(r'[a-z\d+. -]{1,50}'), 'license': r'MIT',
         'frameworks': star_or_names, 'platforms': star_or_names, 'headers': r'\S+\.h',
-        'homepage': r'https?://.+',
+        'homepage': r'https?://.+', 'dependencies': lambda v: all(map(names_match, v)),
         'build': lambda v: not set(v) - {'flags', 'unflags', 'includeDir', 'srcDir', 'srcFilter'},
     }, 'library.json')
     there(root, 'src/' + found['headers'])

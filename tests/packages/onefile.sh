@@ -1,5 +1,5 @@
 #!/bin/bash
-# tests/packages/onefile.sh -- loft.h and loft.c: each compiler alone, the tests of the library
+# tests/packages/onefile.sh -- the single files of both libraries: each compiler alone, tests
 # SPDX-License-Identifier: MIT
 # usage: tests/packages/onefile.sh
 row=onefile
@@ -15,23 +15,29 @@ warnings="-Wall -Wextra -Wpedantic -Werror"
 
 alone() {       # alone FOLDER COMPILER..: without a warning, and neither file needs another
     local folder=$1; shift
-    "$@" $warnings -c "$folder/loft.c" -o "$folder/loft.o"
+    for one in loft loft_surfaces; do
+        "$@" $warnings -c "$folder/$one.c" -o "$folder/$one.o" || return
+    done
 }
 for num in q16 f32 f64; do
     verdict "gcc -std=c99, $num" alone all gcc -std=c99 -DLOFT_NUM="$(macro $num)"
     same() {
-        nm all/loft.o | sed -n 's/.* T //p' | LC_ALL=C sort > have
-        nm "$top/build/${num}x3/libloft.a" 2>/dev/null | sed -n 's/.* T //p' | LC_ALL=C sort > want
+        nm all/loft.o all/loft_surfaces.o | sed -n 's/.* T //p' | LC_ALL=C sort > have
+        nm "$top/build/${num}x3"/libloft{,-surfaces}.a 2>/dev/null | sed -n 's/.* T //p' |
+            LC_ALL=C sort > want
         [ "$(wc -l < have)" -gt 500 ] && diff want have
     }
-    verdict "$num: has the functions of libloft.a" same
+    verdict "$num: has the functions of both archives" same
     # the library's own tests, linked with loft.o instead
     tested() {
-        gcc -O1 -DLOFT_NUM="$(macro $num)" -c all/loft.c -o all/loft.o || return
+        for one in loft loft_surfaces; do
+            gcc -O1 -DLOFT_NUM="$(macro $num)" -c all/$one.c -o all/$one.o || return
+        done
         for test in bezier forward hermite rational nurbs offset tensor triangle gb plan codec \
                     sender machine step; do
             gcc -std=c99 -I"$top/lib" -I"$top/tests" -DLOFT_NUM="$(macro $num)" \
-                "$(find "$top/tests/lib" -name "test_$test.c")" all/loft.o -lm -o test || return
+                "$(find "$top/tests/lib" -name "test_$test.c")" all/loft_surfaces.o all/loft.o \
+                -lm -o test || return
             LOFT_CASES=100 ./test || return
         done
     }

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-# ports/packages/amalgam/amalgam.py -- the library as two files, loft.h and loft.c
+# ports/packages/amalgam/amalgam.py -- each library as two files: loft.h and .c, loft_surfaces.h and .c
 # SPDX-License-Identifier: MIT
 """usage: amalgam.py [--num q16|f32|f64] [--rooms ROOM,..] [--out FOLDER]
 
 loft.h has every header of the rooms and of those before them that they need, in the order in which
-they include each other; loft.c the sources behind each other. What a source keeps to itself is
+they include each other; loft.c the sources behind each other. loft_surfaces.h and loft_surfaces.c
+are the same for the rooms of surfaces, if some are wanted; they include loft.h. A program includes
+loft/surfaces.h, as anywhere, which is made beside them. What a source keeps to itself is
 `static`: where two sources use one name, each gets the name of its file as an ending. LOFT_NUM
 and LOFT_AXES can still be set on the command line; --num is the default.
 """
@@ -13,8 +15,11 @@ import os
 import re
 import sys
 
-ROOMS = ['num', 'geom', 'basis', 'curve', 'kinematics', 'path', 'motion', 'wire', 'machine',
-         'surface', 'polygon', 'toolpath']
+LIBRARIES = {
+    'loft': ['num', 'geom', 'basis', 'curve', 'kinematics', 'path', 'motion', 'wire', 'machine'],
+    'loft_surfaces': ['surface', 'polygon', 'toolpath'],
+}
+ROOMS = [room for rooms in LIBRARIES.values() for room in rooms]
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"[^\n]*\n', re.M)
 SYSTEM = re.compile(r'^[ \t]*#[ \t]*include[ \t]*<([^>]+)>[^\n]*\n', re.M)
 WORD = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|/\*.*?\*/|//[^\n]*|[A-Za-z_]\w*'
@@ -117,20 +122,9 @@ def renamed(text, names, ending):
     return ''.join(out)
 
 
-def main():
-    given = argparse.ArgumentParser(usage=__doc__.split('\n', 1)[0][7:])
-    given.add_argument('--num', choices=['q16', 'f32', 'f64'], default='q16')
-    given.add_argument('--rooms', default='all')
-    given.add_argument('--out', default='.')
-    o = given.parse_args()
-    rooms = ROOMS if o.rooms == 'all' else o.rooms.split(',')
-    for room in rooms:
-        if room not in ROOMS:
-            fail(f'--rooms {room}: give some of {",".join(ROOMS)}')
-
-    # the files of the rooms, and of others what these include
-    files = [f for r in ROOMS if r in rooms for f in sources(r)]
-    wanted, todo = set(), ['config.h'] + files
+def wanted_of(rooms):
+    """The files of the rooms, and of others what these include."""
+    wanted, todo = set(), ['config.h'] + [f for r in ROOMS if r in rooms for f in sources(r)]
     while todo:
         name = todo.pop()
         if name in wanted:
@@ -145,41 +139,75 @@ def main():
                      if f.endswith('.c') and '"' + name + '"' in read(f)
                      and f.startswith(name[:-2])]
     rank = {room: i for i, room in enumerate(ROOMS)}
-    by_room = sorted(wanted - {'config.h', 'names.h'},
-                     key=lambda f: (rank[f.split('/')[0]], f))
-    headers = headers_in_order(['config.h'] + [f for f in by_room if f.endswith('.h')])
-    code = [f for f in by_room if f.endswith('.c')]
+    return sorted(wanted - {'config.h', 'names.h'}, key=lambda f: (rank[f.split('/')[0]], f))
 
-    system = set()
-    body = ''.join(f'\n/* ---- lib/{h} ---- */\n' + header_text(h, system) for h in headers)
-    body = body.replace('#  define LOFT_NUM LOFT_Q16', f'#  define LOFT_NUM LOFT_{o.num.upper()}')
-    top = read('loft.h')
-    version = top[top.index('/* The version of'):top.index('#include')]
-    includes = ''.join(f'#include <{s}>\n' for s in sorted(system))
-    license_text = open('LICENSE', encoding='utf-8').read().strip().replace('\n', '\n * ')
-    taken = [r for r in ROOMS if any(f.startswith(r + '/') for f in by_room)]
-    said = ('made by ports/packages/amalgam/amalgam.py: change lib/, not this file\n'
-            f' * rooms: {" ".join(taken)}')
-    os.makedirs(o.out, exist_ok=True)
-    with open(os.path.join(o.out, 'loft.h'), 'w', encoding='utf-8') as out:
-        out.write(f'/* loft.h -- {said}\n * SPDX-License-Identifier: MIT\n *\n'
-                  f' * {license_text}\n */\n#ifndef LOFT_ONE_H\n#define LOFT_ONE_H\n\n'
-                  + includes + '\n' + version + body + '\n#endif\n')
 
+def code_text(code):
+    """The sources behind each other, names that two of them use for themselves apart."""
     texts = {c: read(c) for c in code}
     users = {}
     for c in code:
         for name in own_names(texts[c]):
             users.setdefault(name, set()).add(c)
-    with open(os.path.join(o.out, 'loft.c'), 'w', encoding='utf-8') as out:
-        out.write(f'/* loft.c -- {said}\n * SPDX-License-Identifier: MIT\n */\n#include "loft.h"\n')
-        for c in code:
-            clash = {n for n in own_names(texts[c]) if len(users[n]) > 1 or n in KNOWN}
-            ending = '__' + os.path.basename(c)[:-2]
-            text = SYSTEM.sub('', INCLUDE.sub('', texts[c]))
-            out.write(f'\n/* ---- lib/{c} ---- */\n' + renamed(text, clash, ending))
-            for name in dict.fromkeys(macros(text)):
-                out.write(f'#undef {name}\n')
+    out = []
+    for c in code:
+        clash = {n for n in own_names(texts[c]) if len(users[n]) > 1 or n in KNOWN}
+        ending = '__' + os.path.basename(c)[:-2]
+        text = SYSTEM.sub('', INCLUDE.sub('', texts[c]))
+        out.append(f'\n/* ---- lib/{c} ---- */\n' + renamed(text, clash, ending))
+        out += [f'#undef {name}\n' for name in dict.fromkeys(macros(text))]
+    return ''.join(out)
+
+
+def written(folder, library, files, headers, num, before):
+    """LIBRARY.h with these headers, LIBRARY.c with the sources among these files."""
+    system = set()
+    body = ''.join(f'\n/* ---- lib/{h} ---- */\n' + header_text(h, system) for h in headers)
+    body = body.replace('#  define LOFT_NUM LOFT_Q16', f'#  define LOFT_NUM LOFT_{num.upper()}')
+    includes = ''.join(f'#include <{s}>\n' for s in sorted(system))
+    license_text = open('LICENSE', encoding='utf-8').read().strip().replace('\n', '\n * ')
+    taken = [r for r in ROOMS if any(f.startswith(r + '/') for f in files)]
+    said = ('made by ports/packages/amalgam/amalgam.py: change lib/, not this file\n'
+            f' * rooms: {" ".join(taken)}')
+    guard = library.upper() + '_ONE_H'
+    with open(os.path.join(folder, library + '.h'), 'w', encoding='utf-8') as out:
+        out.write(f'/* {library}.h -- {said}\n * SPDX-License-Identifier: MIT\n *\n'
+                  f' * {license_text}\n */\n#ifndef {guard}\n#define {guard}\n\n'
+                  + includes + '\n' + before + body + '\n#endif\n')
+    with open(os.path.join(folder, library + '.c'), 'w', encoding='utf-8') as out:
+        out.write(f'/* {library}.c -- {said}\n * SPDX-License-Identifier: MIT\n */\n'
+                  f'#include "{library}.h"\n' + code_text([f for f in files if f.endswith('.c')]))
+
+
+def main():
+    given = argparse.ArgumentParser(usage=__doc__.split('\n', 1)[0][7:])
+    given.add_argument('--num', choices=['q16', 'f32', 'f64'], default='q16')
+    given.add_argument('--rooms', default='all')
+    given.add_argument('--out', default='.')
+    o = given.parse_args()
+    rooms = ROOMS if o.rooms == 'all' else o.rooms.split(',')
+    for room in rooms:
+        if room not in ROOMS:
+            fail(f'--rooms {room}: give some of {",".join(ROOMS)}')
+
+    files = wanted_of(rooms)
+    headers = headers_in_order(['config.h'] + [f for f in files if f.endswith('.h')])
+    os.makedirs(o.out, exist_ok=True)
+    top = read('loft.h')
+    before = top[top.index('/* The version of'):top.index('#include')]
+    for library, its_rooms in LIBRARIES.items():
+        def own(name):
+            return ('num' if name == 'config.h' else name.split('/')[0]) in its_rooms
+        its_files = [f for f in files if own(f)]
+        if its_files:
+            written(o.out, library, its_files, [h for h in headers if own(h)], o.num, before)
+        before = '#include "loft.h"\n'
+    # in the same folder as in lib/
+    if its_files:
+        os.makedirs(os.path.join(o.out, 'loft'), exist_ok=True)
+        with open(os.path.join(o.out, 'loft', 'surfaces.h'), 'w', encoding='utf-8') as out:
+            out.write('/* loft/surfaces.h -- surfaces, under the name that they have in lib/\n'
+                      ' * SPDX-License-Identifier: MIT\n */\n#include "../loft_surfaces.h"\n')
 
 
 if __name__ == '__main__':

@@ -7,12 +7,14 @@ from=$(dirname "$0") to=$1/debian
 mkdir -p "$to/source"
 sed "s/@SOVERSION@/$SOVERSION/g" "$from/control.in" > "$to/control"
 cp "$from/rules" "$from/copyright" "$from/loft.install" "$from/loft.docs" \
-    "$from/libloft-dev.install" "$from/libloft-dev.examples" "$to"
+    "$from/libloft-dev.install" "$from/libloft-surfaces-dev.install" \
+    "$from/libloft-dev.examples" "$to"
 cp "$from/format" "$to/source/format"
-for num in q16 f32 f64; do
-    package=libloft-$num-$SOVERSION
-    echo "/usr/lib/*/libloft-$num.so.*" > "$to/$package.install"
-    printf '%s %s #MINVER#\n (symver)LOFT_%s %s\n' "libloft-$num.so.$SOVERSION" "$package" \
+for library in libloft-q16 libloft-f32 libloft-f64 \
+        libloft-surfaces-q16 libloft-surfaces-f32 libloft-surfaces-f64; do
+    package=$library-$SOVERSION
+    echo "/usr/lib/*/$library.so.*" > "$to/$package.install"
+    printf '%s %s #MINVER#\n (symver)LOFT_%s %s\n' "$library.so.$SOVERSION" "$package" \
         "$SOVERSION" "$VERSION" > "$to/$package.symbols"
 done
 {   echo "loft ($VERSION-1) unstable; urgency=medium"
