@@ -3,8 +3,9 @@
 import { load } from './loft.mjs'
 import { Curves } from './curves.js'
 import { Motion } from './motion.js'
+import { Surfaces } from './surfaces.js'
 
-const kinds = { curves: Curves, motion: Motion }
+const kinds = { curves: Curves, motion: Motion, surfaces: Surfaces }
 const panels = {}
 let later = null
 

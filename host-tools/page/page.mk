@@ -4,7 +4,10 @@ PAGE_SRC = $(wildcard host-tools/page/*.html host-tools/page/*.css host-tools/pa
            ports/wasm/loft.mjs
 PAGE_USES = bezier_init bezier_eval bezier_deriv bezier_split bezier_elevate bezier_curvature_vec \
             forward_init forward_next flatten_init flatten_next cubic_shape cubic_line \
-            plan_init plan_push plan_end plan_next
+            plan_init plan_push plan_end plan_next \
+            tensor_init surface_from_tensor gb_init gb_count gb_from_boundary domain_init \
+            disk_from_gb surface_from_disk level_light level_at contour_init contour_init_level \
+            contour_next
 PAGE_SITE = build/site
 
 # what the page calls, in one number type
@@ -14,6 +17,7 @@ $(PAGE_SITE)/loft-%.wasm: $(WASM_SRC) $(LIB_SRC) $(LIB_HDR) host-tools/page/page
 	$(Q)clang --target=wasm32 -std=c99 -O2 -ffreestanding -nostdlib -ffunction-sections \
 	    -fdata-sections $(CPPFLAGS) $(INCLUDE) $(call num_flag,$*) -Wl,--no-entry \
 	    -Wl,--gc-sections -Wl,--strip-all -Wl,--export=__heap_base -Wl,--export=loft_layout \
+	    -Wl,--export=loft_wachspress \
 	    -Wl,-z,stack-size=65536 $(PAGE_USES:%=-Wl,--export=loft_%_$*x3) \
 	    $(LIB_SRC) $(WASM_SRC) -o $@
 

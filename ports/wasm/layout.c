@@ -44,5 +44,17 @@ const struct layout loft_layout[] = {
     SIZE(loft_plan),
     SIZE(loft_span),
     FIELD(loft_span, ticks),
+    SIZE(loft_tensor),
+    SIZE(loft_spot),
+    SIZE(loft_domain),
+    SIZE(loft_gb),
+    SIZE(loft_disk),
+    SIZE(loft_surface),
+    SIZE(loft_level),
+    SIZE(loft_contour),
     { NULL, 0 },
 };
+
+/* A function that callers hand over: its place in the table. */
+extern loft_coordinates *const loft_wachspress;
+loft_coordinates *const loft_wachspress = loft_wachspress_eval;

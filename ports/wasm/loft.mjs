@@ -102,7 +102,46 @@ class Loft {
         return Array.from({ length: count }, (_, i) => this.get(at + i * this.layout.loft_vec))
     }
 
+    getAcc(at) {
+        const { view } = this
+        return this.num === 'q16' ? Number(view.getBigInt64(at, true)) / 2 ** 32
+            : view.getFloat64(at, true)
+    }
+
     bezier(points) { return new Bezier(this, points) }
+
+    // A patch of (m + 1) (n + 1) points, row by row.
+    tensor(points, m, n) {
+        return new Surface(this, points, (surface, p, at) => {
+            this.check('this patch', this.call('tensor_init', at, p, m, n))
+            this.call('surface_from_tensor', surface, at)
+        }, [this.layout.loft_tensor])
+    }
+
+    // A generalized Bezier patch over a polygon, with Wachspress coordinates: points in the order
+    // of polygon/gb.h.
+    gb(points, polygon, degree = 3) {
+        const { layout } = this, sides = polygon.length
+        return new Surface(this, points, (surface, p, patch, spots, domain, disk) => {
+            polygon.flat().forEach((x, i) => this.putReal(spots + i * this.size, x))
+            const wachspress = this.view.getUint32(this.exports.loft_wachspress.value, true)
+            this.check('this polygon', this.call('domain_init', domain, spots, sides))
+            this.check('this patch', this.call('gb_init', patch, p, sides, degree) ||
+                this.call('disk_from_gb', disk, patch, domain, wachspress))
+            this.call('surface_from_disk', surface, disk)
+        }, [layout.loft_gb, sides * layout.loft_spot, layout.loft_domain, layout.loft_disk])
+    }
+    gbCount(sides, degree = 3) { return this.call('gb_count', sides, degree) }
+
+    // The points of a net from its boundary, side by side without the last point of each.
+    gbFromBoundary(boundary, sides, degree = 3) {
+        const count = this.gbCount(sides, degree), bytes = this.layout.loft_vec
+        return this.with([boundary.length * bytes, count * bytes], (given, out) => {
+            this.put(given, boundary)
+            this.check('this boundary', this.call('gb_from_boundary', given, sides, degree, out))
+            return this.getAll(out, count)
+        })
+    }
 
     // Spans of a motion along cubics: { ticks, p: [[x, y, z] * 4] }, in order.
     // path: [{ p: [[x, y] * 4], feed }], limits: { speed, accel, jerk, tol, corner, tickHz }, in
@@ -159,6 +198,71 @@ class Loft {
     check(what, status) {
         if (status !== OK)
             throw new Refused(what, status)
+    }
+}
+
+// A surface of any kind over u and v in 0..1.
+class Surface {
+    constructor(loft, points, make, sizes) { Object.assign(this, { loft, points, make, sizes }) }
+
+    use(sizes, use) {
+        const { loft, points } = this, { layout } = loft, count = this.sizes.length
+        return loft.with([points.length * layout.loft_vec, layout.loft_surface, ...this.sizes,
+            ...sizes], (p, surface, ...at) => {
+            loft.put(p, points)
+            this.make(surface, p, ...at.slice(0, count))
+            return use(surface, ...at.slice(count))
+        })
+    }
+
+    // (rows + 1) (columns + 1) places: { point, cosine } of the normal and the light.
+    grid(rows, columns, light) {
+        const { loft } = this, { layout } = loft
+        return this.use([layout.loft_vec, layout.loft_level, layout.loft_vec, 8],
+            (surface, way, level, point, off) => {
+                loft.put(way, [light])
+                loft.check('this light', loft.call('level_light', level, way, 0))
+                return Array.from({ length: (rows + 1) * (columns + 1) }, (_, k) => {
+                    const i = Math.floor(k / (columns + 1)), j = k % (columns + 1)
+                    const status = loft.call('level_at', level, surface, loft.unit(i / rows),
+                        loft.unit(j / columns), point, off)
+                    return status < 0 ? null : { point: loft.get(point), cosine: loft.getAcc(off) }
+                })
+            })
+    }
+
+    // The lines where z is `height`: [[[x, y, z], ..], ..].
+    contours(height, tol, rows, columns) {
+        return this.lines((state, surface, memory, bytes) => this.loft.call('contour_init', state,
+            surface, 2, this.loft.real(height), this.loft.real(tol), rows, columns, memory, bytes),
+        rows, columns)
+    }
+
+    // The lines where the normal and the light have this cosine.
+    isophotes(light, cosine, tol, rows, columns) {
+        const { loft } = this, { layout } = loft
+        return loft.with([layout.loft_vec, layout.loft_level], (way, level) => {
+            loft.put(way, [light])
+            loft.check('this light', loft.call('level_light', level, way, loft.real(cosine)))
+            return this.lines((state, surface, memory, bytes) => loft.call('contour_init_level',
+                state, surface, level, loft.real(tol), rows, columns, memory, bytes), rows, columns)
+        })
+    }
+
+    lines(init, rows, columns) {
+        const { loft } = this, { layout } = loft, OVER = 0, START = 1
+        const bytes = Math.ceil(((rows + 1) * (columns + 1) + 2 * rows * columns + 7) / 8)
+        return this.use([layout.loft_contour, bytes, layout.loft_vec],
+            (surface, state, memory, point) => {
+                const out = []
+                loft.check('this surface', init(state, surface, memory, bytes))
+                for (let step; (step = loft.call('contour_next', state, point)) !== OVER;) {
+                    if (step === START)
+                        out.push([])
+                    out.at(-1).push(loft.get(point))
+                }
+                return out
+            })
     }
 }
 

@@ -74,6 +74,28 @@ await row('each path ends where it should, at rest, within its limits', () => {
             }
     }
 })
+await row('20 grids of patches are those of the command, within a unit', () => {
+    const whole = p => p.map(x => Math.round(x * 65536))
+    for (let i = 0; i < 20; i++) {
+        const points = Array.from({ length: 16 }, () =>
+            [next() * 60, next() * 60, next() * 30].map(x => Math.round(x * 65536) / 65536))
+        const out = execFileSync(loft, ['sample', '--n', 8, '-'], { encoding: 'utf8',
+            input: `tensor 3 3\n${points.map(p => p.join(' ')).join('\n')}\n` })
+        const theirs = out.split('\n').filter(Boolean)
+            .map(line => whole(line.split(' ').map(Number)))
+        const ours = library.tensor(points, 3, 3).grid(8, 8, [0, 0, 1]).map(p => whole(p.point))
+        // the command walks the grid; each rounds once: they differ by one unit at most
+        assert.equal(ours.length, theirs.length)
+        ours.forEach((p, k) => p.forEach((x, axis) => assert(Math.abs(x - theirs[k][axis]) <= 1)))
+    }
+})
+await row('waterlines are at their height', () => {
+    const points = Array.from({ length: 16 }, (_, k) => [k >> 2, k & 3, next()].map(x => x * 10))
+    const patch = library.tensor(points, 3, 3)
+    for (const height of [2, 5, 8])
+        for (const path of patch.contours(height, 0.01, 16, 16))
+            path.forEach(p => assert(Math.abs(p[2] - height) <= 0.01 + 1 / 65536))
+})
 await row('a trapezoid over one line has its time', () => {
     const limits = { speed: 500, accel: 1000, corner: 0, feed: 100 }
     assert(Math.abs(trapezoid([[0, 0], [100, 0]], limits).time - 1.1) < 1e-9)
@@ -143,7 +165,7 @@ await row('degree, piece and undo', async () => {
 await row('the address keeps the curve', async () => {
     const page = await open()
     await page.selectOption('#curve-controls [name=example]', 'A loop')
-    const said = await page.locator('#loft-text').innerText(), x = said.split(/\s+/)[2]
+    const said = await page.locator('#loft-text').innerText(), x = said.split(/\s+/)[4]
     await page.waitForFunction(one => location.hash.includes(one), x)
     const address = page.url()
     const again = await open(address.slice(server.address.length))
@@ -175,8 +197,29 @@ await row('a path is drawn with the pointer', async () => {
     await page.locator('#zoom-corner').click()
     await page.close()
 })
+await row('every surface is shown, turned and bent', async () => {
+    const page = await open('#surfaces')
+    for (const name of await page.locator('#surface-controls option').allInnerTexts()) {
+        await page.selectOption('#surface-controls [name=example]', name)
+        await page.fill('#surface-controls [name=isophotes]', '12')
+        assert.ok(await page.locator('#surface-view .water').count() >= 8, `waterlines of ${name}`)
+        assert.ok(await page.locator('#surface-view .light').count() >= 2, `isophotes of ${name}`)
+        const before = await page.locator('#surface-text').innerText()
+        await page.locator('#surface-view .handle').nth(5).focus()
+        await page.keyboard.press('ArrowUp')
+        assert.notEqual(await page.locator('#surface-text').innerText(), before)
+        const view = await page.locator('#surface-view').boundingBox()
+        await page.mouse.move(view.x + 20, view.y + 20)
+        await page.mouse.down()
+        await page.mouse.move(view.x + 120, view.y + 60, { steps: 4 })
+        await page.mouse.up()
+        assert.notEqual(await page.inputValue('#surface-controls [name=turn]'), '-30')
+    }
+    await page.screenshot({ path: `${shots}/surfaces-light.png`, fullPage: true })
+    await page.close()
+})
 await row('on a phone nothing is wider than the screen, in the dark', async () => {
-    for (const name of ['curves', 'motion']) {
+    for (const name of ['curves', 'motion', 'surfaces']) {
         const page = await open(`#${name}`, [390, 844], 'dark')
         if (name === 'motion')
             await planned(page)
