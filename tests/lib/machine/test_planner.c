@@ -215,6 +215,54 @@ static void the_lower_limit_holds(arb *a)
                                                      * in ms */
 }
 
+/* A patch that is cut into lines along x, there and back. */
+typedef struct {
+    loft_patch_source source;
+    unsigned left;
+    loft_real from;
+} lined;
+
+static bool next_line(loft_patch_source *source, loft_cubic *out, uint16_t *feed)
+{
+    lined *const l = (lined *)source;
+    const loft_real to = l->from > 0 ? 0 : LOFT_REAL(20), third = (to - l->from) / 3;
+
+    if (l->left == 0) {
+        source->state = LOFT_PATCH_OVER;
+        return false;
+    }
+    *out = (loft_cubic){ { { { 0 } } } };
+    out->p[0].axis[0] = l->from;
+    out->p[1].axis[0] = l->from + third;
+    out->p[2].axis[0] = to - third;
+    out->p[3].axis[0] = l->from = to;
+    *feed = 6000;
+    l->left--;
+    return true;
+}
+
+/* Asked while it is busy alone, it gives all that is left, with any room for curves. */
+static void a_planner_is_busy_while_it_cuts(arb *a)
+{
+    lined patch = { { NULL, next_line, 32, LOFT_PATCH_NONE }, 1 + arb_below(a, 20), 0 };
+    loft_planner_memory memory = memory_of((uint16_t)(4 + arb_below(a, 20)));
+    int32_t start[LOFT_AXES] = { 0 };
+    loft_item span = { .ticks = 0 };
+
+    usual_limits();
+    const loft_machine_info machine = info();
+    const loft_job_limits l = asked();
+    memory.patches = &patch.source;
+    CHECK(loft_planner_init(&planner, &memory, CELLS) == LOFT_OK &&
+          loft_planner_begin(&planner, &machine, &l, start) == LOFT_OK);
+    patch.source.state = LOFT_PATCH_CUT;
+    CHECK(loft_planner_end(&planner) == LOFT_REFUSAL_NONE);
+    while (next_of(true, &span))
+        CHECK(span.ticks > 0);
+    CHECK(patch.left == 0 && loft_planner_done(&planner));
+    CHECK(span.p[2][0] == loft_raw_from_real(patch.from));
+}
+
 static void impossible_jobs_are_refused(arb *a)
 {
     loft_planner_memory memory = memory_of(8);
@@ -385,6 +433,7 @@ int main(void)
     PROPERTY(curves_are_told_when_they_are_behind,           8);
     PROPERTY(the_spans_are_those_of_the_plan,                6);
     PROPERTY(the_lower_limit_holds,                          4);
+    PROPERTY(a_planner_is_busy_while_it_cuts,                5);
     PROPERTY(impossible_jobs_are_refused,                    1);
     PROPERTY_LONG(a_drawing_is_planned_and_drawn_whatever_happens, 2);
     PROPERTY_LONG(a_small_ring_draws_it_too,                      2);

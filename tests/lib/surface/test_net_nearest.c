@@ -125,6 +125,35 @@ static void collapsed_patches_have_a_nearest_point(arb *a)
             CHECK(exact_acc(near.distance) <= distance_at(&s, i / 8.0L, j / 8.0L, p) + 0.0011L);
 }
 
+/* Along one border the patch is nearer to 0 than elsewhere, and near again along the opposite one:
+ * the bound of a part counts every row and every column of its net. */
+static void the_nearest_border_is_found(arb *a)
+{
+    const unsigned m = 2 + arb_below(a, 3), n = 2 + arb_below(a, 3), border = arb_below(a, 4);
+    const loft_vec zero = { { 0 } };
+    loft_tensor s;
+    loft_net_near near;
+
+    for (unsigned i = 0; i <= m; i++)
+        for (unsigned j = 0; j <= n; j++) {
+            const unsigned end = border / 2 ? n : m, k = border / 2 ? j : i,
+                           from = border % 2 ? end - k : k;
+            loft_vec *const p = &net[i * (n + 1) + j];
+            for (int axis = 0; axis < LOFT_AXES; axis++)
+                p->axis[axis] = axis < 2 ? arb_real(a, 1) / 4 : 0;
+            p->axis[2] = loft_real_from_int(from == 0     ? 1
+                                            : from == end ? 4
+                                                          : 20) +
+                         arb_real(a, 1) / 2;
+        }
+    CHECK(loft_tensor_init(&s, net, m, n) == LOFT_OK);
+    CHECK(loft_net_nearest(loft_net_from_tensor(&s), zero, LOFT_REAL(0.001), &near) == LOFT_OK);
+    for (unsigned k = 0; k <= 8; k++)
+        CHECK(exact_acc(near.distance) <= distance_at(&s, border / 2 ? k / 8.0L : border % 2,
+                                                      border / 2 ? border % 2 : k / 8.0L, zero) +
+                                              0.0011L);
+}
+
 static void bad_arguments_are_refused(arb *a)
 {
     const loft_tensor s = arb_patch(a, 2);
@@ -140,6 +169,7 @@ int main(void)
     PROPERTY(a_place_of_the_patch_is_its_own_foot, 60);
     PROPERTY(far_beyond_a_corner_the_corner_is_exact, 10);
     PROPERTY(collapsed_patches_have_a_nearest_point, 30);
+    PROPERTY(the_nearest_border_is_found, 30);
     PROPERTY(bad_arguments_are_refused, 1);
     return check_failures();
 }

@@ -286,8 +286,38 @@ static void refuses_what_it_cannot_keep(arb *a)
     CHECK(loft_lines_init(&lines, &s, &way, &home, row, COLUMNS + 1) == LOFT_SINGULAR);
 }
 
+/* The fewest columns that can be proved for a patch with one high corner. */
+static uint16_t columns_at(int32_t x, int32_t high)
+{
+    loft_lines_way way = { LOFT_REAL(4), LOFT_REAL(1 / 1024.0), LOFT_REAL(12), 10, 1, false };
+    loft_vec net[16];
+    loft_tensor s;
+    bool near;
+
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++)
+            net[4 * i + j] = (loft_vec){ { loft_real_from_int(x + 10 * i),
+                                           loft_real_from_int(10 * j) } };
+    net[0].axis[2] = loft_real_from_int(high);
+    CHECK(loft_tensor_init(&s, net, 3, 3) == LOFT_OK);
+    while (loft_lines_check(&s, &way, &near) != LOFT_LINES_FINE && way.columns < 1024)
+        way.columns++;
+    return way.columns;
+}
+
+/* Far out f32 has fewer digits, whichever coordinate is the largest. */
+static void a_patch_far_out_is_as_fine_as_its_digits(arb *a)
+{
+    const int32_t high = 1 + (int32_t)arb_below(a, 4), far = arb_below(a, 2) ? 990 : -1020;
+    const uint16_t here = columns_at(0, high), there = columns_at(far, high);
+
+    CHECK(here > 1 && here < 1024 && there < 1024);
+    CHECK(BY_NUM(there == here, there > here, there == here));
+}
+
 int main(void)
 {
+    PROPERTY(a_patch_far_out_is_as_fine_as_its_digits, 2);
     PROPERTY(refuses_what_it_cannot_keep, 1);
     PROPERTY_LONG(curves_keep_to_the_lines, 80);
     PROPERTY(faults_are_true, 120);
