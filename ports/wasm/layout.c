@@ -3,7 +3,7 @@
  *
  * loft_layout[] ends with a name of NULL. `loft_plan` is a size, `loft_plan.knot` a place in bytes.
  */
-#include "loft.h"
+#include "loft/surfaces.h"
 
 #define SIZE(type)         { #type, sizeof(type) }
 #define FIELD(type, field) { #type "." #field, offsetof(type, field) }

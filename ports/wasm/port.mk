@@ -3,9 +3,8 @@
 WASM_FLAGS = --target=wasm32 -std=c99 -O2 -ffreestanding -nostdlib $(CPPFLAGS) -Wl,--no-entry \
              -Wl,--export-dynamic -Wl,--export=__heap_base -Wl,-z,stack-size=65536 \
              -fvisibility=default
-# both libraries in one module, or libloft alone: make wasm LIBRARIES=loft
-WASM_SRC   = $(LOFT_SRC) $(if $(filter loft-surfaces,$(LIBRARIES)),$(SURFACES_SRC)) \
-             ports/bare/memory.c ports/wasm/layout.c
+# both libraries in one module
+WASM_SRC   = $(LIB_SRC) ports/bare/memory.c ports/wasm/layout.c
 build/wasm/loft-%.wasm: $(WASM_SRC) $(LIB_HDR) | lib/names.h
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
