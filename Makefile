@@ -269,8 +269,8 @@ TARGET_BESIDE := check-sums check-calls check-footprint bench-polygon check-host
 TARGET_STAGES  = $(subst $() $(),+,$(TARGET_BESIDE)) check-boards check-units
 
 include tests/tests.mk tests/bench/bench.mk
-include host-tools/page/page.mk
 include ports/boards.mk ports/packages/packages.mk $(sort $(wildcard ports/*/port.mk))
+include host-tools/page/page.mk
 include tests/target/target.mk
 
 ## Remove build/

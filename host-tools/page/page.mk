@@ -11,7 +11,7 @@ PAGE_USES = bezier_init bezier_eval bezier_deriv bezier_split bezier_elevate bez
 PAGE_SITE = build/site
 
 # what the page calls, in one number type
-$(PAGE_SITE)/loft-%.wasm: $(WASM_SRC) $(LIB_SRC) $(LIB_HDR) host-tools/page/page.mk | lib/names.h
+$(PAGE_SITE)/loft-%.wasm: $(WASM_SRC) $(LIB_HDR) host-tools/page/page.mk | lib/names.h
 	@mkdir -p $(@D)
 	$(SAY) "  LD  $@"
 	$(Q)clang --target=wasm32 -std=c99 -O2 -ffreestanding -nostdlib -ffunction-sections \
@@ -19,7 +19,7 @@ $(PAGE_SITE)/loft-%.wasm: $(WASM_SRC) $(LIB_SRC) $(LIB_HDR) host-tools/page/page
 	    -Wl,--gc-sections -Wl,--strip-all -Wl,--export=__heap_base -Wl,--export=loft_layout \
 	    -Wl,--export=loft_wachspress \
 	    -Wl,-z,stack-size=65536 $(PAGE_USES:%=-Wl,--export=loft_%_$*x3) \
-	    $(LIB_SRC) $(WASM_SRC) -o $@
+	    $(WASM_SRC) -o $@
 
 ## Build the page of curves and motion in build/site: static files, to be served or published
 .PHONY: page
