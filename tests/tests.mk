@@ -205,7 +205,7 @@ TOOL_TESTS  := $(patsubst tests/tools/test_%.c,%,$(sort $(wildcard tests/tools/t
 TOOL_TESTED := $(filter-out %/tool.c $(TOOL_LEFT),$(sort $(wildcard $(patsubst %, \
                  host-tools/%/*.c,base engine geometry read svg gcode fit arrange plan draw mill))))
 TOOL_TESTED := $(filter-out host-tools/engine/engines.c,$(TOOL_TESTED))
-TOOL_TESTED += $(patsubst %,host-tools/%.c,cmd/keys send/gcode_write send/near_move \
+TOOL_TESTED += $(patsubst %,host-tools/%.c,readers cmd/keys send/gcode_write send/near_move \
                  send/unfinished) $(wildcard host-tools/send/grbl*.c)
 TOOL_FLAGS   = $(INCLUDE) $(TESTED) $(TOOL_STD) $(SANITIZE) -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3
 TOOL_TESTED_OBJ := $(patsubst %.c,build/test/tools/%.o,$(TOOL_TESTED))

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "geometry/surface_text.h"
 #include "num/status.h"     /* enum loft_status */
 
 #include "cmd/compare.h"
@@ -15,6 +16,7 @@
 #include "geometry/reference.h"
 #include "base/source.h"         /* source_name */
 #include "base/tool.h"
+#include "readers.h"
 
 /* The largest error of one way to compute a curve in one number type. */
 typedef struct {

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "geometry/surface_text.h"
 #include "num/status.h"     /* LOFT_ERR_ARG */
 
 #include "draw/contour.h"   /* contour_heights */

@@ -3,6 +3,7 @@
  */
 #include <stdio.h>
 
+#include "geometry/surface_text.h"
 #include "num/status.h"     /* LOFT_SINGULAR */
 
 #include "engine/piece.h"
@@ -11,6 +12,7 @@
 #include "base/source.h"    /* source_name */
 #include "engine/surface.h"
 #include "base/tool.h"
+#include "readers.h"
 
 typedef struct {
     print_options p;

@@ -10,6 +10,7 @@
 #include "geometry/print.h"
 #include "base/source.h"         /* source_name */
 #include "base/tool.h"
+#include "readers.h"
 
 typedef struct {
     print_options p;

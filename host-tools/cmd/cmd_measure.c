@@ -19,6 +19,7 @@
 #include "base/source.h"    /* source_name */
 #include "base/tool.h"
 #include "cmd/measure_surface.h"
+#include "readers.h"
 
 #define NO_TOL "give --tol above 0"
 #define FINE 0.01           /* of the tolerance, for cubics that replace other curves */

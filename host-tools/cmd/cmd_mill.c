@@ -12,6 +12,7 @@
 #include "base/source.h"        /* source_name */
 #include "base/tool.h"
 #include "cmd/mill_chip.h"      /* mill_chip_run */
+#include "geometry/surface_text.h"
 #include "mill/left.h"
 #include "mill/stock.h"
 #include "draw/surface_plot.h"

@@ -13,6 +13,8 @@
 #include "arrange/page.h"
 #include "base/create.h"      /* create_check */
 #include "base/tool.h"
+#include "readers.h"
+#include "geometry/surface_text.h"
 
 static int print_result(const plot_options *o, const plot_result *found)
 {

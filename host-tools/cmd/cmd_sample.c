@@ -8,6 +8,8 @@
 #include "base/source.h"         /* source_name */
 #include "engine/surface.h"
 #include "base/tool.h"
+#include "readers.h"
+#include "geometry/surface_text.h"
 
 typedef struct {
     print_options p;

@@ -10,6 +10,7 @@
 #include "base/source.h"     /* source_name */
 #include "engine/surface.h"
 #include "base/tool.h"
+#include "geometry/surface_text.h"
 
 static void print_body(const refined *r, double tol)
 {

@@ -4,6 +4,7 @@
 #include "base/source.h"    /* source_name */
 #include "cmd/measure_surface.h"
 #include "engine/surface.h"
+#include "geometry/surface_text.h"
 #include "make/decide.h"   /* decide_surfaces */
 
 int measure_surfaces(const char *file, const engine *e, const tool_list *at, double tol, bool path,

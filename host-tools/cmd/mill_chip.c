@@ -10,6 +10,7 @@
 #include "base/tool.h"
 #include "cmd/mill_chip.h"
 #include "cmd/report.h"         /* report_start */
+#include "geometry/surface_text.h"
 #include "send/settings.h"       /* settings_adopt */
 #include "send/stream.h"         /* stream_run */
 

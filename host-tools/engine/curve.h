@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: MIT
  *
  *     curve.c       the kinds, their parameters, the list
- *     curve_read.c  detects the format: SVG, G-code, eight numbers per line, control points, .loft
- *     curve_text.c  the text format .loft (LOFT.md)
+ *     curve_text.h  the text format .loft (LOFT.md)
+ *     readers.h     any file: SVG, G-code, eight numbers per line, control points, .loft
  *     piece.h       what a curve becomes: Bezier pieces
  *     drawn.h       the pieces of drawings and pictures, of higher degrees too
  *     reference.h   its definition in long double
@@ -115,14 +115,5 @@ curve *curves_add(curves *all, enum curve_kind kind, unsigned line);
 void   curve_add_point(curve *c, const curve_point *p);
 void   curve_add_knot(curve *c, double knot);
 void   curves_free(curves *all);
-
-/* Read `file` ("-" is standard input). If `text` is not NULL, read the control points of one Bezier
- * curve from it instead: "0,0 1,2 3,0". Returns 0, or an exit code after printing one line. `*all`
- * must be zeroed, but for what is asked for. */
-int curves_read(curves *all, const char *file, const char *text);
-
-/* The text format: does the text look like it? Read it. */
-bool curves_is_text(const char *file, const char *text);
-int  curves_read_text(curves *all, const char *file, const char *text);
 
 #endif

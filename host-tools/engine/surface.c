@@ -1,17 +1,14 @@
-/* host-tools/engine/surface.c -- the kinds of surfaces, and files of them
+/* host-tools/engine/surface.c -- the kinds of surfaces, and lists of them
  * SPDX-License-Identifier: MIT
  */
 #include <stdlib.h>
-#include <string.h>
 
 #include "num/status.h" /* enum loft_status */
 
 #include "engine/engine.h"  /* engine_status */
-#include "base/lines.h"     /* lines_start */
 #include "engine/sided.h"   /* sided_points */
-#include "base/source.h"    /* source_read */
 #include "engine/surface.h"
-#include "base/tool.h"      /* tool_error, tool_grow, sysexits */
+#include "base/tool.h"      /* tool_grow */
 
 const char *surface_name(enum surface_kind kind)
 {
@@ -131,31 +128,4 @@ void surfaces_free(surfaces *all)
     }
     free(all->surface);
     *all = (surfaces){ 0 };
-}
-
-int surfaces_read(surfaces *all, const char *file)
-{
-    size_t size;
-    int code;
-    char *text = source_read(file, &size, &code);
-
-    if (text == NULL)
-        return code;
-    if (strlen(text) == size && surface_begins(lines_start(text)))
-        code = surfaces_read_text(all, source_name(file), text);
-    free(text);
-    return code;
-}
-
-int surfaces_read_only(surfaces *all, const char *file)
-{
-    const int code = surfaces_read(all, file);
-
-    if (code == 0 && all->count == 0)
-        return tool_error(EX_DATAERR,
-                          "%s: no surface in it: begin with tensor, triangle, coons, bicubic, pn, "
-                          "sphere, octant, gregory, nurbs-surface, tetra, spatch, toric, "
-                          "basepoint, ring or gb",
-                          source_name(file));
-    return code;
 }

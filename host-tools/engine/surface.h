@@ -2,8 +2,8 @@
  * or normals
  * SPDX-License-Identifier: MIT
  *
- *     surface.c       the kinds, the list, detecting the file format
- *     surface_text.c  surfaces in the text format .loft (LOFT.md)
+ *     surface.c       the kinds, the list
+ *     surface_text.h  files of them, in the text format .loft (LOFT.md)
  *     engine.h        their representation in the library
  *     mesh.h          triangles of them, normals and curvatures; STL and PLY
  *     sided.h         surfaces with n sides: their polygons, nets and grids
@@ -119,17 +119,5 @@ surface *surfaces_add(surfaces *all, enum surface_kind kind, unsigned line);
 void     surface_add_point(surface *s, const surface_point *p);
 void     surface_add_knot(surface *s, unsigned along, double knot);
 void     surfaces_free(surfaces *all);
-
-/* Read `file` ("-" is standard input) if it contains surfaces. Otherwise *all stays empty, and the
- * file may be read as something else. Returns 0, or an exit code after printing one line. `*all`
- * must be zeroed, but for what is asked for. */
-int surfaces_read(surfaces *all, const char *file);
-
-/* The same, but a file without surfaces is an error. */
-int surfaces_read_only(surfaces *all, const char *file);
-
-/* The text format: does a surface begin with this word? Read a text. */
-bool surface_begins(const char *word);
-int  surfaces_read_text(surfaces *all, const char *file, const char *text);
 
 #endif

@@ -121,8 +121,4 @@ int  gcode_read(gcode_program *g, const char *text, size_t size);
 /* A point of the program in mm of the machine. */
 void gcode_place(const gcode_frame *f, const double at[3], double out[3]);
 
-/* Is it G-code, by its name or its first lines? Is it that of a 3-D printer? */
-bool gcode_is_text(const char *file, const char *text);
-bool gcode_is_printer(const char *text);
-
 #endif

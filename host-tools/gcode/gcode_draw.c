@@ -17,6 +17,7 @@
 #include "base/tool.h"      /* tool_error, sysexits */
 #include "read/drawing.h"
 #include "gcode/gcode.h"
+#include "gcode/gcode_draw.h"
 #include "read/machine_tools.h"
 
 #define LINES_LOOKED 200    /* of the beginning, for what kind of file it is */
@@ -224,7 +225,7 @@ static void tell_path(const pen *out)
                          out->file);
 }
 
-int drawing_gcode_parts(drawing *d, const char *file, source *s)
+static int drawing_gcode_parts(drawing *d, const char *file, source *s)
 {
     pen out  = { .d = d, .file = file };
     const bool printer = d->dialect == GCODE_ANY && gcode_is_printer(s->text);
@@ -319,9 +320,17 @@ static bool named(const char *file, const char *text)
     return *text == '%' && strchr(" \r\n", text[1]) != NULL;
 }
 
-bool gcode_is_text(const char *file, const char *text)
+bool gcode_is_printer(const char *text) { return some_line(text, is_of_printer); }
+
+static int probe_gcode(const reader *r, const char *file, const char *text, size_t size)
 {
-    return named(file, text) || some_line(text, begins_with_code);
+    (void)r, (void)size;
+    return named(file, text)                   ? READER_ENDING
+           : some_line(text, begins_with_code) ? READER_LINE
+                                               : READER_NOT;
 }
 
-bool gcode_is_printer(const char *text) { return some_line(text, is_of_printer); }
+const reader reader_gcode = { .name  = "G-code",
+                              .probe = probe_gcode,
+                              .read  = drawing_gcode_parts,
+                              .takes = READER_PARTS | READER_PROGRAM };

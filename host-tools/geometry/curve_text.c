@@ -11,10 +11,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "engine/curve.h"
+#include "geometry/curve_text.h"
 #include "base/lines.h"         /* lines_numbers, lines_wrong */
 #include "base/scan.h"          /* scan_word */
-#include "engine/surface.h"     /* surface_begins */
+#include "geometry/surface_text.h"  /* surface_begins */
 
 #define TURNS_MAX 1000
 

@@ -9,16 +9,19 @@
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "num/status.h"  /* enum loft_status */
 
 #include "engine/engine_sided.h"    /* complete, cut */
 #include "base/lines.h"             /* lines_numbers, lines_wrong */
+#include "base/source.h"            /* source_read */
+#include "base/tool.h"              /* tool_error, sysexits */
 #include "base/scan.h"              /* scan_word */
 #include "engine/sided.h"           /* sided_regular, sided_is_lattice */
 #include "geometry/solid.h"           /* solid_faces */
-#include "engine/surface.h"
+#include "geometry/surface_text.h"
 #include "geometry/surface_ends.h"      /* surface_end_knots, surface_end_domain */
 
 typedef struct {
@@ -446,5 +449,32 @@ int surfaces_read_text(surfaces *all, const char *file, const char *text)
         code = end_surface(&r);
     if (code == 0 && !all->solids)
         solid_faces(all);
+    return code;
+}
+
+int surfaces_read(surfaces *all, const char *file)
+{
+    size_t size;
+    int code;
+    char *text = source_read(file, &size, &code);
+
+    if (text == NULL)
+        return code;
+    if (strlen(text) == size && surface_begins(lines_start(text)))
+        code = surfaces_read_text(all, source_name(file), text);
+    free(text);
+    return code;
+}
+
+int surfaces_read_only(surfaces *all, const char *file)
+{
+    const int code = surfaces_read(all, file);
+
+    if (code == 0 && all->count == 0)
+        return tool_error(EX_DATAERR,
+                          "%s: no surface in it: begin with tensor, triangle, coons, bicubic, pn, "
+                          "sphere, octant, gregory, nurbs-surface, tetra, spatch, toric, "
+                          "basepoint, ring or gb",
+                          source_name(file));
     return code;
 }

@@ -9,7 +9,9 @@
 #include "engine/curve.h"
 #include "engine/engine.h"
 #include "engine/surface.h"
+#include "geometry/surface_text.h"
 #include "make/decide.h"
+#include "readers.h"
 
 static const decide_question *question_of(const decide_question all[], unsigned count,
                                           const char *name)

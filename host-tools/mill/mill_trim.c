@@ -8,6 +8,7 @@
 #include "base/tool.h"          /* tool_grow */
 #include "read/drawing.h"
 #include "mill/mill_trim.h"
+#include "readers.h"
 
 static void add_edge(mill_trim *t, const double from[2], const double to[2])
 {

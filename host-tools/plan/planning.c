@@ -9,6 +9,7 @@
 #include "plan/table.h"          /* table_check */
 #include "arrange/tools.h"          /* tools_apply */
 #include "base/source.h"         /* source_name */
+#include "readers.h"
 
 #define JERK_MAX 1e7        /* mm/s^3, of lib/path/limits.h                    */
 #define SMOOTH_PART 0.2     /* of the tolerance: for replacing lines by curves */

@@ -8,7 +8,7 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "read/drawing.h"
+#include "read/csv.h"
 #include "base/scan.h"       /* scan_numbers */
 #include "base/source.h"     /* source_part */
 #include "base/tool.h"       /* tool_error, sysexits */

@@ -1,4 +1,4 @@
-/* host-tools/read/drawing.c -- reads a file by its content; the length and the box of a drawing
+/* host-tools/read/drawing.c -- curves are added to a drawing; its length and its box
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
@@ -8,9 +8,6 @@
 
 #include "engine/curve.h"   /* curves_is_text, curves_free */
 #include "read/drawing.h"
-#include "read/foreign.h"
-#include "gcode/gcode.h"
-#include "base/source.h"    /* source_read */
 #include "base/space.h"     /* space_distance */
 #include "base/spool.h"     /* spool_grow */
 #include "base/tool.h"      /* tool_error, tool_grow, sysexits */
@@ -18,84 +15,6 @@
 #define SAME 1e-6       /* mm; closer ends count as one point */
 #define MANY 8192       /* curves that are worth being taken out */
 #define HALVINGS 60     /* of a parameter: down to the last bit */
-
-// Reading
-// -------
-
-/* Refuse options that were given, and say nothing about a file of this kind. */
-static bool other_options(const drawing *d, const char *file, bool svg, bool gcode)
-{
-    char line[24];
-    const struct {
-        bool suits;
-        const char *option, *value, *why;
-    } given[] = {
-        { svg, "layer", d->layers, "only SVG has layers" },
-        { svg, "only", d->only, "only SVG has colours" },
-        { svg, "text", d->text, "only SVG has text" },
-        { gcode, "from-line", d->from_line > 0 ? line : NULL,
-          "only G-code has lines that are run" },
-        { gcode, "dialect", d->dialect != GCODE_ANY ? "" : NULL, "only G-code has dialects" },
-    };
-
-    snprintf(line, sizeof line, "%u", d->from_line);
-    for (size_t i = 0; i < sizeof given / sizeof *given; i++)
-        if (!given[i].suits && given[i].value != NULL)
-            return tool_error(EX_USAGE, "%s: --%s%s%s: %s: leave it out", file, given[i].option,
-                              given[i].value[0] ? " " : "", given[i].value, given[i].why) != 0;
-    return false;
-}
-
-/* The source has given its first part, which is all of the file unless it is of lines. */
-static int read_parts(drawing *d, const char *file, source *s)
-{
-    const char *text  = s->text;
-    const size_t size = s->size;
-
-    if (text[strspn(text, " \t\r\n")] == '\0' && strlen(text) == size)
-        return tool_error(EX_DATAERR,
-                          "%s: is empty: a drawing is expected, SVG, G-code, CSV or .loft", file);
-    if (source_is_xml(text))
-        return other_options(d, file, true, false) ? EX_USAGE
-                                                   : drawing_read_svg(d, file, text, size);
-    if (foreign_refuse(file, text, size) != 0)
-        return EX_DATAERR;
-    if (strlen(text) != size)
-        return tool_error(
-            EX_DATAERR, "%s: is not text: a drawing is expected, SVG, G-code, CSV or .loft", file);
-    if (s->stream != NULL && text[size - 1] != '\n')
-        return tool_error(EX_DATAERR, "%s:1: a line of more than 1 MB: split it", file);
-    const bool loft = curves_is_text(file, text), gcode = !loft && gcode_is_text(file, text);
-    if (other_options(d, file, false, gcode))
-        return EX_USAGE;
-    if (loft)
-        return drawing_read_curves(d, file, text);
-    return gcode ? drawing_gcode_parts(d, file, s) : drawing_csv_parts(d, file, s);
-}
-
-/* Can it be read in parts? */
-static bool is_of_lines(const char *file, const char *text, size_t size)
-{
-    return strlen(text) == size && !source_is_xml(text) && !curves_is_text(file, text);
-}
-
-int drawing_read(drawing *d, const char *file)
-{
-    const bool kept = strcmp(file, "-") == 0;       /* it cannot be read again */
-    source s;
-    int code = kept ? source_whole(&s, file) : source_open(&s, file);
-
-    if (code == 0 && !kept && !is_of_lines(source_name(file), s.text, s.size))
-        code = source_rest(&s);
-    if (code == 0)
-        code = read_parts(d, source_name(file), &s);
-    source_close(&s);
-    if (code == 0 && d->count + d->taken == 0)
-        return tool_error(EX_DATAERR,
-                          "%s: nothing to draw: it holds no visible curve of 0.000001 mm or more",
-                          source_name(file));
-    return code;
-}
 
 void drawing_free(drawing *d)
 {

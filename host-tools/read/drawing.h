@@ -2,9 +2,9 @@
  * space
  * SPDX-License-Identifier: MIT
  *
- * The readers svg.c, csv.c, drawing_curves.c and gcode_draw.c fill it; lines and arcs are cubics
- * too. A path is a connected run of curves that is drawn with the pen down. Between paths the pen
- * travels. Nothing is clipped, and colours do not matter: a plotter draws outlines.
+ * Readers (reader.h) fill it; lines and arcs are cubics too. A path is a connected run of curves
+ * that is drawn with the pen down. Between paths the pen travels. Nothing is clipped, and colours
+ * do not matter: a plotter draws outlines.
  *
  * A curve in space has heights beside its points in the plane. A program (G-code) is a drawing that
  * says every motion: its curves have feeds, travels are curves too, and nothing is added between.
@@ -64,7 +64,6 @@ typedef struct {
 
 struct drawing_clip;
 struct drawing;
-struct source;              /* base/source.h */
 
 /* Take curves out of a drawing that is being read, with drawing_forget: then a long one needs no
  * more memory than a short one. Returns 0, or an exit code after printing one line. */
@@ -124,10 +123,6 @@ typedef struct drawing_clip {
 #define DRAWING_CURVES_MAX 4000000u
 #endif
 
-/* Read `file` ("-" is standard input). Its content tells the format: SVG, curves (LOFT.md), G-code
- * or CSV (x0,y0,..,x3,y3 in mm per line). Returns 0, or a code of <sysexits.h> after printing one
- * line. `*d` must be zeroed but for what is set before; free with drawing_free. */
-int  drawing_read(drawing *d, const char *file);
 void drawing_free(drawing *d);
 void drawing_names_free(drawing_names *n);
 
@@ -183,15 +178,5 @@ bool drawing_box(const drawing *d, double box[2][2]);
 
 /* The height of the highest control point; 0 in a flat drawing. */
 double drawing_top(const drawing *d);
-
-/* The readers, chosen by drawing_read. The last two read a source of which the
- * first part is there (base/source.h); `text` holds `size` bytes, followed by a 0; `file` is for
- * messages. */
-int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size);
-int drawing_read_csv(drawing *d, const char *file, const char *text, size_t size);
-int drawing_read_curves(drawing *d, const char *file, const char *text);
-int drawing_read_gcode(drawing *d, const char *file, const char *text, size_t size);
-int drawing_csv_parts(drawing *d, const char *file, struct source *s);
-int drawing_gcode_parts(drawing *d, const char *file, struct source *s);
 
 #endif

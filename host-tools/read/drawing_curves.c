@@ -4,8 +4,8 @@
  * A curve that starts where the one before ends continues its path. Polynomials up to degree 3 are
  * kept. Others are cut into cubics within DRAWING_TOL.
  */
-#include "engine/curve.h"
-#include "read/drawing.h"
+#include "geometry/curve_text.h"   /* curves_is_text, curves_read_text */
+#include "read/drawing_curves.h"
 #include "geometry/drawn.h"   /* drawn_pieces, drawn_cubics */
 #include "base/tool.h"      /* tool_error, sysexits */
 
@@ -57,3 +57,19 @@ int drawing_read_curves(drawing *d, const char *file, const char *text)
     }
     return code;
 }
+
+static int probe_loft(const reader *r, const char *file, const char *text, size_t size)
+{
+    (void)r, (void)size;
+    return curves_is_text(file, text) ? READER_WORD : READER_NOT;
+}
+
+static int read_whole(drawing *d, const char *file, source *s)
+{
+    return drawing_read_curves(d, file, s->text);
+}
+
+const reader reader_loft = { .name   = "curves as LOFT.md describes them",
+                             .probe  = probe_loft,
+                             .read   = read_whole,
+                             .curves = curves_read_text };

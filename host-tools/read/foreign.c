@@ -1,46 +1,9 @@
-/* host-tools/read/foreign.c -- recognizes files of other programs by their first bytes
+/* host-tools/read/foreign.c -- files of other programs, by their first bytes
  * SPDX-License-Identifier: MIT
  */
 #include <string.h>
 
-#include "base/tool.h"       /* tool_error, sysexits */
 #include "read/foreign.h"
-
-/* What an unreadable file is, and what to do with it. */
-typedef struct {
-    const char *start;
-    size_t length;
-    const char *name, *remedy;
-} foreign;
-
-#define CONVERT "convert it, as with `inkscape FILE --export-filename=drawing.svg`"
-#define TRACE   "trace it to paths, as with `potrace --svg` or in inkscape"
-#define GERBER  "convert it, as with `gerbv -x svg`, or to G-code with pcb2gcode"
-#define UNPACK  "unpack it first"
-#define KIND(start, name, remedy) { start, sizeof start - 1, name, remedy }
-
-static const foreign kinds[] = {
-    KIND("%PDF-", "PDF", CONVERT),
-    KIND("%!PS", "PostScript", "convert it, as with `pstoedit -f plot-svg`"),
-    KIND("\xC5\xD0\xD3\xC6", "PostScript", CONVERT),
-    KIND("AutoCAD Binary DXF", "DXF", CONVERT),
-    KIND("AC10", "DWG", "save it as SVG in the program that drew it"),
-    KIND("ISO-10303-21", "STEP", "save the outline as SVG in the program that drew it"),
-    KIND("%FS", "Gerber", GERBER),
-    KIND("\x89PNG", "a PNG picture", TRACE),
-    KIND("\xFF\xD8\xFF", "a JPEG picture", TRACE),
-    KIND("GIF8", "a GIF picture", TRACE),
-    KIND("RIFF", "a WebP picture or other RIFF file", TRACE),
-    KIND("II*\0", "a TIFF picture", TRACE),
-    KIND("MM\0*", "a TIFF picture", TRACE),
-    KIND("PK\3\4", "a ZIP archive or a document in one, as .odg",
-         "unpack it, or export SVG from its program"),
-    KIND("\xFD"
-         "7zXZ",
-         "compressed with xz", UNPACK),
-    KIND("BZh", "compressed with bzip2", UNPACK),
-    KIND("\x28\xB5\x2F\xFD", "compressed with zstd", UNPACK)
-};
 
 /* DXF in text: pairs of lines, a code and a value. After comments (999) it begins with 0,
  * SECTION. */
@@ -90,37 +53,67 @@ static bool has_line(const char *text, const char *word)
     return false;
 }
 
-/* Files of boards and solids in text: Gerber and Excellon look like G-code. */
-static const foreign *workshop_kind(const char *text)
+/* Boards: Gerber looks like G-code. */
+static bool is_gerber(const char *text)
 {
-    static const foreign gerber   = { "", 0, "Gerber", GERBER },
-                         excellon = { "", 0, "Excellon, holes of a board",
-                                      "convert it, as with `pcb2gcode` or `gerbv -x svg`" },
-                         stl      = { "", 0, "STL, a solid",
-                                      "cut it to outlines in a slicer, and save those as SVG" };
-
-    if (has_line(text, "%FS") || has_line(text, "%MO") || has_line(text, "%ADD"))
-        return &gerber;
-    /* M48 alone is a command of LinuxCNC */
-    if (has_line(text, "M48") &&
-        (has_line(text, "METRIC") || has_line(text, "INCH") || has_line(text, "FMAT")))
-        return &excellon;
-    return strncmp(text, "solid", 5) == 0 && strstr(text, "facet") != NULL ? &stl : NULL;
+    return has_line(text, "%FS") || has_line(text, "%MO") || has_line(text, "%ADD");
 }
 
-static const foreign *foreign_kind(const char *text, size_t size)
+/* Holes of boards; M48 alone is a command of LinuxCNC. */
+static bool is_excellon(const char *text)
 {
-    static const foreign dxf = { "", 0, "DXF", CONVERT }, hpgl = { "", 0, "HP-GL", CONVERT };
-
-    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
-        if (size >= kinds[i].length && memcmp(text, kinds[i].start, kinds[i].length) == 0)
-            return &kinds[i];
-    return is_dxf(text) ? &dxf : is_hpgl(text) ? &hpgl : workshop_kind(text);
+    return has_line(text, "M48") &&
+           (has_line(text, "METRIC") || has_line(text, "INCH") || has_line(text, "FMAT"));
 }
 
-int foreign_refuse(const char *file, const char *text, size_t size)
+static bool is_stl(const char *text)
 {
-    const foreign *kind = foreign_kind(text, size);
-
-    return kind ? tool_error(EX_DATAERR, "%s: is %s: %s", file, kind->name, kind->remedy) : 0;
+    return strncmp(text, "solid", 5) == 0 && strstr(text, "facet") != NULL;
 }
+
+#define BY_SIGNS(kind)                                                                           \
+    static int probe_##kind(const reader *r, const char *file, const char *text, size_t size)    \
+    {                                                                                            \
+        (void)r, (void)file, (void)size;                                                         \
+        return is_##kind(text) ? READER_SIGNS : READER_NOT;                                      \
+    }
+BY_SIGNS(dxf)
+BY_SIGNS(hpgl)
+BY_SIGNS(gerber)
+BY_SIGNS(excellon)
+BY_SIGNS(stl)
+
+#define CONVERT "convert it, as with `inkscape FILE --export-filename=drawing.svg`"
+#define TRACE   "trace it to paths, as with `potrace --svg` or in inkscape"
+#define UNPACK  "unpack it first"
+#define MAGIC(start, name, remedy) \
+    { name, reader_by_magic, NULL, NULL, READER_BYTES, remedy, start, sizeof start - 1 }
+#define SIGNS(kind, name, remedy) { name, probe_##kind, NULL, NULL, READER_BYTES, remedy, NULL, 0 }
+
+const reader foreign_readers[FOREIGN_KINDS] = {
+    MAGIC("%PDF-", "PDF", CONVERT),
+    MAGIC("%!PS", "PostScript", "convert it, as with `pstoedit -f plot-svg`"),
+    MAGIC("\xC5\xD0\xD3\xC6", "PostScript", CONVERT),
+    MAGIC("AutoCAD Binary DXF", "DXF", CONVERT),
+    MAGIC("AC10", "DWG", "save it as SVG in the program that drew it"),
+    MAGIC("ISO-10303-21", "STEP", "save the outline as SVG in the program that drew it"),
+    MAGIC("\x89PNG", "a PNG picture", TRACE),
+    MAGIC("\xFF\xD8\xFF", "a JPEG picture", TRACE),
+    MAGIC("GIF8", "a GIF picture", TRACE),
+    MAGIC("RIFF", "a WebP picture or other RIFF file", TRACE),
+    MAGIC("II*\0", "a TIFF picture", TRACE),
+    MAGIC("MM\0*", "a TIFF picture", TRACE),
+    MAGIC("PK\3\4", "a ZIP archive or a document in one, as .odg",
+          "unpack it, or export SVG from its program"),
+    MAGIC("\xFD"
+          "7zXZ",
+          "compressed with xz", UNPACK),
+    MAGIC("BZh", "compressed with bzip2", UNPACK),
+    MAGIC("\x28\xB5\x2F\xFD", "compressed with zstd", UNPACK),
+    SIGNS(dxf, "DXF", CONVERT),
+    SIGNS(hpgl, "HP-GL", CONVERT),
+    SIGNS(gerber, "Gerber", "convert it, as with `gerbv -x svg`, or to G-code with pcb2gcode"),
+    SIGNS(excellon, "Excellon, holes of a board",
+          "convert it, as with `pcb2gcode` or `gerbv -x svg`"),
+    SIGNS(stl, "STL, a solid", "cut it to outlines in a slicer, and save those as SVG")
+};

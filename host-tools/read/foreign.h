@@ -1,13 +1,12 @@
-/* host-tools/read/foreign.h -- files of other programs that loft cannot read
+/* host-tools/read/foreign.h -- files of other programs that loft cannot read: rows that refuse
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_FOREIGN_H
 #define LOFT_FOREIGN_H
 
-#include <stddef.h>
+#include "read/reader.h"        /* reader */
 
-/* Returns 0; or EX_DATAERR after printing what the file is and what to do with it: DXF, HP-GL, PDF,
- * PNG and others. `text` holds `size` bytes, followed by a 0. */
-int foreign_refuse(const char *file, const char *text, size_t size);
+#define FOREIGN_KINDS 21
+extern const reader foreign_readers[FOREIGN_KINDS];
 
 #endif

@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "svg/svg.h"
+#include "svg/svg_file.h"
 #include "base/tool.h"       /* tool_error, tool_grow */
 
 /* bytes from entities and defaults, counted for each use */
@@ -399,3 +400,18 @@ int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size
         xmlFreeDoc(document);
     return code;
 }
+
+static int probe_svg(const reader *r, const char *file, const char *text, size_t size)
+{
+    (void)r, (void)file, (void)size;
+    return source_is_xml(text) ? READER_XML : READER_NOT;
+}
+
+static int read_whole(drawing *d, const char *file, source *s)
+{
+    return drawing_read_svg(d, file, s->text, s->size);
+}
+
+const reader reader_svg = {
+    .name = "SVG", .probe = probe_svg, .read = read_whole, .takes = READER_BYTES | READER_LAYERS
+};

@@ -8,6 +8,7 @@
 
 #include "base/tool.h"           /* what host tools share */
 #include "plan/toolpath.h"       /* toolpath_make */
+#include "readers.h"
 
 int main(int count, char **word)
 {

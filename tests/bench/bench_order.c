@@ -16,6 +16,7 @@
 
 #include "arrange/order.h"
 #include "tools/tour_bound.h"
+#include "readers.h"
 
 #define MOST   1.05
 #define ROUNDS 100              /* of the bound; each takes the square of the strokes */

@@ -22,6 +22,7 @@
 
 #include "base/tool.h"       /* tool_grow */
 #include "read/drawing.h"
+#include "readers.h"
 
 #define DPI       300.0
 #define PAGE_MAX  6000.0        /* pixels; larger pages are not compared */

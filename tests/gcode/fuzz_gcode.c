@@ -10,6 +10,7 @@
 #include "tools/fuzz_reader.h"
 #include "read/drawing.h"
 #include "gcode/gcode.h"
+#include "gcode/gcode_draw.h"
 #include "read/machine_tools.h"
 
 static const machine_tools bench = { .tool = { { .name = "2", .diameter = 6, .length = 5 },

@@ -15,6 +15,7 @@
 #include "check.h"      /* CHECK, PROPERTY */
 #include "read/drawing.h"
 #include "base/tool.h"  /* replaced here */
+#include "svg/svg_file.h"
 
 static char caught[4096];       /* the lines that tool_error was given */
 static unsigned caught_lines;

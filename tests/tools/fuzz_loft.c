@@ -10,6 +10,10 @@
 #include "engine/surface.h"
 #include "tools/fuzz_reader.h"
 #include "read/drawing.h"
+#include "geometry/surface_text.h"
+#include "geometry/curve_text.h"
+#include "read/csv.h"
+#include "read/drawing_curves.h"
 
 static void check_curves(const char *text)
 {

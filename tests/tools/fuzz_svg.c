@@ -8,6 +8,7 @@
 
 #include "tools/fuzz_reader.h"
 #include "read/drawing.h"
+#include "svg/svg_file.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {

@@ -7,6 +7,7 @@
 
 #include "arrange/areas.h"
 #include "tools/drawn.h"
+#include "svg/svg_file.h"
 
 static bool areas_of(const char *inner, bool strokes, bool fills, drawing *d)
 {

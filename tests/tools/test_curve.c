@@ -5,6 +5,8 @@
 #include "tools/drawn.h"
 #include "engine/engine.h"
 #include "engine/curve.h"
+#include "geometry/curve_text.h"
+#include "read/drawing_curves.h"
 
 static int read_text(curves *all, const char *text)
 {

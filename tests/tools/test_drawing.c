@@ -7,6 +7,8 @@
 #include <zlib.h>
 
 #include "tools/drawn.h"
+#include "readers.h"
+#include "read/drawing_curves.h"
 
 static char folder[] = "/tmp/loft-drawing-XXXXXX";
 

@@ -11,6 +11,11 @@
 #include "plan/toolpath.h"
 #include "send/gcode_write.h"
 #include "tools/drawn.h"
+#include "svg/svg_file.h"
+#include "gcode/gcode.h"
+#include "gcode/gcode_draw.h"
+#include "read/csv.h"
+#include "read/drawing_curves.h"
 
 #define DIGITS 0.0002       /* mm: four decimals of ends and centres */
 

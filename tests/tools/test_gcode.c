@@ -8,6 +8,7 @@
 #include "tools/gcode_moves.h"
 #include "plan/toolpath.h"
 #include "gcode/gcode.h"
+#include "gcode/gcode_draw.h"
 
 static int read_text(drawing *d, const char *text)
 {

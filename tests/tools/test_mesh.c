@@ -8,6 +8,7 @@
 #include "tools/drawn.h"          /* CHECK, tool_error */
 #include "engine/engine.h"
 #include "draw/mesh.h"
+#include "geometry/surface_text.h"
 
 #define N 12
 

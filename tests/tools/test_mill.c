@@ -9,6 +9,7 @@
 #include "engine/surface.h"
 #include "tools/chords.h"           /* over_path */
 #include "tools/drawn.h"            /* CHECK, tool_error */
+#include "geometry/surface_text.h"
 
 #define CUSP_ERRS 1.05          /* what is left against the cusp that was asked */
 

@@ -6,6 +6,7 @@
 #include "tools/drawn.h"          /* CHECK, tool_error */
 #include "base/space.h"
 #include "draw/refine.h"
+#include "geometry/surface_text.h"
 
 static double between(arb *a, double low, double high)
 {

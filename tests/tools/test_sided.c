@@ -9,6 +9,7 @@
 #include "draw/mesh.h"
 #include "polygon/multiindex.h"     /* loft_multiindex_next */
 #include "engine/sided.h"
+#include "geometry/surface_text.h"
 
 #define N 12
 

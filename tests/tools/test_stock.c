@@ -4,6 +4,7 @@
 #include "mill/left.h"
 #include "mill/stock.h"
 #include "tools/drawn.h"            /* CHECK, tool_error */
+#include "geometry/surface_text.h"
 
 static void words_are_read_or_refused(arb *a)
 {

@@ -4,6 +4,7 @@
 #include <time.h>       /* clock: processor time */
 
 #include "tools/drawn.h"
+#include "svg/svg_file.h"
 
 
 // Path data

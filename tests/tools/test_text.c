@@ -6,6 +6,7 @@
 
 #include "support/kept_fonts.h"
 #include "tools/drawn.h"
+#include "svg/svg_file.h"
 
 #define FONT "DejaVu Sans"
 

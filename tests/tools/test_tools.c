@@ -7,6 +7,9 @@
 #include "arrange/tools.h"
 #include "plan/toolpath.h"
 #include "tools/drawn.h"
+#include "svg/svg_file.h"
+#include "gcode/gcode.h"
+#include "gcode/gcode_draw.h"
 
 double tool_clock(void) { return 0; }
 

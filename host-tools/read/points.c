@@ -1,4 +1,4 @@
-/* host-tools/read/curve_read.c -- reads curves from any file; its content tells the format
+/* host-tools/read/points.c -- curves as numbers
  * SPDX-License-Identifier: MIT
  *
  * Plain lines: `x y [z]` is a control point, an empty line ends the curve, `#` starts a comment;
@@ -9,13 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/curve.h"
-#include "read/drawing.h"    /* drawing_read_svg */
-#include "read/foreign.h"
-#include "gcode/gcode.h"      /* gcode_is_text */
 #include "base/scan.h"       /* scan_numbers */
-#include "base/source.h"     /* source_read */
 #include "base/tool.h"       /* tool_error, sysexits */
+#include "read/csv.h"        /* drawing_csv_parts */
+#include "read/points.h"
 
 /* A curve that grows point by point. */
 typedef struct {
@@ -82,23 +79,25 @@ static int add_line(reading *r, const char *text, unsigned line)
     return code;
 }
 
-static int read_lines(reading *r, const char *text)
+static int read_lines(curves *all, const char *file, const char *text)
 {
-    int code = 0;
+    reading r = { .all = all, .file = file };
+    int code  = 0;
 
     for (unsigned line = 1; *text != '\0' && code == 0; line++) {
-        code = add_line(r, text, line);
+        code = add_line(&r, text, line);
         text += strcspn(text, "\n");
         text += *text == '\n';
     }
-    end_curve(r);
+    end_curve(&r);
     return code;
 }
 
-/* The points of one curve, "0,0 1,2 3,0": spaces between points, commas between coordinates. */
-static int read_points(reading *r, const char *text)
+/* Spaces stand between points, commas between coordinates. */
+int curves_of_points(curves *all, const char *text)
 {
-    int code = 0;
+    reading r = { .all = all, .file = "--points" };
+    int code  = 0;
 
     for (text += strspn(text, " "); *text != '\0' && code == 0; text += strspn(text, " ")) {
         char point[128];
@@ -107,62 +106,38 @@ static int read_points(reading *r, const char *text)
             return tool_error(EX_USAGE, "--points %s: give points as \"x,y x,y ..\"", text);
         memcpy(point, text, length);
         point[length] = '\0';
-        code = add_line(r, point, 1);
+        code = add_line(&r, point, 1);
         text += length;
     }
-    end_curve(r);
+    end_curve(&r);
     return code;
 }
 
-/* The travels of a program are no curves. */
-static int read_drawing(reading *r, const char *text, size_t size, bool svg)
+int curves_of_drawing(curves *all, const drawing *d, const char *file)
 {
-    drawing d = { 0 };
-    int code  = (svg ? drawing_read_svg : drawing_read_gcode)(&d, r->file, text, size);
+    reading r = { .all = all, .file = file };
+    int code  = 0;
 
-    for (size_t i = 0; i < d.count && code == 0; i++) {
-        for (int k = 0; k < 4 && !(d.curve[i].feed < 0); k++) {
-            const double at[3] = { d.curve[i].p[k][0], d.curve[i].p[k][1], d.curve[i].z[k] };
-            (void)add_point(r, at, svg ? 2 : 3, d.curve[i].line);
+    for (size_t i = 0; i < d->count && code == 0; i++) {
+        const drawing_curve *c = &d->curve[i];
+        for (int k = 0; k < 4 && !(c->feed < 0) && code == 0; k++) {
+            const double at[3] = { c->p[k][0], c->p[k][1], c->z[k] };
+            code = add_point(&r, at, d->program ? 3 : 2, c->line);
         }
-        end_curve(r);
+        end_curve(&r);
     }
-    drawing_free(&d);
     return code;
 }
 
-static int read_file(reading *r, const char *file)
+/* What no other kind takes. */
+static int probe_rest(const reader *r, const char *file, const char *text, size_t size)
 {
-    size_t size;
-    int code;
-    char *text = source_read(file, &size, &code);
-
-    if (text == NULL)
-        return code;
-    if (source_is_xml(text))
-        code = read_drawing(r, text, size, true);
-    else if (foreign_refuse(r->file, text, size) != 0)
-        code = EX_DATAERR;
-    else if (strlen(text) != size)
-        code = tool_error(EX_DATAERR, "%s: is not text: give control points, one per line",
-                          r->file);
-    else if (curves_is_text(file, text))
-        code = curves_read_text(r->all, r->file, text);
-    else if (gcode_is_text(file, text))
-        code = read_drawing(r, text, size, false);
-    else
-        code = read_lines(r, text);
-    free(text);
-    return code;
+    (void)r, (void)file, (void)text, (void)size;
+    return READER_REST;
 }
 
-int curves_read(curves *all, const char *file, const char *text)
-{
-    reading r = { .all = all, .file = text ? "--points" : source_name(file) };
-    const int code = text ? read_points(&r, text) : read_file(&r, file);
-
-    if (code == 0 && all->count == 0)
-        return tool_error(EX_DATAERR, "%s: no curve in it: give control points, one per line",
-                          r.file);
-    return code;
-}
+const reader reader_numbers = { .name   = "lines of numbers",
+                                .probe  = probe_rest,
+                                .read   = drawing_csv_parts,
+                                .curves = read_lines,
+                                .takes  = READER_PARTS };

@@ -1,0 +1,17 @@
+/* host-tools/read/points.h -- curves as numbers: control points, or a cubic per line
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_POINTS_H
+#define LOFT_POINTS_H
+
+#include "read/reader.h"
+
+extern const reader reader_numbers;
+
+/* The control points of one Bezier curve, "0,0 1,2 3,0". */
+int curves_of_points(curves *all, const char *text);
+
+/* The curves of a drawing; the travels of a program are none. */
+int curves_of_drawing(curves *all, const drawing *d, const char *file);
+
+#endif
