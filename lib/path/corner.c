@@ -30,12 +30,13 @@
  * A joint of chords is a part of a bend, not a corner, where a curve in the tolerance follows it.
  * Let the path turn by w around the joint, on the way s: as far as it turns by about a radian, at
  * most 128 tol to each side, less where it begins or ends. Then its curvature is k = 2 w / s. If
- * what that explains of the second differences, k l^2, leaves no more than 2 tol of them at any
+ * what that explains of the second differences, k l^2, leaves no more than 5/2 tol of them at any
  * scale, and w is larger than the turn of the joint alone by a quarter, it is passed at
  *
  *     min(sqrt(a / k), cbrt(j / k^2))
  *
- * and no place goes onto it. So neither the feed nor the length of chords says what a corner is.
+ * and no place goes onto it. Chords that are off their curve by the tolerance leave 2 tol at half
+ * of their length, and few decimals some more. So neither the feed nor the length of chords says what a corner is.
  *
  * Curves turn by too little at that scale. Where one of more than 16 tol is tightest, with the
  * curvature k, it is passed at sqrt(a / k): if that is less than half of the cap, or if the cubic
@@ -318,7 +319,7 @@ static bool is_bend(const loft_corners *c, unsigned i, loft_coord tol, const ben
             dot += (int64_t)a[j] * UNIT / l * near->turn[j];
             a[j] -= (loft_coord)(near->turn[j] * l / UNIT * 2 * l / near->way);
         }
-        if (loft_coord_length(a) > 2 * tol)
+        if (loft_coord_length(a) > tol / 2 * 5)
             return false;
     }
     return size > 0 && 4 * dot >= 5 * size * size;

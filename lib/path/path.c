@@ -16,7 +16,7 @@
 #define RUN         3                               /* ways that are spaced anew at once */
 #define POINT       64                              /* what is shorter is a point */
 #define MEAN        16                              /* points of the path in a mean, */
-#define MEANS       2                               /* over so many ways before and behind */
+#define LATER       2                               /* places behind one that goes onto it */
 
 
 // Places
@@ -261,62 +261,94 @@ static loft_coord skipped(loft_path *path, unsigned k)
     return most;
 }
 
-/* The mean of the path around s that a parabola goes through: 4/3 of that within half a way before
- * and behind, less 1/3 of that within a whole one. It is given as seen from `at`. */
+/* A curve is outside of its chords: by up to l turn / 8, with chords of the length l, and by 2/3 of
+ * that on a mean. So at a joint their mean goes out by a 6th: then both sides are as far. */
+static void go_out(const loft_chain_walk *before, const loft_chain_walk *after, int64_t way,
+                   int weight, int64_t sum[])
+{
+    const int64_t length = loft_coord_least(before->length, after->length),
+                  l = length < way ? length : way, part = l * l / way * weight;
+    int16_t u[LOFT_AXES], v[LOFT_AXES];
+
+    loft_chain_direction(before, 2, u);
+    loft_chain_direction(after, 0, v);
+    for (int i = 0; i < LOFT_AXES; i++)
+        sum[i] += ((int64_t)u[i] - v[i]) * part / LOFT_CHAIN_UNIT / 6;
+}
+
+/* The mean of the path around s that a parabola goes through: 4/3 of that with weights which fall
+ * to nothing within half of the way before and behind, less 1/3 of that within all of it. So it
+ * hardly depends on where joints are, if the way is as long as two chords. It is given as seen from
+ * `at`. */
 static void mean_of(const loft_path *path, int64_t s, int64_t way, const loft_position *at,
                     loft_coord out[])
 {
+    static const int8_t weights[MEAN / 2] = { 96, 69, 37, 7, -8, -5, -3, -1 };
     loft_chain_walk w = *walk_before(path, s - way);
     int64_t sum[LOFT_AXES] = { 0 };
 
     for (int n = 0; n < MEAN; n++) {
         const int64_t to = s - way + way * (2 * n + 1) / MEAN;
-        const int weight = n >= MEAN / 4 && n < MEAN - MEAN / 4 ? 7 : -1;
+        const int weight = weights[n < MEAN / 2 ? MEAN / 2 - 1 - n : n - MEAN / 2];
         loft_position p;
-        while (to > w.s + w.length && follow(path, &w))
-            ;
+        while (to > w.s + w.length) {
+            const loft_chain_walk before = w;
+            if (!follow(path, &w))
+                break;
+            if (w.s > s - way)
+                go_out(&before, &w, way, weight, sum);
+        }
         loft_chain_place(&w, to, &p);
         for (int i = 0; i < LOFT_AXES; i++)
             sum[i] += (int64_t)weight * loft_coord_sub(p.axis[i], at->axis[i]);
     }
     for (int i = 0; i < LOFT_AXES; i++)
-        out[i] = (loft_coord)(sum[i] / (3 * MEAN));
+        out[i] = (loft_coord)(sum[i] / (24 * MEAN));
 }
 
-/* The way from place k to that n places before or behind it, where no sharp one is between. */
-static int64_t way_beside(const loft_path *path, unsigned k, unsigned n)
+/* How far the path is known before and behind place k, without a sharp place. */
+static int64_t clear_way(const loft_path *path, unsigned k)
 {
-    const loft_path_waiting *q = &path->queue[k];
+    const loft_path_waiting *q = path->queue;
+    const loft_corner *sharp = loft_corners_next_sharp(&path->corners, path->s);
+    unsigned from = k, to = k + 1;
+    int64_t end = path->corners.known;
 
-    if (k < n || k + n >= path->queued)
-        return 0;
-    for (unsigned i = 1; i < n; i++)
-        if (q[i].on.sharp || (q - i)->on.sharp)
-            return 0;
-    const int64_t back = q->s - (q - n)->s, on = q[n].s - q->s;
+    while (from > 0 && !q[--from].on.sharp)
+        ;
+    while (to < path->queued && !q[to].on.sharp)
+        to++;
+    if (to < path->queued)
+        end = q[to].s;
+    else if (sharp && sharp->s < end)
+        end = sharp->s;
+    const int64_t back = q[k].s - q[from].s, on = end - q[k].s;
     return back < on ? back : on;
 }
 
 /* Place k goes onto the mean of the path around it, where that has joints: a place is where the
- * motion could pass, not a point of the chords that a curve was written in. The mean is over as
- * many ways as it leaves the path by less than half of the tolerance for. */
+ * motion could pass, not a point of the chords that a curve was written in. The mean is within 9/2
+ * ways, if it leaves the path by less than 5/8 of the tolerance, or within 3, or 2. */
 static void average(loft_path *path, unsigned k)
 {
     loft_path_waiting *q = &path->queue[k];
     const loft_position at = q->on.at;
-    int64_t before = 0;
 
-    for (unsigned n = 1; n <= MEANS && !q->on.sharp; n *= 2) {
-        const int64_t way = way_beside(path, k, n);
+    if (k == 0 || k + 1 >= path->queued || q->on.sharp)
+        return;
+    const int64_t back = q->s - q[-1].s, on = q[1].s - q->s, one = back < on ? back : on,
+                  clear = clear_way(path, k);
+    for (int n = 9; n >= 4; n = n * 2 / 3) {
+        const int64_t most = one * n / 2, way = most < clear ? most : clear;
         loft_coord mean[LOFT_AXES];
-        if (way < POINT || 2 * way < 3 * before || loft_corners_smooth(&path->corners, q->s - way))
+        if (way < POINT || loft_corners_smooth(&path->corners, q->s - way))
             return;
         mean_of(path, q->s, way, &at, mean);
-        if (n > 1 && loft_coord_length(mean) > path->chain.period->tol / 2)
-            return;
+        if (n > 4 && loft_coord_length(mean) > path->chain.period->tol / 8 * 5)
+            continue;
         for (int i = 0; i < LOFT_AXES; i++)
             q->on.at.axis[i] = loft_coord_add(at.axis[i], mean[i]);
-        before = way;
+        return;
     }
 }
 
@@ -473,7 +505,7 @@ static enum loft_path_state fill(loft_path *path)
             path->queued++;
         }
     }
-    while (path->averaged + (path->chain.closed ? 0u : MEANS) < path->queued)
+    while (path->averaged + (path->chain.closed ? 0u : LATER) < path->queued)
         average(path, path->averaged++);
     return LOFT_PATH_PLACE;
 }

@@ -262,6 +262,25 @@ static void ways_change_by_little(arb *a)
     }
 }
 
+/* Places lie between the chords and their circle: so both are off by half of the sag, whatever the
+ * chords are that a place is beside. Chords of more than 2 ways are longer than what is looked at,
+ * and near an end it is less. */
+static void chords_are_off_by_half_of_their_sag(arb *a)
+{
+    const ring_of c = arb_ring(a);
+    const double sag = arb_between(a, 0.3, 0.95), tol = arb_value(limits.tol);
+
+    add_ring(&c, sag);
+    const double chord = TURN * c.r / curves;
+    CHECK(find_places());
+    for (unsigned k = 16; k + 16 < found; k++) {
+        const double way = ldexp((double)(along[k + 1] - along[k]), -24);
+        CHECK(!found_at[k].sharp);
+        if (2 * way > chord && way < 2 * chord)
+            CHECK_NEAR(ldexp(loft_path_skip(&found_at[k]), -24) / tol, sag / 2, 0.16);
+    }
+}
+
 static unsigned places_of(const ring_of *c, double sag)
 {
     add_ring(c, sag);
@@ -312,6 +331,7 @@ int main(void)
     PROPERTY(it_does_not_matter_how_a_path_is_cut, 20);
     PROPERTY(no_place_skips_more_than_the_tube, 40);
     PROPERTY(ways_change_by_little, 30);
+    PROPERTY(chords_are_off_by_half_of_their_sag, 40);
     PROPERTY(a_circle_is_one_however_it_is_written, 20);
     PROPERTY(curves_that_do_not_fit_are_refused, 5);
     return check_failures();
