@@ -232,6 +232,18 @@ CHECK_STAGES := lint test test-axes test-effort test-tools check-vectors-all \
 check:
 	@MAKE="$(MAKE)" bash tests/house/check.sh $(CHECK_STAGES)
 
+# A push runs the same seeds each time, and of some stages a part (`left to make check-all: ..`).
+# All of it runs each night, with other seeds each day; the day's first one is printed.
+FIRST_SEED ?= $(shell date -u +%Y%m%d)00000
+ALL_STAGES := $(CHECK_STAGES) check-cross check-target check-packages check-gcode
+
+## Check all that there is, with seeds of the day, in hours (all of make deps*)   FIRST_SEED=
+.PHONY: check-all
+check-all:
+	@echo "seeds from $(FIRST_SEED); again: make check-all FIRST_SEED=$(FIRST_SEED)"
+	@MAKE="$(MAKE)" ALL=1 LOFT_ALL=1 LOFT_FIRST=$(FIRST_SEED) \
+	    bash tests/house/check.sh $(ALL_STAGES)
+
 ## Check the rules of the house: warnings of gcc and clang, arrows, freestanding, names, docs
 .PHONY: lint
 lint: build/loft

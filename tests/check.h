@@ -8,7 +8,9 @@
  *     static void ends_on_the_last_point(arb *a) { ... CHECK(x == y); ... }
  *     int main(void) { PROPERTY(ends_on_the_last_point, 2000); return check_failures(); }
  *
- * On a target, only one of CHECK_SHARE seeds runs; on a host LOFT_SHARE=<n> does the same.
+ * On a target, only one of CHECK_SHARE seeds runs, the first ones. On a host LOFT_SHARE=<n> takes
+ * one of n, spread over all: always the same for a property, others for another. LOFT_FIRST=<seed>
+ * moves all seeds: they begin there instead of at 1.
  * Exhaustive loops use the step CHECK_STEP, and totals over all seeds are checked only if
  * !check_sampled(). Each property prints one line, `ok` or `FAIL`. check_failures() prints the
  * totals and returns the exit code.
@@ -82,29 +84,60 @@ static inline unsigned check_one_of(void)
 }
 
 /* Does this run use only some of the seeds? */
-static inline bool check_sampled(void) { return check_one_of() > 1 || getenv("LOFT_SEED") != NULL; }
+static inline bool check_sampled(void)
+{
+    return check_one_of() > 1 || getenv("LOFT_SEED") != NULL || getenv("LOFT_FIRST") != NULL;
+}
 
 /* The step of an exhaustive loop. */
 #define CHECK_STEP (check_one_of() > 1 ? 31 : 1)
 
-#define PROPERTY(name, times)                                                                      \
-    check_property(#name, name, ((times) + check_one_of() - 1) / check_one_of())
+#define PROPERTY(name, times) check_property(#name, name, (times))
 
 /* For properties that take seconds per seed: skipped, with a message, in a share of the seeds. */
 #define PROPERTY_LONG(name, times)                                                                 \
     (check_one_of() > 1 ? check_left(#name, name) : PROPERTY(name, times))
 
+typedef struct {
+    uint64_t first, last, step;
+} check_seeds;
+
+/* A share of the seeds begins at another one for each property. */
+static inline uint64_t check_place(const char *name, uint64_t step)
+{
+    uint32_t hash = 2166136261u;
+
+    while (*name)
+        hash = (hash ^ (uint8_t)*name++) * 16777619u;
+    return step > 1 ? hash % step : 0;
+}
+
+static inline check_seeds check_seeds_of(const char *name, unsigned times)
+{
+    const char *one = getenv("LOFT_SEED"), *from = getenv("LOFT_FIRST");
+    const uint64_t share = check_one_of(), step = share < times ? share : times,
+                   first = from ? strtoull(from, NULL, 10) : 1;
+    char *end = NULL;
+    check_seeds s = { first + check_place(name, step), first + times - 1, step };
+
+    if (CHECK_SHARE > 1)                    /* as many of the first ones as a share has */
+        s = (check_seeds){ 1, (times + share - 1) / share, 1 };
+    if (one) {
+        s.first = s.last = strtoull(one, &end, 10);
+        s.step = 1;
+        if (*end == '-')
+            s.last = strtoull(end + 1, NULL, 10);
+    }
+    return s;
+}
+
 static inline void check_property(const char *name, void (*property)(arb *), unsigned times)
 {
-    const char *one = getenv("LOFT_SEED");
-    char *end = NULL;
-    const uint64_t first = one ? strtoull(one, &end, 10) : 1,
-                   last = !one          ? times
-                          : *end == '-' ? strtoull(end + 1, NULL, 10)
-                                        : first;
+    const check_seeds s = check_seeds_of(name, times);
+    unsigned count = 0;
 
     check_bad = false;
-    for (check_seed = first; check_seed <= last && !check_bad; check_seed++) {
+    for (check_seed = s.first; check_seed <= s.last && !check_bad; check_seed += s.step, count++) {
         arb a = arb_start(check_seed);
         property(&a);
     }
@@ -112,8 +145,7 @@ static inline void check_property(const char *name, void (*property)(arb *), uns
         check_failed++;
     else
         check_passed++;
-    printf("%s %s %s (%u)\n", check_bad ? "FAIL" : "ok  ", CHECK_NUM, name,
-           (unsigned)(last - first + 1));
+    printf("%s %s %s (%u)\n", check_bad ? "FAIL" : "ok  ", CHECK_NUM, name, count);
     fflush(stdout);
 }
 

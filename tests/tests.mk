@@ -50,7 +50,7 @@ $(foreach n,$(NUMS),$(eval $(call tested,$(n))))
 # Those that take long: all seeds as the library is built for use, a share of them sanitized. The
 # longest first, so that no core waits at the end.
 TESTS_LONG := plan any intersect waypoints planner
-TEST_SHARE := 8
+TEST_SHARE := $(if $(ALL),1,8)
 define plain
 build/plain/$(1)/%: test_%.c build/$(1)x$(AXES)/libloft.a
 	@mkdir -p $$(@D)
@@ -63,7 +63,7 @@ $(foreach n,$(NUMS),$(eval $(call plain,$(n))))
 
 ## Run all module tests in q16, f32 and f64 under ASan and UBSan (one module: make test-forward)
 .PHONY: test
-test: $(foreach n,$(NUMS),$(foreach t,$(TESTS_LONG),build/plain/$(n)/$(t)) \
+test: $(if $(ALL),,left-of-tests) $(foreach n,$(NUMS),$(foreach t,$(TESTS_LONG),build/plain/$(n)/$(t)) \
                           $(foreach t,$(TESTS),build/test/$(n)/$(t)))
 	@{ for t in $(TESTS_LONG); do for n in $(NUMS); do \
 	       echo "echo '-- $$t $$n'; build/plain/$$n/$$t"; done; done; \
@@ -73,6 +73,11 @@ test: $(foreach n,$(NUMS),$(foreach t,$(TESTS_LONG),build/plain/$(n)/$(t)) \
 	   for t in $(SOLVED) $(filter-out $(SOLVED) $(TESTS_LONG),$(TESTS)); do for n in $(NUMS); do \
 	       echo "echo '-- $$t $$n'; build/test/$$n/$$t"; done; done; } | \
 	    bash tests/house/beside.sh
+
+.PHONY: left-of-tests
+left-of-tests:
+	@echo "left to make check-all: of 8 seeds 7, sanitized, of $(TESTS_LONG);" \
+	    "narrow polygons of harmonic in two number types of three"
 
 ## Run all seeds of those that take long under ASan and UBSan too: minutes
 .PHONY: test-long

@@ -28,20 +28,10 @@ look-ahead with limited jerk|plan_init plan_push plan_end plan_next|plan
 a ball over a patch, line by line|lines_init lines_next|lines'
 
 mkdir -p "$out"
-built() {       # built CHIP: each file of lib/ once
-    local flags="-std=c99 -ffreestanding -Os -ffunction-sections -fdata-sections -Ilib $warnings"
-    mkdir -p "$out/$1"
-    for o in "$out/$1"/*.o; do          # of a file that is gone, or has another name
-        c=${o##*/} c=${c%.o}
-        [ -e "${c//-//}.c" ] || rm -f "$o"
-    done
-    for c in $(find lib/num lib/geom lib/basis lib/curve lib/surface/tensor lib/toolpath \
-                   lib/path lib/motion lib/machine \
-                   lib/wire -name '*.c' | LC_ALL=C sort) ports/bare/memory.c; do
-        o=$out/$1/$(echo "${c%.c}" | tr / -).o
-        [ "$o" -nt "$c" ] && [ -z "$(find lib -name '*.h' -newer "$o" | head -1)" ] && continue
-        $(compiler "$1") $flags -c "$c" -o "$o" || return
-    done
+built() {       # built CHIP: its objects, those of `make check-cross`, and the sizes of structs
+    local wrong
+    wrong=$(compile_lib "$1" q16 3)
+    [ -z "$wrong" ] || { echo "$wrong"; return 1; }
     {   echo '#include "loft/surfaces.h"'
         echo "$selections" | cut -d'|' -f3 | tr ' ' '\n' | sort -u |
             sed 's/.*/char size_&[sizeof(loft_&)];/'
@@ -49,11 +39,12 @@ built() {       # built CHIP: each file of lib/ once
     $(compiler "$1") -std=c99 -ffreestanding -fno-common -Ilib -c "$out/$1.c" -o "$out/$1.o"
 }
 measured() {    # measured CHIP FUNCTIONS STRUCTS: `flash RAM`
-    local wanted='' first ram=0 library="$out/$1/ports-bare-memory.o -lgcc"
+    local wanted='' first ram=0 objects=build/cross/$1-q16x3 library
+    library="$objects/ports-bare-memory.o -lgcc"
     [ "$1" != atmega328p ] || library='-lc -lgcc'
     for f in $2; do wanted="$wanted -Wl,-u,loft_${f}_q16x3"; first=${first:-loft_${f}_q16x3}; done
     $(compiler "$1") -nostdlib -nostartfiles -Wl,--gc-sections -Wl,--entry="$first" $wanted \
-        "$out/$1"/[!p]*.o $library -o "$out/linked" || return
+        $(ls "$objects"/*.o | grep -v /ports-) $library -o "$out/linked" || return
     for s in $3; do
         size=$($(binutil "$1" nm) -S "$out/$1.o" | awk -v s="size_$s" '$4 == s { print $2 }')
         ram=$((ram + 0x$size))

@@ -30,18 +30,26 @@ missing_tools() {
     done | sort -u
 }
 
-# compile_lib TARGET NUM AXES: all of lib/ (and ports/template) into build/cross/TARGET-NUMxAXES;
-# errors on stdout
+# compile_lib TARGET NUM AXES: what is not yet compiled of lib/, ports/template and ports/bare into
+# build/cross/TARGET-NUMxAXES; errors on stdout. Objects of q16x3 are measured by footprint.sh too.
 compile_lib() {
     out=build/cross/$1-$2x$3
-    rm -rf "$out"
     mkdir -p "$out"
-    flags="-std=c99 -ffreestanding -Os -ffunction-sections -fstack-usage -Ilib -Iports $warnings"
+    flags="-std=c99 -ffreestanding -Os -ffunction-sections -fdata-sections -fstack-usage"
+    flags="$flags -Ilib -Iports $warnings"
     flags="$flags -DLOFT_NUM=LOFT_$(echo "$2" | tr a-z A-Z) -DLOFT_AXES=$3"
-    for c in $(find lib -name '*.c' ! -path 'lib/examples/*' | LC_ALL=C sort) ports/template/*.c; do
+    header=$(find lib ports -name '*.h' -exec stat -c '%Y %n' {} + | sort -n | tail -1)
+    : > "$out/made"
+    for c in $(find lib -name '*.c' ! -path 'lib/examples/*' | LC_ALL=C sort) ports/template/*.c \
+            ports/bare/memory.c; do
         [ -f "$c" ] || continue
-        object=$(echo "${c%.c}" | sed 's|^lib/||; s|/|-|g').o
+        object=$out/$(echo "${c%.c}" | sed 's|^lib/||; s|/|-|g').o
+        echo "$object" >> "$out/made"
+        [ ! "$object" -nt "$c" ] || [ ! "$object" -nt "${header#* }" ] || continue
         # shellcheck disable=SC2046,SC2086
-        $(compiler "$1") $flags -c "$c" -o "$out/$object" 2>&1 || echo "$c does not compile"
+        $(compiler "$1") $flags -c "$c" -o "$object" 2>&1 || echo "$c does not compile"
+    done
+    for object in "$out"/*.o; do        # of a file that is gone, or has another name
+        grep -qxF "$object" "$out/made" || rm -f "$object"
     done
 }
