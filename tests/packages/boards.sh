@@ -64,7 +64,7 @@ by_cmsis() {
         -Wl,--gc-sections -nostartfiles -Wl,-T,tests/packages/arduino/bare/arm/m0.ld -Wall \
         -Werror -Dmain=user_main -I"$pack" "$pack/examples/walk/walk.c" "$pack/loft.c" \
         "$work/say.o" -o "$work/cmsis.elf" &&
-        last timeout 60 qemu-system-arm -M lm3s6965evb -nographic -semihosting \
+        last timeout 600 qemu-system-arm -M lm3s6965evb -nographic -semihosting \
             -kernel "$work/cmsis.elf" </dev/null
 }
 verdict "CMSIS: the pack's files and sample for a Cortex-M3, run in QEMU" by_cmsis

@@ -40,8 +40,8 @@ plans() {
 verdict "demo.svg is planned to the same bytes in q16 and f64" plans
 streams() {     # a whole job, both ends emulated
     there simulate --once --quiet --link "$work/machine" & local machine=$!
-    for _ in 1 2 3 4 5 6 7 8 9; do [ -e "$work/machine" ] || sleep 0.3; done
-    if echo 0,0,1,2,3,2,4,0 | timeout 120 qemu-aarch64 -L "$root" "$tree/build/loft" stream - \
+    for _ in $(seq 3000); do [ -e "$work/machine" ] && break; sleep 0.02; done
+    if echo 0,0,1,2,3,2,4,0 | timeout 900 qemu-aarch64 -L "$root" "$tree/build/loft" stream - \
         --port "$work/machine"; then
         wait $machine
     else                            # nothing is left running

@@ -74,7 +74,7 @@ verdict "its control points are those of the drawing, within the rounding it sta
 on_avr() {
     avr-gcc -std=c99 -mmcu=atmega328p -Os -ffunction-sections -Wl,--gc-sections -Wall -Wextra \
         -Werror -Ilib $sources lib/num/avr.c -o "$work/read.elf" &&
-        timeout 60 simavr -m atmega328p -f 16000000 "$work/read.elf" 2>&1 |
+        timeout 600 simavr -m atmega328p -f 16000000 "$work/read.elf" 2>&1 |
         sed 's/\x1b\[[0-9;]*m//g; s/\.*$//' | grep -E '^-?[0-9]+,' > "$work/avr"
     diff "$work/avr" "$work/q16"
 }

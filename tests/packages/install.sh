@@ -114,7 +114,7 @@ by_fish() {
 }
 verdict "fish completes commands, options and their words" by_fish
 # zsh in a pseudo terminal of its own, with TAB pressed
-by_zsh() { timeout 60 zsh -f "$top/tests/packages/complete.zsh" "$root/share/zsh/site-functions"; }
+by_zsh() { timeout 600 zsh -f "$top/tests/packages/complete.zsh" "$root/share/zsh/site-functions"; }
 verdict "zsh completes commands, options and their words" by_zsh
 
 removed() {

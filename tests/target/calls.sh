@@ -20,14 +20,14 @@ sources="$sources lib/surface/tensor/coons.c lib/toolpath/lines.c lib/toolpath/l
 flags="-std=c99 -ffunction-sections -fdata-sections -Wl,--gc-sections"
 flags="$flags -Ilib -Itests/target -DLOFT_AXES=3"
 avr-gcc -mmcu=atmega328p -Os $flags $sources -o "$dir/calls.elf" &&
-timeout 300 simavr -m atmega328p -f 16000000 "$dir/calls.elf" 2>&1 |
+timeout 900 simavr -m atmega328p -f 16000000 "$dir/calls.elf" 2>&1 |
     sed 's/\x1b\[[0-9;]*m//g; s/\.*$//' >"$dir/atmega328p"
 avr-gcc -mmcu=atmega328p -DLINES -Os $flags $sources -o "$dir/lines.elf" &&
-timeout 300 simavr -m atmega328p -f 16000000 "$dir/lines.elf" 2>&1 |
+timeout 900 simavr -m atmega328p -f 16000000 "$dir/lines.elf" 2>&1 |
     sed 's/\x1b\[[0-9;]*m//g; s/\.*$//' >>"$dir/atmega328p"
 avr-gcc -mmcu=atmega328p -DF_CPU=16000000UL -Os $flags -Wl,--section-start=.ring=0x800100 \
     -Wl,-Tdata=0x800180 tests/target/slots.c lib/machine/step.c lib/num/*.c -o "$dir/slots.elf" &&
-timeout 300 simavr -m atmega328p -f 16000000 "$dir/slots.elf" 2>&1 |
+timeout 900 simavr -m atmega328p -f 16000000 "$dir/slots.elf" 2>&1 |
     sed 's/\x1b\[[0-9;]*m//g; s/\.*$//' >>"$dir/atmega328p"
 # cycles_of NAME FUNCTION..: of the dearest call of the first, by cycles.awk
 cycles_of() {
@@ -36,7 +36,7 @@ cycles_of() {
     ranges=$(arm-none-eabi-nm -S "$dir/calls-$core.elf" | awk -v names=" $* " '
         { name = $4; sub(/_q16x3$/, "", name) }
         index(names, " " name " ") { printf "%s0x%s+0x%s", comma, $1, $2; comma = "," }')
-    timeout 300 qemu-system-arm -M netduinoplus2 -nographic -monitor none -serial none \
+    timeout 900 qemu-system-arm -M netduinoplus2 -nographic -monitor none -serial none \
         -icount shift=0 -singlestep -d exec,nochain -dfilter "$ranges" -D "$dir/trace" \
         -semihosting-config enable=on,target=native -kernel "$dir/calls-$core.elf" >"$dir/out" 2>&1
     first=$(arm-none-eabi-nm "$dir/calls-$core.elf" |
@@ -49,7 +49,7 @@ for core in cortex-m0 cortex-m4; do
     arm-none-eabi-gcc -mthumb -mcpu=$core -O2 -ffreestanding -nostdlib $flags \
         -T tests/target/netduino.ld tests/target/microbit.c tests/target/semihost.S $sources -lgcc \
         -o "$dir/calls-$core.elf" &&
-    timeout 300 qemu-system-arm -M netduinoplus2 -nographic -monitor none -serial none \
+    timeout 900 qemu-system-arm -M netduinoplus2 -nographic -monitor none -serial none \
         -icount shift=0 -semihosting-config enable=on,target=native \
         -kernel "$dir/calls-$core.elf" >"$dir/$core" 2>&1
     arm-none-eabi-objdump -d "$dir/calls-$core.elf" >"$dir/listing"

@@ -37,7 +37,7 @@ here() {
         --max-speed "$2" --accel 500 --slots 20 --queue 1024 >"$tmp/sim" &
     local sim=$!
     for _ in $(seq 3000); do [ -e "$tmp/at.$1" ] && break; sleep 0.02; done
-    timeout 300 "$loft" stream "$drawing" --feed $feed --port "$tmp/at.$1" >"$tmp/planned" 2>&1
+    timeout 900 "$loft" stream "$drawing" --feed $feed --port "$tmp/at.$1" >"$tmp/planned" 2>&1
     wait $sim
 }
 
@@ -49,7 +49,7 @@ send() {
         sleep 0.05
     done
     # each case has a machine of its own, whose place no job before has lost
-    XDG_STATE_HOME=$tmp/state.$1 timeout 300 "$loft" stream "$drawing" --feed $feed \
+    XDG_STATE_HOME=$tmp/state.$1 timeout 900 "$loft" stream "$drawing" --feed $feed \
         --port "unix:$tmp/line" >"$tmp/$1.out" 2>&1 </dev/null
     echo $? > "$tmp/$1.code"
 }
@@ -86,7 +86,7 @@ paper() {
         priority=0 chip=/dev/0 x.step=0 x.dir=1 enable="2 low" \
         z.step=3 z.dir=4 y.step=/dev/1:0 y.dir=/dev/1:1 >"$tmp/said" 2>&1 & local machine=$!
     for _ in $(seq 3000); do [ -e "$tmp/paper.$1" ] && break; sleep 0.02; done
-    timeout 300 "$loft" stream "$drawing" --feed $feed --plan="$3" --port "$tmp/paper.$1" \
+    timeout 900 "$loft" stream "$drawing" --feed $feed --plan="$3" --port "$tmp/paper.$1" \
         >"$tmp/out" 2>&1 </dev/null
     code=$?
     wait $machine
@@ -134,7 +134,7 @@ outputs() {
     echo 'laser = yes' >"$tmp/laser.txt"
     channel
     on_paper pwm="$tmp/pwm" spindle=5 coolant=6 --once
-    timeout 300 "$loft" stream "$tmp/burn.nc" --machine "$tmp/laser.txt" --port "$tmp/at.paper" \
+    timeout 900 "$loft" stream "$tmp/burn.nc" --machine "$tmp/laser.txt" --port "$tmp/at.paper" \
         >"$tmp/out" 2>&1 </dev/null; code=$?
     wait $machine; row "laser: the program ends well" "$?" = 0
     wait $reader
@@ -152,13 +152,13 @@ outputs() {
     row "coolant: off, on, off" "$(awk '$2 == 6 { printf "%s ", $3 }' "$tmp/paper")" = "0 1 0 "
     on_paper relay=5 --once
     sed 's/M4/M3/; /M[89]/d' "$tmp/burn.nc" >"$tmp/turn.nc"
-    timeout 300 "$loft" stream "$tmp/turn.nc" --port "$tmp/at.paper" >"$tmp/out" 2>&1 </dev/null
+    timeout 900 "$loft" stream "$tmp/turn.nc" --port "$tmp/at.paper" >"$tmp/out" 2>&1 </dev/null
     row "relay: the command ends well"                        "$?" = 0
     wait $machine
     row "relay: on, off"  "$(awk '$2 == 5 { printf "%s ", $3 }' "$tmp/paper")" = "0 1 0 "
     on_paper relay=5 --once
     sed '/M[89]/d' "$tmp/burn.nc" >"$tmp/cut.nc"
-    timeout 300 "$loft" stream "$tmp/cut.nc" --machine "$tmp/laser.txt" --port "$tmp/at.paper" \
+    timeout 900 "$loft" stream "$tmp/cut.nc" --machine "$tmp/laser.txt" --port "$tmp/at.paper" \
         >"$tmp/out" 2>&1 </dev/null
     row "relay: a laser is not drawn"                         "$?" = 75
     wait $machine
@@ -179,7 +179,7 @@ homes() {
     printf '%s\n' 'x.travel = 40' 'x.home_order = 1' 'x.home_seek = 5' 'x.home_touch = 0.25' \
         >"$tmp/home.txt"
     LOFT_PAPER_SWITCH=400 on_paper x.limit=5
-    timeout 300 "$loft" home --machine "$tmp/home.txt" --port "$tmp/at.paper" >"$tmp/out" 2>&1
+    timeout 900 "$loft" home --machine "$tmp/home.txt" --port "$tmp/at.paper" >"$tmp/out" 2>&1
     code=$?
     row "home: the command ends well"                         "$code" = 0
     row "home: the touches differ by, in steps" \
@@ -191,7 +191,7 @@ homes() {
         $2 == 1 { minus = $3 } $2 == 0 && $3 { x += minus ? -1 : 1 }
         END { x += 160; print x < 0 ? -x : x }' "$tmp/paper")" "<=" 1
     LOFT_PAPER_SWITCH=400 on_paper probe=6
-    timeout 300 "$loft" probe x- --feed 1 --port "$tmp/at.paper" >"$tmp/out" 2>&1; code=$?
+    timeout 900 "$loft" probe x- --feed 1 --port "$tmp/at.paper" >"$tmp/out" 2>&1; code=$?
     row "probe: the command ends well"                        "$code" = 0
     row "probe: touched at, in mm" \
         "$(sed -n 's/^touched at -\([0-9.]*\) .*/\1/p' "$tmp/out")" "<=" 5.05
@@ -199,7 +199,7 @@ homes() {
     sed -i "s/^x.home_touch.*/x.home_touch = 2/" "$tmp/home.txt"
     echo "x.square = yes" >>"$tmp/home.txt"
     LOFT_PAPER_SWITCH=400 LOFT_PAPER_SKEW=30 on_paper x.step2=2 x.limit=5 x.limit2=7
-    timeout 300 "$loft" home --machine "$tmp/home.txt" --port "$tmp/at.paper" >"$tmp/out" 2>&1
+    timeout 900 "$loft" home --machine "$tmp/home.txt" --port "$tmp/at.paper" >"$tmp/out" 2>&1
     code=$?
     row "square: the command ends well"                       "$code" = 0
     row "square: its switches close within, in steps" \
@@ -218,7 +218,7 @@ homes() {
 refuses() {
     local expected=$1 text=$2 code
     shift 2
-    LOFT_PAPER=$tmp/paper timeout 60 "$guest/loft-gpio-memory" "$@" >"$tmp/out" 2>"$tmp/err"
+    LOFT_PAPER=$tmp/paper timeout 600 "$guest/loft-gpio-memory" "$@" >"$tmp/out" 2>"$tmp/err"
     code=$?
     row "refused: $*" "$code $(wc -l < "$tmp/err") $(grep -c "$text" "$tmp/err")" = "$expected 1 1"
 }

@@ -43,7 +43,7 @@ board() {
             >"$at/said" &
         local here=$!
         for _ in $(seq 3000); do [ -e "$at/here" ] && break; sleep 0.02; done
-        timeout 300 "$loft" stream "$job" --feed $feed --plan=$plan --port "$at/here" \
+        timeout 900 "$loft" stream "$job" --feed $feed --plan=$plan --port "$at/here" \
             >"$at/planned" 2>&1
         wait $here
     else
@@ -83,7 +83,7 @@ board() {
         done
         { kill -KILL $first; wait $first; } 2>/dev/null
     fi
-    timeout 300 "$loft" stream "$job" --feed $feed --plan=$plan --port "unix:$port" \
+    timeout 900 "$loft" stream "$job" --feed $feed --plan=$plan --port "unix:$port" \
         >"$at/out" 2>"$at/err" </dev/null
     code=$?
     [ -z "$line" ] || { kill $between; wait $between; }

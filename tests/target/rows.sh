@@ -45,9 +45,9 @@ on_chip() {
         ${eeprom:+--eeprom "$eeprom"} ${states:+--states "$states"} >"$tmp/chip" 2>"$tmp/chip.err" &
     child=$!
     for _ in $(seq 3000); do [ -e "$tmp/port" ] && break; sleep 0.02; done
-    timeout 300 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; code=$?
+    timeout 900 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; code=$?
     [ -z "${jobs:-}" ] || kill $child
-    timeout 30 tail --pid=$child -f /dev/null || kill $child     # it ends when the job is closed
+    timeout 300 tail --pid=$child -f /dev/null || kill $child     # it ends when the job is closed
     wait $child
     sed 's/^/     /' "$tmp/chip.err"
     [ $code = 0 ] || sed 's/^/     /' "$tmp/err"

@@ -36,11 +36,11 @@ for part in 1 2 3 4; do
     $m0 -Os $flags $sources -lgcc -o $work/sums$part-m0.elf ||
         { echo "FAIL target does not build"; echo "0 passed, 1 failed"; exit 1; }
     $work/sums$part >> $work/here
-    timeout 300 simavr -m atmega328p -f 16000000 $work/sums$part.elf 2>&1 |
+    timeout 900 simavr -m atmega328p -f 16000000 $work/sums$part.elf 2>&1 |
         sed 's/\x1b\[[0-9;]*m//g' > $work/said
     grep -oE '^[a-z_]+ [0-9a-f]{8}' $work/said >> $work/atmega328p
     grep -oE '^# .*[0-9]' $work/said
-    timeout 300 qemu-system-arm -M microbit -nographic -monitor none -serial none \
+    timeout 900 qemu-system-arm -M microbit -nographic -monitor none -serial none \
         -semihosting-config enable=on,target=native -kernel $work/sums$part-m0.elf \
         >> $work/cortex-m0 2>&1
 done
