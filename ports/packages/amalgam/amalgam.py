@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# ports/packages/amalgam/amalgam.py -- each library as two files: loft.h and .c, loft_surfaces.h and .c
+# ports/packages/amalgam/amalgam.py -- each library as two files: loft.h, .c and loft_surfaces.h, .c
 # SPDX-License-Identifier: MIT
 """usage: amalgam.py [--num q16|f32|f64] [--rooms ROOM,..] [--out FOLDER]
 
