@@ -212,6 +212,9 @@ TOOL_TESTED := $(filter-out %/tool.c $(TOOL_LEFT),$(sort $(wildcard $(patsubst %
 TOOL_TESTED := $(filter-out host-tools/engine/engines.c,$(TOOL_TESTED))
 TOOL_TESTED += $(patsubst %,host-tools/%.c,readers cmd/keys send/gcode_write send/near_move \
                  send/unfinished) $(wildcard host-tools/send/grbl*.c)
+# those that take long: a push runs a share of their seeds
+TOOLS_LONG := areas export certify mill
+TOOL_SHARE := $(if $(ALL),1,4)
 TOOL_FLAGS   = $(INCLUDE) $(TESTED) $(TOOL_STD) $(SANITIZE) -DLOFT_NUM=LOFT_F64 -DLOFT_AXES=3
 TOOL_TESTED_OBJ := $(patsubst %.c,build/test/tools/%.o,$(TOOL_TESTED))
 
@@ -233,7 +236,11 @@ build/test/tools/%: tests/tools/test_%.c build/test/tools/libtools.a $(call libs
 ## Test readers, plans and pictures under ASan and UBSan; what fuzzers have found
 .PHONY: test-tools
 test-tools: $(patsubst %,build/test/tools/%,$(TOOL_TESTS)) $(CORPUS)
-	@{ for t in $(TOOL_TESTS); do echo "echo '-- $$t'; build/test/tools/$$t"; done; $(REPLAY); } | \
+	@$(if $(ALL),,echo "left to make check-all: of $(TOOL_SHARE) seeds all but one of $(TOOLS_LONG)")
+	@{ for t in $(TOOLS_LONG); do \
+	       echo "echo '-- $$t'; LOFT_SHARE=$(TOOL_SHARE) build/test/tools/$$t"; done; \
+	   for t in $(filter-out $(TOOLS_LONG),$(TOOL_TESTS)); do \
+	       echo "echo '-- $$t'; build/test/tools/$$t"; done; $(REPLAY); } | \
 	    bash tests/house/beside.sh
 
 ## Paths of a mill against 10 million points of surfaces (4 minutes of processor time)
