@@ -63,7 +63,8 @@ $(foreach n,$(NUMS),$(eval $(call plain,$(n))))
 
 ## Run all module tests in q16, f32 and f64 under ASan and UBSan (one module: make test-forward)
 .PHONY: test
-test: $(if $(ALL),,left-of-tests) $(foreach n,$(NUMS),$(foreach t,$(TESTS_LONG),build/plain/$(n)/$(t)) \
+test: $(if $(ALL),,left-of-tests) \
+      $(foreach n,$(NUMS),$(foreach t,$(TESTS_LONG),build/plain/$(n)/$(t)) \
                           $(foreach t,$(TESTS),build/test/$(n)/$(t)))
 	@{ for t in $(TESTS_LONG); do for n in $(NUMS); do \
 	       echo "echo '-- $$t $$n'; build/plain/$$n/$$t"; done; done; \

@@ -65,7 +65,7 @@ $(HOSTS)/powerpc-%/libc/quad.o: $(HOSTS)/powerpc-%/libc/quadtf.o
 	    sed -n 's/.* T \(__[a-z]*\)tf\([a-z0-9]*\)$$/\1tf\2 \1kf\2/p' > $@.names
 	$(Q)powerpc-linux-gnu-objcopy --redefine-syms=$@.names $< $@
 
-## Run the tests on a big-endian PowerPC; with ALL=1 on a 32-bit x86, q16, f64, too   HOST_SHARE=1000
+## Run the tests on a big-endian PowerPC; ALL=1: on a 32-bit x86 (q16, f64) too   HOST_SHARE=1000
 .PHONY: check-hosts
 check-hosts: $(HOST_ALL)
 	@$(if $(HOST_LEFT),echo "left to make check-all: $(HOST_LEFT)")
