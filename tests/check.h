@@ -103,7 +103,7 @@ typedef struct {
 } check_seeds;
 
 /* A share of the seeds begins at another one for each property. */
-static inline uint64_t check_place(const char *name, uint64_t step)
+static inline uint64_t check_share_start(const char *name, uint64_t step)
 {
     uint32_t hash = 2166136261u;
 
@@ -118,7 +118,7 @@ static inline check_seeds check_seeds_of(const char *name, unsigned times)
     const uint64_t share = check_one_of(), step = share < times ? share : times,
                    first = from ? strtoull(from, NULL, 10) : 1;
     char *end = NULL;
-    check_seeds s = { first + check_place(name, step), first + times - 1, step };
+    check_seeds s = { first + check_share_start(name, step), first + times - 1, step };
 
     if (CHECK_SHARE > 1)                    /* as many of the first ones as a share has */
         s = (check_seeds){ 1, (times + share - 1) / share, 1 };
