@@ -10,6 +10,8 @@
 #include "base/near.h"       /* near_try */
 #include "base/progress.h"   /* progress_watch */
 #include "base/tool.h"       /* tool_command */
+#include "cmd/commands.h"    /* command_stream .. */
+#include "figures/cmd_figures.h" /* command_figures, command_study */
 #include "loft.h"            /* LOFT_VERSION */
 
 

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: MIT
  *
  * Every error is one line on standard error: `loft: file:line: what: remedy`, with a code of
- * <sysexits.h>. A subcommand is a file cmd_<name>.c that defines one tool_command; loft.c lists it
- * in its table.
+ * <sysexits.h>. A subcommand is a file cmd_<name>.c that defines one tool_command; commands.h
+ * declares it, loft.c lists it in its table.
  */
 #ifndef LOFT_TOOL_H
 #define LOFT_TOOL_H
@@ -21,13 +21,6 @@ struct tool_command {
     const char *detail;         /* paragraphs for `loft help NAME`, ends with a newline */
     int (*run)(const tool_command *self, int argc, char **argv);    /* returns the exit code */
 };
-
-extern const tool_command command_compare, command_contour, command_decide, command_eval,
-    command_export, command_figures, command_fit, command_flatten, command_go, command_harmonic,
-    command_home, command_jog, command_make, command_measure, command_mill, command_monitor,
-    command_plan, command_plot, command_ports, command_sample, command_set, command_settings,
-    command_simulate, command_stream, command_study, command_surface, command_park, command_pen,
-    command_probe, command_unlock, command_zero;
 
 /* Print `loft: <message>` and return `code`. With EX_OK it is a warning: --strict, which all
  * commands take, ends the program with EX_DATAERR then. */

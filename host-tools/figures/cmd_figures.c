@@ -13,6 +13,8 @@
 #include <unistd.h>
 
 #include "engine/engine.h"
+#include "cmd/commands.h"        /* command_make .. */
+#include "figures/cmd_figures.h"
 #include "figures/figures.h"
 #include "base/create.h"         /* create_file */
 #include "base/tool.h"

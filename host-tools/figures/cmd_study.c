@@ -10,6 +10,7 @@
 #include "num/status.h"     /* loft_status */
 
 #include "figures/chapter.h"
+#include "figures/cmd_figures.h"    /* command_study */
 #include "figures/study_pictures.h"
 #include "base/create.h"      /* create_check */
 #include "base/tool.h"
