@@ -11,7 +11,7 @@ static char folder[] = "/tmp/loft-plot-XXXXXX";
 
 /* A page of 100 mm with one curve that fills it, and a machine that drew it 0.25 mm too high and
  * then travelled. */
-static const drawing_curve curve = { { { 10, 10 }, { 40, 100 }, { 60, 0 }, { 90, 90 } }, 0, 1 };
+static const drawing_curve arch = { { { 10, 10 }, { 40, 100 }, { 60, 0 }, { 90, 90 } }, 0, 1 };
 static record_pulse pulse[301];
 
 static void machine(record *r)
@@ -22,7 +22,7 @@ static void machine(record *r)
                    .steps_per_mm = { 100, 100, 100 },
                    .pen_down = 1 };
     for (int i = 0; i <= 300; i++) {
-        drawing_eval(&curve, fmin(i / 299.0, 1), pulse[i].at);
+        drawing_eval(&arch, fmin(i / 299.0, 1), pulse[i].at);
         pulse[i].slot = (uint64_t)i;
         pulse[i].at[1] += 0.25;
         pulse[i].at[2] = 0;
@@ -60,7 +60,7 @@ static int ink_at(cairo_surface_t *picture, double x, double y, double left, dou
 /* A plain plot of a page: the margins are 62 thousandths on the left, 28 on the right, 52 above. */
 static void ink_is_on_the_curve(arb *a)
 {
-    drawing d = { (drawing_curve *)(size_t)&curve, 1, 1, 100, 100, NULL };
+    drawing d = { (drawing_curve *)(size_t)&arch, 1, 1, 100, 100, NULL };
     const plot_options o = { .d = &d,
                              .error = PLOT_NO_ERROR,
                              .comb = PLOT_NO_COMB,
@@ -75,7 +75,7 @@ static void ink_is_on_the_curve(arb *a)
     const double scale = 9.10, left = 62, bottom = 52 + 910;
     for (int i = 0; i <= 50; i++) {
         double p[2];
-        drawing_eval(&curve, i / 50.0, p);
+        drawing_eval(&arch, i / 50.0, p);
         CHECK(ink_at(picture, p[0], p[1], left, bottom, scale) < 120);
     }
     CHECK(ink_at(picture, 20, 80, left, bottom, scale) == 255 &&
@@ -154,7 +154,7 @@ static void every_format_is_written(arb *a)
     static const struct {
         const char *name, *start;
     } formats[] = { { "b.png", "\x89PNG" }, { "b.PDF", "%PDF-" }, { "b.svg", "<?xml" } };
-    drawing d = { (drawing_curve *)(size_t)&curve, 1, 1, 0, 0, NULL };
+    drawing d = { (drawing_curve *)(size_t)&arch, 1, 1, 0, 0, NULL };
     record r;
     (void)a;
     machine(&r);
@@ -183,7 +183,7 @@ static void every_format_is_written(arb *a)
 
 static void what_cannot_be_written_is_told(arb *a)
 {
-    drawing d = { (drawing_curve *)(size_t)&curve, 1, 1, 100, 100, NULL };
+    drawing d = { (drawing_curve *)(size_t)&arch, 1, 1, 100, 100, NULL };
     plot_options o = { .d = &d,
                        .error = PLOT_NO_ERROR,
                        .comb = PLOT_NO_COMB,
