@@ -36,7 +36,8 @@
  *     min(sqrt(a / k), cbrt(j / k^2))
  *
  * and no place goes onto it. Chords that are off their curve by the tolerance leave 2 tol at half
- * of their length, and few decimals some more. So neither the feed nor the length of chords says what a corner is.
+ * of their length, and few decimals some more. So neither the feed nor the length of chords says
+ * what a corner is.
  *
  * Curves turn by too little at that scale. Where one of more than 16 tol is tightest, with the
  * curvature k, it is passed at sqrt(a / k): if that is less than half of the cap, or if the cubic

@@ -1,5 +1,5 @@
-/* tests/lib/toolpath/test_toolpath_loops.c -- the loops that headers of lib/toolpath print, word for
- * word, over arbitrary hills
+/* tests/lib/toolpath/test_toolpath_loops.c -- the loops that headers of lib/toolpath print, word
+ * for word, over arbitrary hills
  * SPDX-License-Identifier: MIT
  *
  * tests/house/loops.py compares them with the headers.
