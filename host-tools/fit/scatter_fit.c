@@ -36,6 +36,7 @@
 #define SLACK   4
 #define LOOKS   4
 #define BEYOND  0.02
+#define TURN_PAYS 0.2
 #define TURNS   90              /* that are tried for the rectangle */
 
 typedef double point[ENGINE_AXES];
@@ -101,7 +102,8 @@ static bool find_normal(const scatter_fit *f, const point mean, double out[3])
     return unit(out) > 0;
 }
 
-/* The directions of the rectangle: along the axes where no turn is smaller by 2 %. */
+/* The directions of the rectangle: along the axes where no turn is smaller by TURN_PAYS. A round
+ * cloud has no direction of its own, and turned corners leave its box. */
 static void find_rectangle(const scatter_fit *f, const double normal[3], double side[2][3])
 {
     double base[2][3] = { { 0 } }, best = INFINITY;
@@ -131,7 +133,7 @@ static void find_rectangle(const scatter_fit *f, const double normal[3], double 
             area *= high - low;
         }
         if (turn == 0 || area < best) {
-            best = turn == 0 ? 0.98 * area : area;
+            best = turn == 0 ? (1 - TURN_PAYS) * area : area;
             memcpy(side, now, sizeof now);
         }
     }

@@ -318,6 +318,51 @@ static void a_cloud_makes_no_shape(arb *a)
     scatter_fit_free(&f);
 }
 
+/* A disk, a ring or a triangle tells nothing of the corners of the rectangle around it. What is given
+ * for them lies in the box of the points along the axes, but for 1/30 of its size, as no direction of
+ * theirs is better. */
+static void corners_without_points_stay_in_the_box(arb *a)
+{
+    enum { COUNT = 100, LOOK = 20 };
+    static double p[COUNT][ENGINE_AXES], at[(LOOK + 1) * (LOOK + 1)][2],
+        place[(LOOK + 1) * (LOOK + 1)][ENGINE_AXES];
+    const int kind = (int)arb_below(a, 3);
+    const double bend = 0.02 * (random_unit(a) - 0.5), slope = 0.2 * (random_unit(a) - 0.5);
+    scatter_fit f = { .p = (const double(*)[ENGINE_AXES])p, .count = COUNT };
+
+    for (unsigned k = 0; k < COUNT; k++) {
+        double x, y;
+        do {
+            x = 10 * random_unit(a) - 5;
+            y = 10 * random_unit(a) - 5;
+        } while (kind == 2 ? x + y > 0 : hypot(x, y) > 5 || (kind == 1 && hypot(x, y) < 2));
+        p[k][0] = x;
+        p[k][1] = y;
+        p[k][2] = slope * x + bend * x * y;
+    }
+    for (unsigned k = 0; k < (LOOK + 1) * (LOOK + 1); k++) {
+        at[k][0] = k / (LOOK + 1) / (double)LOOK;
+        at[k][1] = k % (LOOK + 1) / (double)LOOK;
+    }
+    CHECK(scatter_fit_make(&f, &engine_f64, 3, 0.05) == LOFT_OK && f.enough <= 0.05);
+    const engine_net_fit all = { .at = (const double(*)[2])at,
+                                 .count = (LOOK + 1) * (LOOK + 1),
+                                 .knot = { f.knot[0], f.knot[1] },
+                                 .points = { f.points[0], f.points[1] },
+                                 .degree = { f.degree[0], f.degree[1] } };
+    CHECK(engine_f64.fit_places(&all, (const double(*)[ENGINE_AXES])f.net, place) == LOFT_OK);
+    for (int axis = 0; axis < 2; axis++) {
+        double low = INFINITY, high = -INFINITY;
+        for (unsigned k = 0; k < COUNT; k++) {
+            low = fmin(low, p[k][axis]);
+            high = fmax(high, p[k][axis]);
+        }
+        for (unsigned k = 0; k < (LOOK + 1) * (LOOK + 1); k++)
+            CHECK(place[k][axis] > low - 1 / 3.0 && place[k][axis] < high + 1 / 3.0);
+    }
+    scatter_fit_free(&f);
+}
+
 int main(void)
 {
     PROPERTY(corners_are_kept,           30);
@@ -327,5 +372,6 @@ int main(void)
     PROPERTY(noise_makes_no_shape,       40);
     PROPERTY(a_grid_makes_no_shape,      30);
     PROPERTY(a_cloud_makes_no_shape,      4);
+    PROPERTY(corners_without_points_stay_in_the_box, 30);
     return check_failures();
 }
