@@ -122,7 +122,7 @@ static uint16_t supplied_level(loft_drive *d)
 static uint16_t allowed_level(const loft_drive *d)
 {
     const uint16_t full = loft_pace_full(&d->pace);
-    const uint8_t unit = loft_pace_unit(&d->pace);
+    const uint16_t unit = loft_pace_unit(&d->pace);
     uint16_t level = d->ordered;
     uint32_t before = d->left;
     const volatile loft_cell *cell;

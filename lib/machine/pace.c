@@ -19,14 +19,17 @@
  * ramp. From a stop and to a stop no other rule is needed. More levels than one per tick allow
  * slower paces and finer aims.
  *
+ * u is such that J is near 10^4: then p percent is level p^2. J is off by at most ceil(ramp / 2) / 2,
+ * a steady pace by half as large a part, and the level's rounding adds no more. Where ceil(ramp / 2)
+ * divides 10^4 it is exact.
+ *
  * In numbers: roots in Q8, first = 2 slots sqrt(J) in Q16, T in Q8. Range: first / 2^16 <= 32767 by
  * init, so first < 2^31; a level is at most 4 * 16383, so its root is below 2^16 in Q8. Error: a
  * root is rounded by at most 1/2 in Q8 and exact for 0 and 1. This is a relative error of at most
  * 2^-9 / sqrt(J) + 2^-8 / (sqrt(i) + sqrt(j)) <= 0.3 %, with the worst case J = j = 2, u = 1. The
  * division drops at most 2^-8 slot, which is not carried.
  */
-#define FULL_MAX 16383u
-#define UNIT_MAX 16u
+#define FULL 10000u
 
 /* sqrt(x) rounded to nearest; x <= 65532 * 2^16. The trial below stays within 32 bits for any x. */
 static uint16_t square_root(uint32_t x)
@@ -54,13 +57,12 @@ enum loft_status loft_pace_init(loft_pace *p, uint16_t slots, uint16_t ramp)
         return LOFT_ERR_RANGE;
 
     const uint32_t ticks = ramp / 2u + ramp % 2u;
-    uint8_t unit = UNIT_MAX;
+    uint16_t unit = (uint16_t)((FULL + ticks / 2) / ticks);     /* 1 or more; J <= 16383 */
     uint32_t first;
     for (;; unit /= 2) {
-        const bool fits = ticks * unit <= FULL_MAX;
         /* Q8; <= 2^12 * 2^15 * 2 = 2^28 */
-        first = fits ? (uint32_t)slots * level_root((uint16_t)(ticks * unit)) * 2 : 0;
-        if (fits && first <= (uint32_t)32767 << 8)
+        first = (uint32_t)slots * level_root((uint16_t)(ticks * unit)) * 2;
+        if (first <= (uint32_t)32767 << 8)
             break;
         if (unit == 1)
             return LOFT_ERR_RANGE;

@@ -13,10 +13,11 @@
  *
  * The state is the level. If the aim is 0 from now on, time stops after level / unit ticks of the
  * plan, rounded up. The level changes by at most `unit` per tick. r^2 is level / full, where `full`
- * is the level of pace 1. The slowest pace is sqrt(1 / full).
+ * is the level of pace 1: near 10^4 up to 163 slots, so that each percentage has a level. The
+ * slowest pace is sqrt(1 / full).
  *
  * Only the context that prepares ticks may call loft_pace_next, which changes the level (span.h has
- * the order of calls). Any context may call loft_pace_aim, if 16 bits are stored at once. 16 bytes.
+ * the order of calls). Any context may call loft_pace_aim, if 16 bits are stored at once. 20 bytes.
  */
 #ifndef LOFT_MACHINE_PACE_H
 #define LOFT_MACHINE_PACE_H
@@ -35,7 +36,7 @@ typedef struct {
     uint16_t level, aim, full;      /* pace = sqrt(level / full)                                */
     uint16_t root;                  /* sqrt(level), Q8                                          */
     uint16_t slots;
-    uint8_t unit;                   /* levels per tick: 1, 2, 4, 8 or 16, the most that fit     */
+    uint16_t unit;                  /* levels per tick                                          */
     uint8_t carry;                  /* slots carried from the ticks before, Q8                  */
 } loft_pace;
 
@@ -48,6 +49,8 @@ enum loft_status loft_pace_init(loft_pace *p, uint16_t slots, uint16_t ramp) LOF
 
 /* The level of the pace percent / 100.
  *
+ *   error   up to 163 slots none if ceil(ramp / 2) divides 10,000, for other ramps up to 400 one
+ *           hundredth of the pace; with more slots half a level
  *   cost    a 32-bit division
  *   range   percent 0..LOFT_PACE_MAX; more counts as that. Any percent above 0 gives at least
  *           level 1 */
@@ -77,7 +80,7 @@ static inline uint16_t loft_pace_distance(const loft_pace *p)
 
 /* The level of pace 1, and the largest change of the level per tick. */
 static inline uint16_t loft_pace_full(const loft_pace *p)       { return p->full; }
-static inline uint8_t  loft_pace_unit(const loft_pace *p)       { return p->unit; }
+static inline uint16_t loft_pace_unit(const loft_pace *p)       { return p->unit; }
 
 LOFT_END_C
 

@@ -148,6 +148,31 @@ static void fractions_are_carried_at_any_steady_pace(arb *a)
                1 + 1000. / 256 + 1000 * ideal * roots_error(loft_pace_full(&p), before, before));
 }
 
+/* What was ordered before does not matter. */
+static void a_percentage_is_that_percentage(arb *a)
+{
+    static const uint16_t exact[] = { 1, 2, 4, 7, 10, 20, 50, 100, 200, 400, 1000 };
+    const uint16_t slots = (uint16_t)(1 + arb_below(a, 163));
+    const bool whole = arb_below(a, 2);
+    const uint16_t ramp = whole ? exact[arb_below(a, 11)] : (uint16_t)(1 + arb_below(a, 400));
+    loft_pace p;
+
+    CHECK(loft_pace_init(&p, slots, ramp) == LOFT_OK);
+    for (int order = 0; order < 5; order++) {
+        const unsigned percent = 1 + arb_below(a, arb_below(a, 2) ? 200 : 10);
+        const double want = 1000 * fmax(1, slots * 100. / percent);
+        double sum = 0;
+        aim(&p, percent);
+        do
+            CHECK(loft_pace_next(&p) != 0);
+        while (p.level != p.aim);
+        loft_pace_next(&p);
+        for (int tick = 0; tick < 1000; tick++)
+            sum += loft_pace_next(&p);
+        CHECK_NEAR(sum, want, 1 + 1000. / 256 + want * (0.0015 + (whole ? 0 : 0.01)));
+    }
+}
+
 static void init_refuses_what_does_not_fit(arb *a)
 {
     loft_pace p;
@@ -169,6 +194,7 @@ int main(void)
     PROPERTY(a_hold_stands_after_the_stated_number_of_ticks, 300);
     PROPERTY(a_hold_from_full_pace_takes_the_ramp,           100);
     PROPERTY(fractions_are_carried_at_any_steady_pace,       300);
+    PROPERTY(a_percentage_is_that_percentage,                300);
     PROPERTY(init_refuses_what_does_not_fit,                   1);
     return check_failures();
 }
