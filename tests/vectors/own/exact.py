@@ -204,11 +204,11 @@ def grid(x):
     return F((F(x) * ONE + F(1, 2)).__floor__(), ONE)
 
 
-def write(folder, name, title, columns, rows):
-    with open(f'{folder}/{name}.csv', 'w') as f:
+def write(folder, name, title, columns, rows, file=None):
+    with open(f'{folder}/{file or name}.csv', 'w') as f:
         f.write(f'# {name}: {title} | *_q16 = raw integer (value*65536); other numbers real, 20 '
                 f'significant digits; columns: {columns.replace(",", " ")}\n{columns}\n')
         for row in rows:
             assert len(row) == columns.count(',') + 1, row
             f.write(','.join(str(x) for x in row) + '\n')
-    print(name, len(rows))
+    print(file or name, len(rows))
