@@ -36,7 +36,7 @@
  *   loft_step_take           220       90      60
  *   loft_step_give         1,600    1,010     700     (20 slots)
  *   loft_step_load         1,600      410     130
- *   loft_pace_next         1,500      270     170     loft_pace 20
+ *   loft_pace_next         1,500      280     170     loft_pace 20
  *   loft_forward_next        490       62      48     loft_forward 152
  *   loft_steps_of            150       30      10
  *   loft_step_position       670      280     100
