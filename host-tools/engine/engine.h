@@ -34,7 +34,8 @@ typedef struct {
     double max_speed[ENGINE_AXES], max_accel[ENGINE_AXES];      /* mm/s, mm/s^2 */
     double max_jerk[ENGINE_AXES];                               /* mm/s^3, or 0 */
     double corner, tol;                                         /* mm           */
-    double exact;                                               /* as in lib/path/limits.h */
+    double exact;                                               /* as in lib/path/limits.h, and */
+    unsigned one_sided;         /* of a plan of one straight line: all axes */
     unsigned tick_hz;
 } engine_limits;
 

@@ -14,6 +14,9 @@
 
 enum { MOVES = 512, KNOTS = 400 };
 
+#define EVERY_AXIS ((1u << ENGINE_AXES) - 1)
+#define STRAIGHT   (4 / 65536.0)    /* mm: rounding */
+
 struct engine_plan {
     engine_move_source *source;
     void *context;
@@ -35,7 +38,7 @@ static bool limits_of(const engine_limits *from, loft_limits *out)
         out->max_jerk[i] = (uint32_t)lround(from->max_jerk[i]);
     }
     out->tick_hz = (uint16_t)from->tick_hz;
-    out->one_sided = 0;
+    out->one_sided = (uint8_t)from->one_sided;
     return from->tick_hz <= UINT16_MAX && real_of(from->corner, &out->corner) &&
            real_of(from->exact, &out->exact) && real_of(from->tol, &out->tol);
 }
@@ -72,6 +75,43 @@ static bool moves_fit(const engine_plan *p)
     return true;
 }
 
+/* The way from a to b. */
+static double way_of(loft_vec a, loft_vec b, double out[ENGINE_AXES])
+{
+    double square = 0;
+
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        out[i] = double_of(b.axis[i]) - double_of(a.axis[i]);
+        square += out[i] * out[i];
+    }
+    return sqrt(square);
+}
+
+/* Is it one straight line that never turns back, however it is cut? */
+static bool is_one_line(const engine_plan *p)
+{
+    double along[ENGINE_AXES], off[ENGINE_AXES], before = 0;
+    loft_move first, last;
+
+    (void)move_of(p, 0, &first);
+    (void)move_of(p, p->count - 1, &last);
+    const double size = way_of(first.curve.p[0], last.curve.p[3], along);
+    for (size_t n = 0; n < p->count; n++) {
+        loft_move m;
+        (void)move_of(p, n, &m);
+        for (int k = 0; k < 4; k++) {
+            const double far = way_of(first.curve.p[0], m.curve.p[k], off);
+            double part = 0;
+            for (int i = 0; i < ENGINE_AXES && size > 0; i++)
+                part += off[i] * along[i] / size;
+            if (!(far * far - part * part <= STRAIGHT * STRAIGHT) || part < before - STRAIGHT)
+                return false;
+            before = part;
+        }
+    }
+    return true;
+}
+
 static int plan_open(const engine_limits *limits, engine_move_source *source, void *context,
                      size_t count, engine_plan **out)
 {
@@ -87,8 +127,11 @@ static int plan_open(const engine_limits *limits, engine_move_source *source, vo
     p->next    = p->passed = 0;
     p->pushing = true;
     int status = LOFT_ERR_RANGE;
-    if (moves_fit(p))
+    if (moves_fit(p)) {
+        if (is_one_line(p))
+            within.one_sided = EVERY_AXIS;
         status = loft_plan_init(&p->plan, &within, p->ring, MOVES, p->knots, KNOTS);
+    }
     if (status == LOFT_OK)
         *out = p;
     else

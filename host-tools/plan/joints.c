@@ -22,6 +22,7 @@
 #define JERK_MAX  1e7
 #define TOL_MIN   (1 / 1024.0)
 #define TOL_MAX   1.0
+#define UPRIGHT   (1u << 2) /* the motor that lifts the pen */
 
 typedef struct {
     joints *j;
@@ -408,10 +409,12 @@ static double planned_tol(const joints *j, double tol)
     return fmin((tol - j->within) * j->least - rounding_error(j), TOL_MAX);
 }
 
+/* Where one motor lifts the pen, it does not go deeper than it is told. */
 engine_limits joints_limits(const joints *j, const engine_limits *motors)
 {
     engine_limits l = *motors;
 
+    l.one_sided = j->k->kind == ENGINE_DELTA ? 0 : UPRIGHT;
     if (j->k->kind == ENGINE_CARTESIAN)
         return l;
     for (int i = 0; i < ENGINE_AXES; i++) {

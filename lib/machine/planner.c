@@ -67,7 +67,7 @@ enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *ma
     limits.tol     = loft_real_from_raw(asked->tol);
     limits.exact   = 0;
     limits.tick_hz = machine->tick_hz;
-    limits.one_sided = 0;
+    limits.one_sided = LOFT_AXES > 2 ? 1 << 2 : 0;      /* the pen goes no deeper than it is told */
     p->taken = p->told = p->spans = p->parts = 0;
     p->mark  = 0;
     p->closed = p->ended = p->rests = p->busy = p->failed = false;

@@ -14,6 +14,7 @@
 
 #define MOVES  4
 #define WITHIN 0.001
+#define LOOKS  16
 /* how much the feed of the motors may be off in a piece that is not short: */
 #define EVEN   1.02
 #define SHORT  0.02         /* mm */
@@ -301,6 +302,106 @@ static void out_of_reach_is_refused(arb *a)
     toolpath_free(&path);
 }
 
+/* The limits of a machine of some size. */
+static engine_limits arb_limits(arb *a)
+{
+    engine_limits l = { .tol = 0.002 + 0.02 * random_unit(a), .tick_hz = 1000 };
+
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        l.max_speed[i] = 20 + 200 * random_unit(a);
+        l.max_accel[i] = 100 + 2000 * random_unit(a);
+        l.max_jerk[i]  = 20 * l.max_accel[i];
+    }
+    return l;
+}
+
+static void line_of(engine_move *m, const double from[ENGINE_AXES], const double to[ENGINE_AXES],
+                    double feed)
+{
+    m->feed = feed;
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < ENGINE_AXES; i++)
+            m->p[k][i] = k == 0 ? from[i] : k == 3 ? to[i] : from[i] + k / 3.0 * (to[i] - from[i]);
+}
+
+static void take_place(const engine_span *s, double t, double low[], double high[])
+{
+    double p[4][ENGINE_AXES], at[ENGINE_AXES], v[ENGINE_AXES];
+
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < ENGINE_AXES; i++)
+            p[k][i] = s->p[k][i] * ENGINE_LSB;
+    eval_move(p, t, at, v);
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        low[i]  = fmin(low[i], at[i]);
+        high[i] = fmax(high[i], at[i]);
+    }
+}
+
+/* Plan it, and give the lowest and highest place of each motor. */
+static void plan_lines(engine_move *move, size_t count, const engine_limits *l, double low[],
+                       double high[])
+{
+    const kinematics k = kind_of(ENGINE_CARTESIAN);
+    joints j = { .k = &k, .move = move, .count = count, .scale = { 1, 1, 1 }, .least = 1 };
+    joints_planning p;
+    engine_span s;
+    int step = joints_plan(&p, &j, 0, count, &engine_f64, l);
+
+    CHECK(step == 0);
+    for (int i = 0; i < ENGINE_AXES; i++)
+        low[i] = high[i] = move[0].p[0][i];
+    for (step = ENGINE_PLAN_BUSY; step >= 0 && step != ENGINE_PLAN_DONE;) {
+        step = joints_step(&p, &s);
+        for (int n = 1; step == ENGINE_PLAN_SPAN && n <= LOOKS; n++)
+            take_place(&s, (double)n / LOOKS, low, high);
+    }
+    CHECK(step == ENGINE_PLAN_DONE);
+    joints_end(&p);
+}
+
+static void a_line_alone_goes_no_farther_than_its_ends(arb *a)
+{
+    const engine_limits l = arb_limits(a);
+    engine_move move[MOVES];
+    double end[2][ENGINE_AXES];
+    double low[ENGINE_AXES], high[ENGINE_AXES];
+    const size_t parts = 1 + arb_below(a, MOVES);
+
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        end[0][i] = random_signed(a, 50);
+        end[1][i] = end[0][i] + (arb_below(a, 3) > 0 ? random_signed(a, 20) : 0);
+    }
+    for (size_t n = 0; n < parts; n++) {
+        double cut[2][ENGINE_AXES];
+        for (int k = 0; k < 2; k++)
+            for (int i = 0; i < ENGINE_AXES; i++)
+                cut[k][i] = end[0][i] +
+                            (double)(n + (size_t)k) / (double)parts * (end[1][i] - end[0][i]);
+        line_of(&move[n], cut[0], cut[1], 30);
+    }
+    plan_lines(move, parts, &l, low, high);
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        CHECK(low[i] >= fmin(end[0][i], end[1][i]) - ENGINE_LSB);
+        CHECK(high[i] <= fmax(end[0][i], end[1][i]) + ENGINE_LSB);
+    }
+}
+
+static void a_pen_goes_no_deeper_than_its_line(arb *a)
+{
+    const engine_limits l = arb_limits(a);
+    const double lift = 1 + 3 * random_unit(a), x = random_signed(a, 30), y = random_signed(a, 30),
+                 corner[4][ENGINE_AXES] = { { 0, 0, lift }, { 0 }, { x, y, 0 }, { x, y, lift } };
+    engine_move move[3];
+    double low[ENGINE_AXES], high[ENGINE_AXES];
+
+    for (int n = 0; n < 3; n++)
+        line_of(&move[n], corner[n], corner[n + 1], 30);
+    plan_lines(move, 3, &l, low, high);
+    CHECK(low[2] >= -l.tol / 8 - ENGINE_LSB);
+    CHECK(high[2] <= lift + ENGINE_LSB);
+}
+
 int main(void)
 {
     PROPERTY(the_tool_stays_within, 12);
@@ -310,5 +411,7 @@ int main(void)
     PROPERTY(turns_around_the_pole_are_counted, 50);
     PROPERTY(a_travel_goes_through_the_pole, 50);
     PROPERTY(out_of_reach_is_refused, 5);
+    PROPERTY(a_line_alone_goes_no_farther_than_its_ends, 60);
+    PROPERTY(a_pen_goes_no_deeper_than_its_line, 60);
     return check_failures();
 }
