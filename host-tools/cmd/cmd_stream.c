@@ -44,17 +44,18 @@ static int plan_work(const stream_options *o, const stream_parts *all, size_t k,
     if (code == 0)
         status = job_open(&w->j, &w->of, as);
     keys_hasty(false);
-    return status == 0 ? code
-                       : tool_error(EX_DATAERR, "%s: cannot be planned: %s", file,
-                                    engine_status(status, ENGINE_NO_MOTION));
+    return status == 0 ? code : job_refuse(&w->j, file, status, "");
 }
 
 static void print_plan(const job *j, const toolpath *path, double tol)
 {
-    printf("planned: %zu curve%s, %.3f m drawn, %.3f m travelled, %.1f s, %zu %s, path within %.4f "
-           "mm, job %08x\n",
+    char text[160];
+
+    printf("planned: %zu curve%s, %.3f m drawn, %.3f m travelled, %.1f s, %zu %s, %s, job "
+           "%08x\n",
            path->curves, tool_s(path->curves), path->drawn / 1000, path->travelled / 1000,
-           job_seconds(j), j->count, job_words(j), tol, (unsigned)j->head.id);
+           job_seconds(j), j->count, job_words(j), job_words_of_plan(j, tol, text),
+           (unsigned)j->head.id);
 }
 
 /* What a machine does beside motion. `s` NULL: a dry run, for one that does all of it. */
@@ -84,14 +85,23 @@ static int options_of(const stream_options *o, job_options *as)
     return 0;
 }
 
+/* What the plan of a job holds, for the last line of a program. */
+static void take_worst(const job *j, double tol)
+{
+    const certify c = job_judged(j);
+    double of;
+    const double distance = job_distance(j, tol, &of);
+
+    if (j->head.kind != LOFT_CURVES)
+        report_certified(&c, distance, of);
+}
+
 static int finish_job(const char *file, job *j)
 {
     keys_hasty(true);
     const int status = job_finish(j);
     keys_hasty(false);
-    return status == LOFT_OK ? 0
-                             : tool_error(EX_DATAERR, "%s: cannot be planned: %s", file,
-                                          engine_status(status, ENGINE_NO_MOTION));
+    return status == LOFT_OK ? 0 : job_refuse(j, file, status, "");
 }
 
 static void print_page(const drawing *d)
@@ -120,6 +130,7 @@ static void print_part(const stream_options *o, const stream_parts *all, size_t 
                                   .tol  = o->p.tol,
                                   .id   = w->j.head.id },
                    job_seconds(&w->j), job_items(&w->j));
+    take_worst(&w->j, o->p.tol);
     sum->curves += w->path.curves;
     sum->drawn += w->path.drawn;
     sum->travelled += w->path.travelled;
@@ -236,6 +247,8 @@ static int stream_part(const stream_options *o, const stream_parts *all, size_t 
                                        &o->p.machine.k, o->port,         tool ? tool->name : NULL,
                                        &w->path };
         code = stream_run(t, &w->j, &about);
+        if (code == 0)
+            take_worst(&w->j, o->p.tol);
     }
     return code;
 }

@@ -16,6 +16,13 @@
 
 #define OFTEN 0.1               /* s between two reports */
 
+/* Of all jobs: the distance from the drawing and what it may be there, mm; parts of the limits of
+ * each motor. */
+typedef struct {
+    double distance, of;
+    double speed[ENGINE_AXES], accel[ENGINE_AXES], jerk[ENGINE_AXES];
+} report_worst;
+
 /* The program sends one job at a time. */
 static struct {
     enum report_form form;
@@ -26,6 +33,7 @@ static struct {
     report_facts facts;         /* the last, and */
     char line[256];             /* the last event */
     FILE *out;                  /* of JSON */
+    report_worst worst;         /* of 0 is none */
 } now;
 
 
@@ -206,11 +214,41 @@ void report_end(void)
         progress_clear(&now.bar);
 }
 
+void report_certified(const certify *c, double distance, double of)
+{
+    report_worst *sum = &now.worst;
+
+    if (distance * sum->of >= sum->distance * of) {
+        sum->distance = distance;
+        sum->of       = of;
+    }
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        sum->speed[i] = fmax(sum->speed[i], c->speed[i].worst);
+        sum->accel[i] = fmax(sum->accel[i], c->accel[i].worst);
+        sum->jerk[i]  = fmax(sum->jerk[i], c->jerk[i].worst);
+    }
+}
+
+static void put_parts(const char *of, const double part[ENGINE_AXES])
+{
+    fprintf(now.out, ",\"%s\":[%.4f,%.4f,%.4f]", of, part[0], part[1], part[2]);
+}
+
+static void put_worst(const report_worst *w)
+{
+    fprintf(now.out, ",\"distance\":%.6f,\"of\":%.6g", w->distance, w->of);
+    put_parts("speed", w->speed);
+    put_parts("acceleration", w->accel);
+    put_parts("jerk", w->jerk);
+}
+
 int report_exit(int code)
 {
     if (now.form == REPORT_JSON && now.out != NULL) {
         put_event("end");
         fprintf(now.out, ",\"code\":%d", code);
+        if (now.worst.of > 0)
+            put_worst(&now.worst);
         end_line();
     }
     return code;

@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "base/progress.h"      /* progress */
+#include "plan/certify.h"       /* certify */
 #include "plan/toolpath.h"      /* toolpath */
 
 enum report_form { REPORT_BAR, REPORT_VIEW, REPORT_JSON };
@@ -63,7 +64,11 @@ void report_line(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* The job is over, or its terminal is needed for a line. */
 void report_end(void);
 
-/* The last line of JSON: the exit code. Returns it. */
+/* Take what a job holds: the last line of JSON has the worst of all jobs. `distance` is that of the
+ * motion from the drawing, mm, and `of` what it may be there. */
+void report_certified(const certify *c, double distance, double of);
+
+/* The last line of JSON: the exit code, and what is certified. Returns the code. */
 int report_exit(int code);
 
 #endif

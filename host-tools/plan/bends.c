@@ -18,12 +18,6 @@
 #define STRAIGHT 0.04       /* between two legs: 2.3 degrees */
 
 typedef struct {
-    bends *out;
-    double last[ENGINE_AXES];   /* direction */
-    bool   moves;               /* is there one? */
-} turning;
-
-typedef struct {
     double p[4][ENGINE_AXES], from, to;
 } part;
 
@@ -57,11 +51,9 @@ static double legs_of(const part *p, double u[3][ENGINE_AXES])
     return size;
 }
 
-static void go_on(turning *t, size_t move, const part *p, double u[3][ENGINE_AXES])
+static void go_on(bends *b, size_t move, const part *p, double u[3][ENGINE_AXES])
 {
-    bends *b = t->out;
-
-    if (t->moves && space_distance(t->last, u[0]) > SHARP) {
+    if (b->moves && space_distance(b->last, u[0]) > SHARP) {
         if (b->count == b->room) {
             b->room = b->room ? 2 * b->room : 64;
             b->bend = tool_grow(b->bend, b->room * sizeof *b->bend);
@@ -70,11 +62,11 @@ static void go_on(turning *t, size_t move, const part *p, double u[3][ENGINE_AXE
         *n = (bend){ .move = move, .t = p->from };
         memcpy(n->at, p->p[0], sizeof n->at);
     }
-    memcpy(t->last, u[2], sizeof t->last);
-    t->moves = true;
+    memcpy(b->last, u[2], sizeof b->last);
+    b->moves = true;
 }
 
-static void follow(turning *t, size_t move, const double p[4][ENGINE_AXES])
+void bends_more(bends *b, size_t move, const double p[4][ENGINE_AXES])
 {
     part stack[DEPTH + 2];
     int parts = 1;
@@ -91,17 +83,15 @@ static void follow(turning *t, size_t move, const double p[4][ENGINE_AXES])
             halve(&now, &stack[parts + 1], &stack[parts]);
             parts += 2;
         } else
-            go_on(t, move, &now, u);
+            go_on(b, move, &now, u);
     }
 }
 
 void bends_find(bends *out, const engine_move move[], size_t count)
 {
-    turning t = { .out = out };
-
     *out = (bends){ .count = 0 };
     for (size_t n = 0; n < count; n++)
-        follow(&t, n, move[n].p);
+        bends_more(out, n, move[n].p);
 }
 
 void bends_free(bends *b)

@@ -16,6 +16,8 @@ typedef struct {
 typedef struct {
     bend *bend;
     size_t count, room;
+    double last[ENGINE_AXES];   /* the direction so far, */
+    bool moves;                 /* if there is one */
 } bends;
 
 /* Find them, in the order of the chain.
@@ -25,5 +27,8 @@ typedef struct {
  */
 void bends_find(bends *out, const engine_move move[], size_t count);
 void bends_free(bends *b);
+
+/* Find those where curve `move` begins, and in it; begin with { .count = 0 }. */
+void bends_more(bends *b, size_t move, const double p[4][ENGINE_AXES]);
 
 #endif

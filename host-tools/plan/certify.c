@@ -6,39 +6,19 @@
  * vanishes, and there it is (d0 d2 - d1^2) / (d0 - 2 d1 + d2), in 64-bit integers. Acceleration is
  * linear: largest at an end. Jerk is constant. What is left of rounding is that of eight operations
  * of double, which the last factor makes good.
- *
- * Distances. A part of a curve between two points a and b is within `bulge` of its chord, at equal
- * parameters: 3/4 of the largest second difference of its control points. Chords of the other path
- * are within `fine` of it. The distance from a segment is convex, so no point of the chord ab is
- * farther from a segment than the farther one of a and b. A part for which this bound is too much
- * is halved, down to parts that are shorter than `fine`.
- *
- * Distances from a chord, and of it, count by its `share`: the tolerance over that of the chord.
  */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "plan/certify_chords.h" /* certify_chords */
-#include "base/space.h"          /* space_distance, space_eval */
-#include "base/tool.h"           /* tool_grow */
+#include "plan/certify.h"
+#include "plan/certify_compare.h" /* certify_search */
 
 #define UP       (1 + 1 / 562949953421312.0)    /* 1 + 2^-49: above eight roundings of 2^-53 */
 #define FINE     400        /* parts of the tolerance, and where these do not decide */
 #define FINEST   400000     /* ten times as many, up to these */
-#define DOUBT    20         /* of these parts: what is beyond the bound by more is so in any case */
 #define NEAR     0.25       /* mm along the other path, in which the first search looks */
-#define DEPTH    60         /* halvings of a curve */
-
-typedef struct {
-    const certify_chords *to;
-    double tol, fine;
-    double step;                /* by which the worst rises: `fine`, as it counts at corners */
-    double share;               /* of what is compared */
-    size_t near;                /* the chord that was the nearest */
-    double worst, worst_share;
-} search;
+#define DOUBT    20         /* of these parts: what is beyond the bound by more is so in any case */
 
 
 // Limits
@@ -64,9 +44,8 @@ static void judge_speed(certify_worst *w, const int64_t d[3], double unit, doubl
                    begin + h * ((double)over / (double)curl));
 }
 
-static void judge_span(certify *c, const certify_plan *plan, const engine_span *s, double begin)
+void certify_span(certify *c, const engine_limits *l, const engine_span *s, double begin)
 {
-    const engine_limits *l = plan->limits;
     const double h = (double)s->ticks / l->tick_hz;
 
     for (int i = 0; i < ENGINE_AXES; i++) {
@@ -95,151 +74,46 @@ static bool is_connected(const certify_plan *plan, size_t n)
 // Distances
 // ---------
 
-/* How far the segment from a to b is from chord k at most, as it counts there. */
-static double chord_distance(const search *s, size_t k, const double a[ENGINE_AXES],
-                             const double b[ENGINE_AXES])
-{
-    const certify_chords *c = s->to;
-    return s->share * c->share[k] *
-           fmax(space_segment_distance(a, c->end[k], c->end[k + 1]),
-                space_segment_distance(b, c->end[k], c->end[k + 1]));
-}
-
-/* The least of these for chords near the last one, or the first that is at most `enough`. The
- * search spreads both ways from the nearest chord so far. What is longer than the tolerance is
- * halved anyway where no chord is beside all of it, so the search ends soon. Otherwise it goes on
- * until something is within the tolerance, or to both ends of the path. */
-static double least_distance(search *s, const double a[ENGINE_AXES], const double b[ENGINE_AXES],
-                             double enough)
-{
-    const certify_chords *c = s->to;
-    const double size = space_distance(a, b), reach = size > s->tol ? size : NEAR;
-    size_t low = s->near, high = low + 1;
-    double least = chord_distance(s, s->near, a, b);
-
-    while (least > enough && (low > 0 || high < c->chords)) {
-        const double below = low > 0 ? c->s[s->near] - c->s[low] : HUGE_VAL,
-                     above = high < c->chords ? c->s[high] - c->s[s->near + 1] : HUGE_VAL;
-        if (fmin(below, above) > reach && (least <= s->tol || size > s->tol))
-            break;
-        const size_t k = above <= below ? high++ : --low;
-        const double d = chord_distance(s, k, a, b);
-        if (d < least) {
-            least   = d;
-            s->near = k;
-        }
-    }
-    return least;
-}
-
-/* Compare a curve. Returns whether some of it is farther by `step` than the worst so far; *t is its
- * parameter. */
-static bool compare_curve(search *s, const certify_cubic *c, double *t)
-{
-    struct {
-        double from, to;
-    } part[DEPTH + 2] = { { 0, 1 } };
-    const double bulge = certify_bulge(c);
-    bool worse = false;
-
-    for (int parts = 1; parts > 0; parts--) {
-        const double from = part[parts - 1].from, to = part[parts - 1].to, middle = (from + to) / 2;
-        double a[ENGINE_AXES], b[ENGINE_AXES];
-        certify_eval(c, from, a);
-        certify_eval(c, to, b);
-        const double fine = s->share * s->fine,
-                     more = s->share * bulge * (to - from) * (to - from) + fine,
-                     most = s->worst + s->step, off = least_distance(s, a, b, most - more) + more;
-        if (off <= most)
-            continue;
-        if ((space_distance(a, b) <= s->fine && more <= 2 * fine) || parts > DEPTH) {
-            s->worst = off;
-            s->worst_share = s->share * s->to->share[s->near];
-            *t = middle;
-            worse = true;
-            continue;
-        }
-        part[parts - 1].from = middle;      /* the later half waits */
-        part[parts].from = from;
-        part[parts].to   = middle;
-        parts += 2;
-    }
-    return worse;
-}
-
-/* Compare two points of a curve: if they are far, few parts set a new worst distance afterwards. */
-static void compare_points(search *s, const certify_cubic *c)
-{
-    for (double t = 0.25; t < 1; t += 0.5) {
-        double at[ENGINE_AXES];
-        certify_eval(c, t, at);
-        s->worst = fmax(s->worst, least_distance(s, at, at, s->worst));
-    }
-}
-
-/* Now all of it is compared. */
-static void begin_curves(search *s)
-{
-    s->worst = fmax(s->worst - 2 * s->step, 0);
-    s->near  = 0;
-}
-
-/* Chord k of the drawing, which counts as what is left of its curve. */
-static void cubic_of_chord(search *s, const certify_chords *c, size_t k, certify_cubic *out)
-{
-    for (int n = 0; n < 4; n++)
-        for (int i = 0; i < ENGINE_AXES; i++)
-            out->p[n][i] = n < 3 ? c->end[k][i] + n / 3.0 * (c->end[k + 1][i] - c->end[k][i])
-                                 : c->end[k + 1][i];
-    s->share = c->share[k];
-}
-
-static void take_distance(certify_worst *w, const search *s)
-{
-    w->tol   = s->tol / s->worst_share;
-    w->worst = (s->worst + s->step) / s->worst_share;
-}
-
-static void compare_motion(certify *c, const certify_plan *plan, search *off)
+static void compare_motion(certify *c, const certify_plan *plan, certify_search *off)
 {
     certify_cubic curve;
     double t = 0, begin = 0;
 
     for (size_t n = 0; n < plan->spans; n++) {
         certify_cubic_of_span(plan, n, &curve);
-        compare_points(off, &curve);
+        certify_points(off, &curve);
     }
-    begin_curves(off);
+    certify_again(off);
     for (size_t n = 0; n < plan->spans; n++) {
         const double h = (double)plan->span[n].ticks / plan->limits->tick_hz;
         certify_cubic_of_span(plan, n, &curve);
-        if (compare_curve(off, &curve, &t)) {
+        if (certify_compare(off, &curve, &t)) {
             c->off.seconds = begin + t * h;
             certify_eval(&curve, t, c->off.at);
         }
         begin += h;
     }
-    take_distance(&c->off, off);
+    certify_take(&c->off, off);
 }
 
-static void compare_drawing(certify *c, const certify_chords *drawn, search *missed)
+static void compare_drawing(certify *c, const certify_chords *drawn, certify_search *missed)
 {
     certify_cubic curve;
     double t = 0;
 
     for (size_t k = 0; k < drawn->chords; k++) {
-        cubic_of_chord(missed, drawn, k, &curve);
-        compare_points(missed, &curve);
+        certify_cubic_of_chord(missed, drawn, k, &curve);
+        certify_points(missed, &curve);
     }
-    begin_curves(missed);
+    certify_again(missed);
     for (size_t k = 0; k < drawn->chords; k++) {
-        cubic_of_chord(missed, drawn, k, &curve);
-        if (compare_curve(missed, &curve, &t)) {
+        certify_cubic_of_chord(missed, drawn, k, &curve);
+        if (certify_compare(missed, &curve, &t)) {
             c->missed.move = drawn->of[k];
             certify_eval(&curve, t, c->missed.at);
         }
     }
-    take_distance(&c->missed, missed);
+    certify_take(&c->missed, missed);
 }
 
 static void compare_paths(certify *c, const certify_plan *plan, double fine)
@@ -248,14 +122,16 @@ static void compare_paths(certify *c, const certify_plan *plan, double fine)
 
     certify_chords_make(&drawn, plan, certify_cubic_of_move, plan->moves, fine / 4);
     certify_chords_make(&moved, plan, certify_cubic_of_span, plan->spans, fine / 2);
-    search off = { .to = &drawn, .tol = plan->tol, .fine = fine, .share = 1, .worst_share = 1 };
+    certify_search off = {
+        .to = &drawn, .tol = plan->tol, .fine = fine, .reach = NEAR, .share = 1, .worst_share = 1
+    };
 
     off.step = fine;
     if (plan->corner > plan->tol) {
         certify_mark_corners(&drawn, plan);
         off.step *= plan->tol / plan->corner;
     }
-    search missed = off;
+    certify_search missed = off;
     missed.to = &moved;
     compare_motion(c, plan, &off);
     compare_drawing(c, &drawn, &missed);
@@ -279,7 +155,7 @@ void certify_make(certify *c, const certify_plan *plan)
 
     *c = (certify){ .connected = plan->spans > 0 && plan->moves > 0 };
     for (size_t n = 0; n < plan->spans; n++) {
-        judge_span(c, plan, &plan->span[n], (double)ticks / plan->limits->tick_hz);
+        certify_span(c, plan->limits, &plan->span[n], (double)ticks / plan->limits->tick_hz);
         c->connected = c->connected && is_connected(plan, n);
         ticks += plan->span[n].ticks;
     }
@@ -298,6 +174,27 @@ bool certify_holds(const certify *c)
         good = good && c->speed[i].worst <= CERTIFY_SPEED && c->accel[i].worst <= CERTIFY_ACCEL &&
                c->jerk[i].worst <= CERTIFY_JERK;
     return good;
+}
+
+static void fold_worst(certify_worst *sum, const certify_worst *part)
+{
+    const double is = part->worst * (sum->tol > 0 ? sum->tol : 1),
+                 was = sum->worst * (part->tol > 0 ? part->tol : 1);
+
+    if (is > was || isnan(is))
+        *sum = *part;
+}
+
+void certify_fold(certify *sum, const certify *part)
+{
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        fold_worst(&sum->speed[i], &part->speed[i]);
+        fold_worst(&sum->accel[i], &part->accel[i]);
+        fold_worst(&sum->jerk[i], &part->jerk[i]);
+    }
+    fold_worst(&sum->off, &part->off);
+    fold_worst(&sum->missed, &part->missed);
+    sum->connected = sum->connected && part->connected;
 }
 
 static void print_limit(char axis, const char *what, const char *unit, const certify_worst *w,

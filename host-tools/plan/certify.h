@@ -8,20 +8,12 @@
 #ifndef LOFT_CERTIFY_H
 #define LOFT_CERTIFY_H
 
-#include "engine/kinematics.h"  /* kinematics, engine_span, engine_limits, engine_move */
+#include "plan/certify_plan.h"  /* certify_plan, certify_worst */
 
 /* What a plan holds: these parts of the limits of speed, acceleration and jerk. */
 #define CERTIFY_SPEED 1.001
 #define CERTIFY_ACCEL 1.005
 #define CERTIFY_JERK  1.02
-
-/* A worst value and where it is: its time, or its move for certify.missed; its place. Of distances
- * it is the one that is the largest part of the tolerance there. */
-typedef struct {
-    double worst, seconds, at[ENGINE_AXES];
-    double tol;                 /* mm; of distances */
-    size_t move;
-} certify_worst;
 
 typedef struct {
     certify_worst speed[ENGINE_AXES], accel[ENGINE_AXES], jerk[ENGINE_AXES]; /* of the limits */
@@ -29,21 +21,6 @@ typedef struct {
                                      * the motion */
     bool connected;                 /* does each span begin where the last one ended? */
 } certify;
-
-typedef struct {
-    const kinematics *k;            /* of motors that a matrix maps */
-    const engine_limits *limits;    /* of the motors */
-    const engine_span *span;
-    size_t spans;
-    const engine_move *move;        /* of the drawing, for the tool */
-    size_t moves;
-    const engine_move *planned;     /* the same as it is planned: its corners count; NULL: `move` */
-    size_t planned_moves;
-    double tol, corner;             /* mm; near corners at least tol */
-} certify_plan;
-
-/* `corner` holds up to so many times itself along the drawing from a corner. */
-#define CERTIFY_NEAR 32
 
 /* Judge.
  *
@@ -54,6 +31,12 @@ typedef struct {
  *           decides. A distance above tol may be farther above
  *   cost    about 10 us for each chord, of which the sagitta is tol / 200 */
 void certify_make(certify *c, const certify_plan *plan);
+
+/* Judge one span by the limits; it begins after so many seconds. */
+void certify_span(certify *c, const engine_limits *limits, const engine_span *s, double begin);
+
+/* Add what a part of a plan has, if that is worse. */
+void certify_fold(certify *sum, const certify *part);
 
 /* Is everything within its bounds? */
 bool certify_holds(const certify *c);

@@ -43,10 +43,17 @@ double certify_bulge(const certify_cubic *c)
     return 0.75 * sqrt(most);
 }
 
-static void add_end(certify_chords *c, size_t of, const double at[ENGINE_AXES])
+double certify_length(const certify_cubic *c)
 {
-    const size_t n = c->s == NULL ? 0 : c->chords + 1;
+    double size = 0;
 
+    for (int k = 0; k < 3; k++)
+        size += space_distance(c->p[k], c->p[k + 1]);
+    return size;
+}
+
+static void make_room(certify_chords *c, size_t n)
+{
     if (n >= c->room) {
         c->room = c->room ? 2 * c->room : 1024;
         c->end  = tool_grow(c->end, c->room * sizeof *c->end);
@@ -54,11 +61,31 @@ static void add_end(certify_chords *c, size_t of, const double at[ENGINE_AXES])
         c->share = tool_grow(c->share, c->room * sizeof *c->share);
         c->of   = tool_grow(c->of, c->room * sizeof *c->of);
     }
+}
+
+static void add_end(certify_chords *c, size_t of, const double at[ENGINE_AXES])
+{
+    const size_t n = c->s == NULL ? 0 : c->chords + 1;
+
+    make_room(c, n);
     c->share[n] = 1;
     c->of[n > 0 ? n - 1 : 0] = of;
     memcpy(c->end[n], at, sizeof c->end[n]);
     c->s[n]   = n > 0 ? c->s[n - 1] + space_distance(at, c->end[n - 1]) : 0;
     c->chords = n;
+}
+
+void certify_chords_add(certify_chords *out, size_t of, const certify_cubic *c, double fine,
+                        double longest)
+{
+    const double size = certify_length(c),
+                 parts = fmax(fmax(ceil(sqrt(certify_bulge(c) / fine)), ceil(size / longest)), 1);
+
+    for (double k = out->s == NULL ? 0 : 1; k <= parts; k++) {
+        double at[ENGINE_AXES];
+        certify_eval(c, k / parts, at);
+        add_end(out, of, at);
+    }
 }
 
 void certify_chords_make(certify_chords *out, const certify_plan *plan, certify_source *source,
@@ -68,15 +95,17 @@ void certify_chords_make(certify_chords *out, const certify_plan *plan, certify_
     for (size_t n = 0; n < count; n++) {
         certify_cubic c;
         source(plan, n, &c);
-        const double parts = fmax(ceil(sqrt(certify_bulge(&c) / fine)), 1);
-        if (n == 0)
-            add_end(out, 0, c.p[0]);
-        for (double k = 1; k <= parts; k++) {
-            double at[ENGINE_AXES];
-            certify_eval(&c, k / parts, at);
-            add_end(out, n, k < parts ? at : c.p[3]);
-        }
+        certify_chords_add(out, n, &c, fine, HUGE_VAL);
     }
+}
+
+void certify_chords_forget(certify_chords *c, size_t count)
+{
+    c->chords -= count;
+    memmove(c->end, c->end + count, (c->chords + 1) * sizeof *c->end);
+    memmove(c->s, c->s + count, (c->chords + 1) * sizeof *c->s);
+    memmove(c->share, c->share + count, c->chords * sizeof *c->share);
+    memmove(c->of, c->of + count, c->chords * sizeof *c->of);
 }
 
 void certify_chords_free(certify_chords *c)
@@ -90,6 +119,26 @@ void certify_chords_free(certify_chords *c)
 
 // Corners
 // -------
+
+bool certify_chords_cut(certify_chords *c, size_t k, double s)
+{
+    if (!(s > c->s[k] && s < c->s[k + 1]))
+        return false;
+    const double z = (s - c->s[k]) / (c->s[k + 1] - c->s[k]);
+    double at[ENGINE_AXES];
+
+    for (int i = 0; i < ENGINE_AXES; i++)
+        at[i] = c->end[k][i] + z * (c->end[k + 1][i] - c->end[k][i]);
+    make_room(c, c->chords + 1);
+    memmove(c->end + k + 2, c->end + k + 1, (c->chords - k) * sizeof *c->end);
+    memmove(c->s + k + 2, c->s + k + 1, (c->chords - k) * sizeof *c->s);
+    memmove(c->share + k + 1, c->share + k, (c->chords - k) * sizeof *c->share);
+    memmove(c->of + k + 1, c->of + k, (c->chords - k) * sizeof *c->of);
+    memcpy(c->end[k + 1], at, sizeof at);
+    c->s[k + 1] = s;
+    c->chords++;
+    return true;
+}
 
 /* Where along the drawing the corner at `at` is: it is about `expected`. */
 static double corner_at(const certify_chords *c, const double at[ENGINE_AXES], double expected,

@@ -56,6 +56,7 @@ static void add_item(job *j, const loft_item *item, size_t kept)
 {
     make_room(j, kept);
     j->entry[j->count - j->low].item = *item;
+    j->entry[j->count - j->low].span = j->spans;
     memcpy(j->last, item->p[2], sizeof j->last);
     j->count++;
 }
@@ -349,8 +350,17 @@ static int take_span(job *j, const engine_span *span, size_t kept)
         status = add_points(j, &item, from, kept);
     else
         j->ticks += span->ticks;
+    j->spans++;
     pass_moves(j);
     return j->count >= LOFT_ITEMS_OPEN || j->ticks > UINT32_MAX ? LOFT_ERR_RANGE : status;
+}
+
+/* The plan up to an event is over. */
+static void end_plan(job *j)
+{
+    j->judged = job_judged(j);
+    certify_along_free(&j->along);
+    joints_end(&j->plan);
 }
 
 static void complete_job(job *j)
@@ -359,7 +369,7 @@ static void complete_job(job *j)
         time_item(j, j->timed, j->ticks);
     j->whole = true;
     j->done  = j->all;
-    joints_end(&j->plan);
+    end_plan(j);
 }
 
 /* Plan up to the next event. */
@@ -367,10 +377,12 @@ static int plan_on(job *j)
 {
     const size_t first = j->stop;
 
-    joints_end(&j->plan);
+    end_plan(j);
     j->begun         = false;
     j->stop          = next_stop(j, first);
     const int status = joints_plan(&j->plan, j->of, first, j->stop, j->e, &j->motors);
+    if (status >= 0 && j->head.kind != LOFT_CURVES)
+        joints_certify(&j->plan, &j->along, &j->motors);
     return status < 0 ? status : ENGINE_PLAN_BUSY;
 }
 
@@ -380,6 +392,8 @@ static int step_plan(job *j, size_t kept)
     engine_span span;
     int state = joints_step(&j->plan, &span), status;
 
+    if (j->plan.along != NULL && !j->plan.holds)
+        return JOB_OUTSIDE;
     if (state == ENGINE_PLAN_SPAN && (status = take_span(j, &span, kept)) != LOFT_OK)
         state = status;
     if (state != ENGINE_PLAN_DONE)
@@ -447,6 +461,7 @@ int job_open(job *j, joints *of, const job_options *o)
                 .e = o->e,
                 .motors = o->limits,
                 .patch = o->patch != NULL,
+                .judged.connected = true,
                 .does = o->does };
     if (of->count == 0)
         return LOFT_ERR_ARG;
@@ -477,6 +492,7 @@ int job_open(job *j, joints *of, const job_options *o)
 void job_free(job *j)
 {
     joints_end(&j->plan);
+    certify_along_free(&j->along);
     free(j->entry);
     free(j->pause);
     spool_free(j->ends);

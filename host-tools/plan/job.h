@@ -14,6 +14,7 @@
 #include "wire/message.h"   /* loft_job */
 
 #include "engine/engine.h"  /* engine, engine_limits */
+#include "plan/certify_along.h" /* certify_along */
 #include "plan/joints.h"    /* joints */
 #include "plan/levels.h"    /* levels */
 #include "plan/toolpath.h"  /* toolpath */
@@ -28,6 +29,7 @@ struct job_does {
 typedef struct {
     loft_item item;
     uint64_t due;               /* the ticks before it, if its index is below job.timed */
+    size_t span;                /* the planned span that it is of, or that comes next */
 } job_entry;
 
 typedef struct {
@@ -35,7 +37,7 @@ typedef struct {
     const kinematics *k;
     unsigned tick_hz;
     bool whole;                 /* planning is complete: `count` and `ticks` are those of the job */
-    size_t count;               /* planned items */
+    size_t count;               /* planned items, see job_ready */
     uint64_t ticks;             /* their ticks; for curves, those of the plan */
     int32_t last[ENGINE_AXES];  /* the end of the last item: raw Q16.16 mm, or steps for points */
     /* ---- */
@@ -45,6 +47,10 @@ typedef struct {
     size_t first;               /* the first item that this run of the program sent, and */
     uint64_t first_due;
     joints_planning plan;       /* of moves up to `stop`, where an event comes */
+    certify_along along;        /* judges them, */
+    certify judged;             /* and judged those before */
+    size_t spans;               /* planned */
+    size_t ready;               /* see job_ready */
     joints *of;
     const engine *e;
     engine_limits motors;
@@ -99,6 +105,27 @@ void job_free(job *j);
 
 /* Free the job and its path; *w is empty then. */
 void job_work_free(job_work *w);
+
+/* A plan is judged while it is made, span after span: all but that of a machine that plans. This
+ * status says that something is beyond its bound. */
+#define JOB_OUTSIDE (-100)
+
+/* What to say about that, or about another status that ended planning, and `then`. Returns the exit
+ * code. */
+int job_refuse(const job *j, const char *file, int status, const char *then);
+
+/* The items that are within their bounds, with all of the path up to them: no other may be sent. */
+size_t job_ready(job *j);
+
+/* The worst so far. */
+certify job_judged(const job *j);
+
+/* How far the motion is from the drawing at most, and how far it may be there, mm; `tol` is what it
+ * may be without corners. */
+double job_distance(const job *j, double tol, double *of);
+
+/* "path within 0.0036 of 0.0050 mm, 100 % of speed, 99 % of acceleration, 98 % of jerk" */
+const char *job_words_of_plan(const job *j, double tol, char text[160]);
 
 /* Continue planning for about `seconds`, until the job is complete, or until enough items after
  * `kept` are planned. Items before `kept` will not be asked for again. Returns enum loft_status. */

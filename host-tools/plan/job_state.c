@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/source.h"         /* source_name */
+#include "base/tool.h"           /* tool_error */
 #include "plan/job.h"
 
 #define KNOWN   0.02        /* of the path: enough to estimate the duration of all of it */
@@ -37,6 +39,100 @@ const char *job_words(const job *j)
            : j->patch                    ? "parts of a patch"
            : j->head.kind == LOFT_CURVES ? "curves"
                                          : "spans";
+}
+
+size_t job_ready(job *j)
+{
+    const size_t sure = j->spans - j->along.spans + j->along.sure;
+
+    if (j->whole || j->plan.along == NULL)
+        return j->count;
+    if (j->ready < j->low)
+        j->ready = j->low;
+    while (j->ready < j->count && j->entry[j->ready - j->low].span < sure)
+        j->ready++;
+    return j->ready;
+}
+
+certify job_judged(const job *j)
+{
+    certify sum = j->judged;
+
+    if (j->along.spans > 0)
+        certify_fold(&sum, &j->along.judged);
+    return sum;
+}
+
+double job_distance(const job *j, double tol, double *of)
+{
+    const certify c   = job_judged(j);
+    const bool missed = c.missed.worst * c.off.tol > c.off.worst * c.missed.tol;
+    const certify_worst *w = missed ? &c.missed : &c.off;
+    const double used = tol - joints_limits(j->of, &j->motors).tol / j->of->least;
+
+    *of = w->tol / j->of->least + used;
+    return w->worst / j->of->least + used;
+}
+
+static double worst_of(const certify_worst w[ENGINE_AXES])
+{
+    return fmax(fmax(w[0].worst, w[1].worst), w[2].worst);
+}
+
+const char *job_words_of_plan(const job *j, double tol, char text[160])
+{
+    const certify c = job_judged(j);
+    double of;
+    const double is = job_distance(j, tol, &of);
+
+    if (j->head.kind == LOFT_CURVES)
+        snprintf(text, 160, "path within %.4f mm", tol);
+    else
+        snprintf(text, 160,
+                 "path within %.4f of %.4f mm, %.0f %% of speed, %.0f %% of acceleration, %.0f %% "
+                 "of jerk",
+                 is, of, 100 * worst_of(c.speed), 100 * worst_of(c.accel), 100 * worst_of(c.jerk));
+    return text;
+}
+
+/* Which limit is exceeded, if one is. */
+static bool exceeds(const certify_worst w[ENGINE_AXES], double bound, const char *what,
+                    const char *axes, char text[200])
+{
+    for (int i = 0; i < ENGINE_AXES; i++)
+        if (!(w[i].worst <= bound)) {
+            snprintf(text, 200, "%s of %c is %.4g times its limit: give less --feed or --accel",
+                     what, axes[i], w[i].worst);
+            return true;
+        }
+    return false;
+}
+
+int job_refuse(const job *j, const char *file, int status, const char *then)
+{
+    const certify c  = job_judged(j);
+    const char *axes = kinematics_axes(j->k);
+    char text[200];
+
+    if (status != JOB_OUTSIDE)
+        return tool_error(EX_DATAERR, "%s: cannot be planned: %s%s", source_name(file),
+                          engine_status(status, ENGINE_NO_MOTION), then);
+    if (!c.connected)
+        snprintf(text, sizeof text, "it has a gap: plan with another --num");
+    else if (!exceeds(c.speed, CERTIFY_SPEED, "speed", axes, text) &&
+             !exceeds(c.accel, CERTIFY_ACCEL, "acceleration", axes, text) &&
+             !exceeds(c.jerk, CERTIFY_JERK, "jerk", axes, text)) {
+        double of;
+        const double is = job_distance(j, j->motors.tol, &of);
+        snprintf(text, sizeof text,
+                 "it leaves the drawing by %.6f of %.6f mm at most: give less --feed, or --tol "
+                 "%.2g",
+                 is, of, 1.5 * is);
+    }
+    return tool_error(EX_SOFTWARE,
+                      "%s: the plan is not within its bounds: %s; please report "
+                      "this%s",
+                      source_name(file), text, then);
 }
 
 /* How many moves end at that item, or tick, or before: see `ends`. */

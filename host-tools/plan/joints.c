@@ -459,14 +459,27 @@ int joints_plan(joints_planning *p, joints *j, size_t first, size_t end, const e
 {
     const engine_limits limits = joints_limits(j, motors);
 
-    *p = (joints_planning){ .j = j, .e = e, .first = first };
+    *p = (joints_planning){ .j = j, .e = e, .first = first, .count = end - first };
     return e->plan->open(&limits, scaled_move, p, end - first, &p->plan);
+}
+
+void joints_certify(joints_planning *p, certify_along *along, const engine_limits *motors)
+{
+    const engine_limits limits = joints_limits(p->j, motors);
+
+    p->along = along;
+    p->holds = true;
+    certify_along_begin(along, &limits, scaled_move, p, p->count);
 }
 
 int joints_step(joints_planning *p, engine_span *out)
 {
     const int step = p->e->plan->step(p->plan, out);
 
+    if (p->along != NULL && step == ENGINE_PLAN_SPAN)
+        p->holds = certify_along_span(p->along, out, p->e->plan->passed(p->plan));
+    if (p->along != NULL && step == ENGINE_PLAN_DONE)
+        p->holds = certify_along_end(p->along);
     for (int n = 0; n < 4 && step == ENGINE_PLAN_SPAN; n++)
         for (int i = 0; i < ENGINE_AXES; i++)
             if (p->j->scale[i] > 1)

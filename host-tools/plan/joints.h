@@ -16,6 +16,7 @@
 
 #include "read/drawing.h"       /* drawing */
 #include "engine/kinematics.h"  /* kinematics */
+#include "plan/certify_along.h" /* certify_along */
 #include "plan/toolpath.h"      /* toolpath */
 
 typedef struct {
@@ -54,7 +55,9 @@ typedef struct {
     const joints *j;
     const engine *e;
     engine_plan *plan;              /* NULL: none */
-    size_t first;
+    size_t first, count;
+    certify_along *along;           /* judges each span; NULL: none is judged */
+    bool holds;                     /* is all within its bounds so far? */
 } joints_planning;
 
 /* Begin to plan moves first .. end - 1, from rest to rest, within limits of the motors, with
@@ -62,6 +65,10 @@ typedef struct {
  * any case. */
 int joints_plan(joints_planning *p, joints *j, size_t first, size_t end, const engine *e,
                 const engine_limits *motors);
+
+/* Judge each span of the plan that has begun, as it is planned; *p must not move. `motors` are as
+ * above. */
+void joints_certify(joints_planning *p, certify_along *along, const engine_limits *motors);
 
 /* The first move of the motors that is, or is behind, the tool's move number `move`. */
 size_t joints_from(const joints *j, size_t move);

@@ -114,9 +114,7 @@ static int plan_move(const mover *v, const mover_move *m, job_work *w)
                                      &w->of);
     const int status = code == 0 ? job_open(&w->j, &w->of, &as) : LOFT_OK;
     w->j.k = w->of.k = &v->p.machine.k;     /* `p` ends here, and the job is drawn later */
-    return status == LOFT_OK ? code
-                             : tool_error(EX_DATAERR, "%s: this move cannot be planned: %s",
-                                          v->port, engine_status(status, ENGINE_NO_MOTION));
+    return status == LOFT_OK ? code : job_refuse(&w->j, v->port, status, "");
 }
 
 
@@ -149,7 +147,7 @@ static int run_job(mover *v, const mover_move *m, job *j, bool *ended)
         const bool more = s->phase == LOFT_PHASE_STREAMING && planned == LOFT_OK && job_waits(j, 0);
         if (more)
             planned = job_plan(j, 0, PORTION);
-        loft_sender_extend(s, (uint32_t)j->count, job_items(j));
+        loft_sender_extend(s, (uint32_t)job_ready(j), job_items(j));
         if (!talk_pump(&v->t, more ? 0 : 5))
             return talk_vanished(&v->t, "in the middle of a move ");
         if (talk_silence(&v->t) > SILENCE)
@@ -165,9 +163,7 @@ static int run_job(mover *v, const mover_move *m, job *j, bool *ended)
         }
     }
     talk_over(&v->t);
-    return planned == LOFT_OK ? 0
-                              : tool_error(EX_DATAERR, "%s: this move cannot be planned: %s",
-                                           v->port, engine_status(planned, ENGINE_NO_MOTION));
+    return planned == LOFT_OK ? 0 : job_refuse(j, v->port, planned, "");
 }
 
 /* What the report says. Other ends than those of mover_end are errors, in the words of a stream. */

@@ -116,9 +116,9 @@ static const char *awaited_event(const run_state *r, char text[200])
     }
     if (tool_clock() - r->moved < 3 * LOFT_SENDER_POLL / 1000.0)
         return NULL;
-    if (job_items(r->j) == LOFT_ITEMS_OPEN && r->j->count < s->ack.next)
+    if (job_items(r->j) == LOFT_ITEMS_OPEN && job_ready(r->j) < s->ack.next)
         return "planning up to where the machine stands";
-    if (job_items(r->j) == LOFT_ITEMS_OPEN && r->j->count == s->ack.next)
+    if (job_items(r->j) == LOFT_ITEMS_OPEN && job_ready(r->j) == s->ack.next)
         return "the machine has all that is planned by now: it waits for more";
     if (s->ack.flags & LOFT_FLAG_STARVED)
         return "the machine waits for data: this computer or the line is slow";
@@ -169,9 +169,9 @@ static void show_progress(run_state *r)
     state_text(r, state);
     report_facts f = facts_of(r);
     stream_place(s, r->about->k, s->status.position, f.at);
-    if (job_items(r->j) == LOFT_ITEMS_OPEN && r->j->count < s->ack.next) {
+    if (job_items(r->j) == LOFT_ITEMS_OPEN && job_ready(r->j) < s->ack.next) {
         f.state = "plans";
-        f.done  = (double)r->j->count;
+        f.done  = (double)job_ready(r->j);
         f.total = (double)s->ack.next;
         f.rests = false;
         report_show(&f, "planning up to where the machine stopped");
@@ -320,7 +320,7 @@ static bool plan_portion(run_state *r)
     if (!job_waits(r->j, r->kept))
         return false;
     r->planned = job_plan(r->j, r->kept, PORTION);
-    loft_sender_extend(s, (uint32_t)r->j->count, job_items(r->j));
+    loft_sender_extend(s, (uint32_t)job_ready(r->j), job_items(r->j));
     if (r->planned != LOFT_OK)
         loft_sender_control(s, LOFT_ABORT);
     return r->planned == LOFT_OK && job_waits(r->j, r->kept);
@@ -371,16 +371,18 @@ int stream_run(talk *t, job *j, const stream_subject *about)
     talk_begins(t, j->head.id, about->file);
     if (loft_sender_begin(&t->sender, &j->head, job_items(j), job_source, j) != LOFT_OK)
         return tool_error(EX_SOFTWARE, "the job could not begin: please report this");
-    loft_sender_extend(&t->sender, (uint32_t)j->count, job_items(j));
+    loft_sender_extend(&t->sender, (uint32_t)job_ready(j), job_items(j));
     report_begin(&told);
     const int code = stream_loop(&r);
     talk_over(t);
     if (code != 0)
         return code;
-    if (r.planned != LOFT_OK)
-        return tool_error(
-            EX_DATAERR, "%s: cannot be planned beyond item %zu: %s: the job was ended on the path",
-            about->file, j->count, engine_status(r.planned, ENGINE_NO_MOTION));
+    if (r.planned != LOFT_OK) {
+        char then[96];
+        snprintf(then, sizeof then, "; the job was ended on the path before item %zu",
+                 job_ready(j));
+        return job_refuse(j, about->file, r.planned, then);
+    }
     if (t->sender.phase < LOFT_PHASE_DONE)
         return stream_interrupted(t, j);
     return stream_ended(t, j, about);

@@ -138,18 +138,17 @@ static int read_record(const loft_sender *s, const char *file, record *r)
     }
 }
 
-/* "worst path error 0.0031 mm": measured, or as planned. */
+/* ", worst path error 0.0031 mm": as measured, if it was. */
 static int error_text(const loft_sender *s, const stream_subject *about, char text[64])
 {
     record r = { 0 };
 
-    if (about->record == NULL) {
-        snprintf(text, 64, "path planned within %.4f mm", about->tol);
+    text[0] = '\0';
+    if (about->record == NULL)
         return 0;
-    }
     const int code = read_record(s, about->record, &r);
     if (code == 0)
-        snprintf(text, 64, "worst path error %.4f mm",
+        snprintf(text, 64, ", worst path error %.4f mm",
                  record_worst_error(about->d, &r, NULL, NULL));
     record_free(&r);
     return code;
@@ -159,15 +158,14 @@ static int report_drawn(talk *t, job *j, const stream_subject *about)
 {
     const loft_sender *s = &t->sender;
     int32_t want[LOFT_AXES];
-    char text[96], other[96], error[64];
+    char text[96], other[96], error[64], plan[160];
     int status = LOFT_OK;
 
     if (j->head.kind != LOFT_CURVES || j->first > 0)    /* a job that was drawn before need not be
                                                          * planned completely */
         status = job_finish(j);
     if (status != LOFT_OK)
-        return tool_error(EX_DATAERR, "%s: cannot be planned: %s", about->file,
-                          engine_status(status, ENGINE_NO_MOTION));
+        return job_refuse(j, about->file, status, "");
     commanded_end(s, j, want);
     if (memcmp(want, s->report.position, sizeof want) != 0)
         return tool_error(
@@ -179,9 +177,9 @@ static int report_drawn(talk *t, job *j, const stream_subject *about)
     const int code = error_text(s, about, error);
     if (code != 0)
         return code;
-    printf("drawn: %zu curve%s, %.3f m, %.1f s machine time, %s, steps %s as commanded\n",
-           about->curves, tool_s(about->curves), about->drawn / 1000, machine_seconds(s), error,
-           steps_text(want, text));
+    printf("drawn: %zu curve%s, %.3f m, %.1f s machine time, %s%s, steps %s as commanded\n",
+           about->curves, tool_s(about->curves), about->drawn / 1000, machine_seconds(s),
+           job_words_of_plan(j, about->tol, plan), error, steps_text(want, text));
     print_line(t, j);
     return EX_OK;
 }

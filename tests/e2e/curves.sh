@@ -523,7 +523,8 @@ case_curves_through_pipes() {
                            if (d > 1e-3 || d < -1e-3) bad = 1; n++ }
              END { exit bad || n < 5 }' "$tmp/out" || job_fails "$num: $(cat "$tmp/out")"
     done
-    run 0 "$loft" stream "$tmp/two.loft" --dry-run; says out '^planned: .*path within 0.0050 mm'
+    run 0 "$loft" stream "$tmp/two.loft" --dry-run
+    says out '^planned: .*path within 0.00[0-9]* of 0.0050 mm'
     machine curves --speed fast --once
     run 0 "$loft" stream "$tmp/two.loft" --port "$tmp/curves" --feed 60
     gone "$machine"

@@ -147,7 +147,7 @@ case_events_late_in_a_long_program() {
 }
 case_dry_run_says_the_plan() {
     run 0 "$loft" stream "$tmp/small.csv" --dry-run
-    local end='[0-9]* spans, path within 0.0050 mm, job [0-9a-f]*$'
+    local end='[0-9]* spans, path within 0.00[0-9]* of 0.0050 mm, .* of jerk, job [0-9a-f]*$'
     says out "^planned: 7 curves, 0\.[0-9]* m drawn, .* s, $end"
     run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 1800mm/min; cp "$tmp/out" "$tmp/minutes"
     run 0 "$loft" stream "$tmp/small.csv" --dry-run --feed 30mm/s

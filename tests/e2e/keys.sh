@@ -60,7 +60,9 @@ case_a_program_is_told_in_json() {
     done
     wait $sender || job_fails "exit code $?"
     says err '^drawn: '
-    lines "o[0]['event'] == 'job' and o[0]['curves'] == 7 and o[-1] == {'event': 'end', 'code': 0}"
+    lines "o[0]['event'] == 'job' and o[0]['curves'] == 7 and o[-1]['event'] == 'end'"
+    lines "o[-1]['code'] == 0 and 0 < o[-1]['distance'] <= o[-1]['of'] and len(o[-1]['speed']) == 3"
+    lines "0 < max(o[-1]['acceleration']) <= 1.005 and 0 < max(o[-1]['jerk']) <= 1.02"
     lines "len(states) >= 5 and states[0]['part'] < 0.1 and states[-1]['part'] > 0.9"
     lines "[x['item'] for x in states] == sorted(x['item'] for x in states)"
     lines "max(x['feed'] for x in states) > 50 and {x['pen'] for x in states} == {'up', 'down'}"

@@ -5,7 +5,8 @@
 #include <string.h>
 
 #include "tools/drawn.h"          /* CHECK, PROPERTY, tool_grow */
-#include "plan/certify.h"
+#include "plan/certify_along.h"
+#include "plan/job.h"
 
 #define SPANS 8
 #define TOL   0.005
@@ -274,6 +275,134 @@ static void limits_are_held_at_stops_between_steps(arb *a)
     make->close(p);
 }
 
+// While a plan is made
+// --------------------
+
+/* Judge `plan` span by span; the path is told to be passed `late` spans after it is. */
+static bool judge_along(certify *c, size_t late)
+{
+    certify_along w;
+    bool good = true;
+
+    limits.tol    = plan.tol;
+    limits.corner = plan.corner;
+    certify_along_begin(&w, &limits, give_move, NULL, plan.moves);
+    for (size_t n = 0; n < plan.spans; n++) {
+        good = certify_along_span(&w, &span[n], n + 1 > late ? n + 1 - late : 0) && good;
+        CHECK(w.sure <= w.spans);
+    }
+    good = certify_along_end(&w) && good;
+    CHECK(w.sure == plan.spans);
+    *c = w.judged;
+    certify_along_free(&w);
+    return good;
+}
+
+/* The same judgement as of the whole, with corners and without, whatever lies beside the path. */
+static void a_plan_is_judged_while_it_is_made(arb *a)
+{
+    certify all, along;
+    const double by = arb_below(a, 3) ? (double)arb_below(a, 900) * 1e-5 : 0;
+
+    arb_plan(a, 1 + arb_below(a, SPANS), (uint16_t)(1 + arb_below(a, 1023)));
+    plan.corner = arb_below(a, 2) ? (1 + (double)arb_below(a, 40)) * TOL / 4 : 0;
+    for (size_t n = 0; n < plan.moves; n++)
+        for (int k = 0; k < 4; k++)
+            move[n].p[k][2] += by;
+    certify_make(&all, &plan);
+    const bool good = judge_along(&along, arb_below(a, 3));
+    for (int i = 0; i < ENGINE_AXES; i++) {
+        CHECK_NEAR(along.speed[i].worst, all.speed[i].worst, 0);
+        CHECK_NEAR(along.accel[i].worst, all.accel[i].worst, 0);
+        CHECK_NEAR(along.jerk[i].worst, all.jerk[i].worst, 0);
+    }
+    CHECK_NEAR(along.off.worst / along.off.tol, all.off.worst / all.off.tol, 0.02);
+    CHECK_NEAR(along.missed.worst / along.missed.tol, all.missed.worst / all.missed.tol, 0.02);
+    if (fabs(all.off.worst / all.off.tol - 1) > 0.02 &&
+        fabs(all.missed.worst / all.missed.tol - 1) > 0.02)
+        CHECK(good == certify_holds(&all));
+}
+
+/* Of a path that comes back on itself nothing is missed, and nothing is taken for another part. */
+static void a_path_that_comes_back_is_met_each_time(arb *a)
+{
+    const double high = 3 + (double)arb_below(a, 30), by = arb_below(a, 2) ? TOL / 2 : 3 * TOL;
+    const size_t bad = arb_below(a, SPANS);
+    certify c;
+
+    arb_plan(a, SPANS, 1000);
+    for (size_t n = 0; n < SPANS; n++)
+        for (int k = 0; k < 4; k++)
+            for (int i = 0; i < ENGINE_AXES; i++) {
+                const double t = n % 2 ? 1 - k / 3.0 : k / 3.0;
+                span[n].p[k][i] = i == 0 ? (int32_t)lround(t * high * 65536) : 0;
+                move[n].p[k][i] = i == 0 ? t * high : 0;
+            }
+    move[bad].p[1][1] += by / 0.75;
+    move[bad].p[2][1] += by / 0.75;
+    const bool good = judge_along(&c, 0);
+    CHECK(good == (by < TOL));
+    CHECK_NEAR(c.missed.worst, by, 0.01 * TOL);
+}
+
+const char tool_version[] = "test";
+
+/* A planner that puts one span beside the path. */
+static struct bent {
+    size_t at, given;
+    int32_t by;
+} bent;
+
+static int step_bent(engine_plan *p, engine_span *out)
+{
+    const int step = engine_f64.plan->step(p, out);
+
+    if (step == ENGINE_PLAN_SPAN && bent.given++ == bent.at)
+        out->p[1][1] += bent.by, out->p[2][1] += bent.by;
+    return step;
+}
+
+/* A span that is not within the bounds is never among those that may be sent. */
+static void a_plan_that_is_off_is_not_sent(arb *a)
+{
+    const toolpath path = { .count = 1 };
+    engine_plans plans  = *engine_f64.plan;
+    engine e            = engine_f64;
+    size_t tool[SPANS];
+    job_options o = { .e = &e, .kind = arb_below(a, 2) ? LOFT_SPANS : LOFT_POINTS };
+    job j;
+    int status;
+
+    arb_plan(a, SPANS, 10);
+    plans.step = step_bent;
+    e.plan     = &plans;
+    bent       = (struct bent){ arb_below(a, 60), 0, (int32_t)(4 * TOL * 65536) };
+    for (size_t n = 0; n < SPANS; n++) {
+        tool[n]      = n;
+        move[n].feed = 20;
+    }
+    o.limits = limits;
+    o.limits.tol = TOL;
+    o.limits.corner = 0;
+    for (int i = 0; i < ENGINE_AXES; i++)
+        o.steps_per_mm[i] = 80 * 65536;
+    joints of = { .k     = &axes,
+                  .move  = move,
+                  .of    = tool,
+                  .count = SPANS,
+                  .path  = &path,
+                  .scale = { 1, 1, 1 },
+                  .least = 1 };
+    status = job_open(&j, &of, &o);
+    while (status == LOFT_OK && !j.whole)
+        status = job_plan(&j, 0, 1);
+    CHECK(bent.given > bent.at ? status == JOB_OUTSIDE : status == LOFT_OK);
+    CHECK(status == LOFT_OK || j.spans <= bent.at);
+    if (o.kind == LOFT_SPANS && status != LOFT_OK)
+        CHECK(job_ready(&j) <= bent.at);
+    job_free(&j);
+}
+
 int main(void)
 {
     PROPERTY(worst_speed_is_reached_and_never_exceeded, 30);
@@ -284,5 +413,8 @@ int main(void)
     PROPERTY(corners_have_a_tolerance_of_their_own, 100);
     PROPERTY(a_gap_is_refused, 20);
     PROPERTY(limits_are_held_at_stops_between_steps, 20);
+    PROPERTY(a_plan_is_judged_while_it_is_made, 12);
+    PROPERTY(a_path_that_comes_back_is_met_each_time, 10);
+    PROPERTY(a_plan_that_is_off_is_not_sent, 8);
     return check_failures();
 }
