@@ -43,7 +43,7 @@ installed() { make -s install-lib PREFIX=/usr DESTDIR="$work/moved" LIBDIR=/usr/
 verdict "make install-lib PREFIX=/usr DESTDIR=" installed
 short=$(version | cut -d. -f1,2)
 project found "find_package(loft $short CONFIG REQUIRED)"
-patches() {     # the same of surfaces: WHERE CMake finds loft, OPTION..
+patches() {     # patches NAME LINE OPTION..: a program of surfaces; LINE says where loft is
     local folder=$work/patches-$1 says=$2; shift 2
     mkdir -p "$folder" && cp lib/examples/grid.c "$folder" &&
         printf '%s\n' 'cmake_minimum_required(VERSION 3.13)' 'project(user C)' "$says" \
@@ -56,7 +56,8 @@ verdict "add_subdirectory(loft/lib): loft::surfaces-q16, built and run" \
     patches subdirectory "add_subdirectory(\"$top/lib\" loft)"
 verdict "find_package(loft-surfaces CONFIG): built and run" \
     patches found "find_package(loft-surfaces CONFIG REQUIRED)" \
-        -DCMAKE_PREFIX_PATH="$work/moved/usr/lib/multi"
+        -Dloft_DIR="$work/moved/usr/lib/multi/cmake/loft" \
+        -Dloft-surfaces_DIR="$work/moved/usr/lib/multi/cmake/loft-surfaces"
 verdict "find_package(loft $short CONFIG) in the moved tree, shared: built and run" \
     runs found -Dloft_DIR="$work/moved/usr/lib/multi/cmake/loft"
 project static "find_package(loft CONFIG REQUIRED)" 'set(KIND -static)'
