@@ -3,8 +3,9 @@
  * SPDX-License-Identifier: MIT
  *
  * Numerator and denominator are walked by forward differences. Both are multiplied by n^degree,
- * which cancels in the quotient. Each point costs `degree` additions and one quotient per axis, no
- * multiplication, and there is no drift.
+ * which cancels in the quotient. Each point costs `degree` additions and one quotient per axis, and
+ * no multiplication. In q16 the differences are whole numbers for any n, so there is no drift; in
+ * f32 and f64 the roundings of n additions add up to what loft_rational_walk_next states.
  *
  *     loft_rational_walk w;
  *     loft_vec           p;

@@ -51,7 +51,9 @@ loft_fine loft_fine_angle(loft_acc a);
 loft_fine loft_fine_sin(loft_fine x);
 loft_fine loft_fine_cos(loft_fine x);
 
-/* The angle from the first axis to (x, y), within -pi..pi; 0 for the null vector.
+/* The angle from the first axis to (x, y), within -pi..pi, with the sign of y. For y = 0 it is 0
+ * or, where x < 0, pi, also if y is the -0 of floats (C's atan2 gives -pi there). The null vector
+ * gives 0.
  *
  *   range   q16: any   f32, f64: |x|, |y| from 2^-500 to 2^1000, or 0
  *   error   q16: 2^-56   f32, f64: 2^-50

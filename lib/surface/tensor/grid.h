@@ -3,7 +3,10 @@
  * SPDX-License-Identifier: MIT
  *
  * A walk needs only additions: per axis and point as many as the degree along the row, and per row
- * as many as there are differences. No multiplication, no drift. The caller provides the memory:
+ * as many as there are differences, and no multiplication. In q16 nothing is rounded for powers of
+ * two (the law of ranges below), so there is no drift. For other numbers of steps the differences
+ * are rounded once, at the start; in f32 and f64 the roundings of additions add up. loft_grid_next
+ * states how far. The caller provides the memory:
  *
  *     static loft_state memory[LOFT_GRID_STATES(3, 3)];
  *     loft_grid g;

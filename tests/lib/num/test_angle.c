@@ -152,6 +152,23 @@ static void roots_are_within_their_bound(arb *a)
     CHECK_EXACT(exact_fine(loft_fine_unit(t)), exact_unit(t), 0);
 }
 
+/* Along the first axis y has no sign: 0 or pi. */
+static void an_angle_has_the_sign_of_y(arb *a)
+{
+    const loft_acc x = BY_NUM((loft_acc)(arb_next(a) >> (1 + arb_below(a, 50))),
+                              (double)(1 + arb_below(a, 1000)), (double)(1 + arb_below(a, 1000))) +
+                       1,
+                   y = BY_NUM((loft_acc)(arb_next(a) >> (2 + arb_below(a, 50))) + 1, x / 7, x / 7);
+    const loft_acc none = BY_NUM(0, -0.0, -0.0);
+    const loft_fine half_turn = loft_fine_atan2(0, -x);
+
+    CHECK_EXACT(exact_fine(half_turn), pi, BY_NUM(0x1p-56L, 0x1p-50L, 0x1p-50L));
+    CHECK(exact_fine(loft_fine_atan2(none, -x)) > 0 && exact_fine(loft_fine_atan2(none, x)) >= 0 &&
+          exact_fine(loft_fine_atan2(none, x)) <= 0);
+    CHECK(exact_fine(loft_fine_atan2(y, x)) >= 0 && exact_fine(loft_fine_atan2(-y, x)) <= 0);
+    CHECK(exact_fine(loft_fine_atan2(y, -x)) > 0 && exact_fine(loft_fine_atan2(-y, -x)) < 0);
+}
+
 int main(void)
 {
     PROPERTY(sines_are_within_their_bound,                     30000);
@@ -159,6 +176,7 @@ int main(void)
     PROPERTY(wide_sines_are_within_their_bound,                20000);
     PROPERTY(an_angle_loses_its_whole_turns_only,              20000);
     PROPERTY(the_angle_of_a_vector_is_within_its_bound,        20000);
+    PROPERTY(an_angle_has_the_sign_of_y,                         500);
     PROPERTY(the_greatest_vectors_have_an_angle,                 200);
     PROPERTY(products_and_quotients_are_within_their_bound,    20000);
     PROPERTY(roots_are_within_their_bound,                      5000);
