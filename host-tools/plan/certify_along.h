@@ -39,12 +39,12 @@ typedef struct {
 
 /* Begin with a path of `count` moves. Limits, tolerance and corner are those of the plan.
  *
- *   error   distances are at most tol / 1000 above the exact ones, and not below them */
+ *   error   distances are at most tol / 100 above the exact ones, and not below them */
 void certify_along_begin(certify_along *w, const engine_limits *limits, engine_move_source *source,
                          void *context, size_t count);
 
 /* Judge the next span, at whose end so many moves are passed; then the rest of the path. They
- * return whether everything is within its bounds so far. */
+ * return false if something is beyond its bounds for certain. */
 bool certify_along_span(certify_along *w, const engine_span *span, size_t passed);
 bool certify_along_end(certify_along *w);
 void certify_along_free(certify_along *w);
