@@ -10,7 +10,7 @@ load=()
 for _ in $(seq "${LOAD:-20}"); do
     while :; do :; done & load+=($!)
 done
-trap '[ ${#load[@]} = 0 ] || kill "${load[@]}"' EXIT
+trap '[ ${#load[@]} = 0 ] || kill "${load[@]}" 2>/dev/null' EXIT
 results=$(for _ in $(seq "$runs"); do echo "bash ${0%/*}/e2e.sh $*"; done |
     BESIDE=8 bash "${0%/*}/../house/beside.sh" | grep -E '^(ok|FAIL)')
 grep '^FAIL' <<<"$results"
