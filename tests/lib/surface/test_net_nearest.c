@@ -125,11 +125,12 @@ static void collapsed_patches_have_a_nearest_point(arb *a)
             CHECK(exact_acc(near.distance) <= distance_at(&s, i / 8.0L, j / 8.0L, p) + 0.0011L);
 }
 
-/* Along one border the patch is nearer to 0 than elsewhere, and near again along the opposite one:
- * the bound of a part counts every row and every column of its net. */
+/* In the middle of one border the patch is nearer to 0 than elsewhere, and near again in that of the
+ * opposite one, to which it falls from its middle: the bound of a part counts every row and every
+ * column of its net. */
 static void the_nearest_border_is_found(arb *a)
 {
-    const unsigned m = 2 + arb_below(a, 3), n = 2 + arb_below(a, 3), border = arb_below(a, 4);
+    const unsigned m = 3 + arb_below(a, 2), n = 3 + arb_below(a, 2), border = arb_below(a, 4);
     const loft_vec zero = { { 0 } };
     loft_tensor s;
     loft_net_near near;
@@ -137,14 +138,18 @@ static void the_nearest_border_is_found(arb *a)
     for (unsigned i = 0; i <= m; i++)
         for (unsigned j = 0; j <= n; j++) {
             const unsigned end = border / 2 ? n : m, k = border / 2 ? j : i,
-                           from = border % 2 ? end - k : k;
+                           from = border % 2 ? end - k : k, across = border / 2 ? i : j,
+                           last = border / 2 ? m : n;
+            const bool corner = across == 0 || across == last;
             loft_vec *const p = &net[i * (n + 1) + j];
             for (int axis = 0; axis < LOFT_AXES; axis++)
                 p->axis[axis] = axis < 2 ? arb_real(a, 1) / 4 : 0;
-            p->axis[2] = loft_real_from_int(from == 0     ? 1
-                                            : from == end ? 4
-                                                          : 20) +
-                         arb_real(a, 1) / 2;
+            p->axis[2] = loft_real_from_int(from + 1 == end            ? 10
+                                            : from > 0 && from < end ? 20
+                                            : corner               ? 6
+                                            : from == 0            ? 1
+                                                                     : 4) +
+                         arb_real(a, 1) / 4;
         }
     CHECK(loft_tensor_init(&s, net, m, n) == LOFT_OK);
     CHECK(loft_net_nearest(loft_net_from_tensor(&s), zero, LOFT_REAL(0.001), &near) == LOFT_OK);
