@@ -19,9 +19,9 @@
  * ramp. From a stop and to a stop no other rule is needed. More levels than one per tick allow
  * slower paces and finer aims.
  *
- * u is such that J is near 10^4: then p percent is level p^2. J is off by at most ceil(ramp / 2) / 2,
- * a steady pace by half as large a part, and the level's rounding adds no more. Where ceil(ramp / 2)
- * divides 10^4 it is exact.
+ * u is such that J is near 10^4: then p percent is level p^2. J is off by at most ceil(ramp / 2) /
+ * 2, a steady pace by half as large a part, and the level's rounding adds no more. Where
+ * ceil(ramp / 2) divides 10^4 it is exact.
  *
  * In numbers: roots in Q8, first = 2 slots sqrt(J) in Q16, T in Q8. Range: first / 2^16 <= 32767 by
  * init, so first < 2^31; a level is at most 4 * 16383, so its root is below 2^16 in Q8. Error: a

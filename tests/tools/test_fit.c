@@ -318,9 +318,9 @@ static void a_cloud_makes_no_shape(arb *a)
     scatter_fit_free(&f);
 }
 
-/* A disk, a ring or a triangle tells nothing of the corners of the rectangle around it. What is given
- * for them lies in the box of the points along the axes, but for 1/30 of its size, as no direction of
- * theirs is better. */
+/* A disk, a ring or a triangle tells nothing of the corners of the rectangle around it. What is
+ * given for them lies in the box of the points along the axes, but for 1/30 of its size, as no
+ * direction of theirs is better. */
 static void corners_without_points_stay_in_the_box(arb *a)
 {
     enum { COUNT = 100, LOOK = 20 };

@@ -125,9 +125,9 @@ static void collapsed_patches_have_a_nearest_point(arb *a)
             CHECK(exact_acc(near.distance) <= distance_at(&s, i / 8.0L, j / 8.0L, p) + 0.0011L);
 }
 
-/* In the middle of one border the patch is nearer to 0 than elsewhere, and near again in that of the
- * opposite one, to which it falls from its middle: the bound of a part counts every row and every
- * column of its net. */
+/* In the middle of one border the patch is nearer to 0 than elsewhere, and near again in that of
+ * the opposite one, to which it falls from its middle: the bound of a part counts every row and
+ * every column of its net. */
 static void the_nearest_border_is_found(arb *a)
 {
     const unsigned m = 3 + arb_below(a, 2), n = 3 + arb_below(a, 2), border = arb_below(a, 4);
