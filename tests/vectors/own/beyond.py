@@ -124,7 +124,8 @@ def rational_rows():
 def main():
     to = sys.argv[1]
     write(to, 'pn_triangle', 'PN triangle with points P and normals N of any length: b210;b201;'
-          'b120;b111;b102;b021;b012 and the point at u', 'P_q16,N_q16,u_q16,b,p', pn_rows(), 'pn_beyond')
+          'b120;b111;b102;b021;b012 and the point at u', 'P_q16,N_q16,u_q16,b,p', pn_rows(),
+          'pn_beyond')
     write(to, 'rational_eval', 'rational Bezier curve: point and first derivative at t',
           'n,d,P_q16,w_q16,t_q16,p,dp', rational_rows(), 'rational_beyond')
     write(to, 'tri_bernstein_iter', 'Bernstein operator on the triangle iterated k times: value '
