@@ -347,6 +347,44 @@ static void curves_that_do_not_fit_are_refused(arb *a)
     CHECK(loft_chain_push(&planned.chain, &m) == LOFT_ERR_SPACE);
 }
 
+/* Two lines with that turn between them. */
+static void add_turn(double turn)
+{
+    const double zero[4] = { 0 };
+
+    begin_chain();
+    for (int n = 0; n < 2; n++) {
+        add_curve(zero, zero, zero, zero, 20);
+        for (int k = 0; k < 4; k++) {
+            const double s = 2 * k / 3.0;
+            chain[n].curve.p[k].axis[0] = real_of(n == 0 ? s : 2 + s * cos(turn));
+            chain[n].curve.p[k].axis[1] = real_of(n == 0 ? 0 : s * sin(turn));
+        }
+    }
+}
+
+/* A chain ends before a curve whose direction differs by more than `exact` from the last one, or
+ * where a plan has room for one curve alone. */
+static void a_chain_ends_where_it_has_to_stop(arb *a)
+{
+    const double turn = arb_between(a, -3, 3), size = 2 * fabs(sin(turn / 2)),
+                 exact = arb_between(a, 0.05, 1.9);
+
+    arb_limits(a);
+    limits.exact = real_of(arb_below(a, 4) ? exact : 0);
+    add_turn(turn);
+    loft_period_init(&period, &limits);
+    loft_path_init(&planned, &period, ring, 2);
+    CHECK(loft_chain_push(&planned.chain, &chain[0]) == LOFT_OK && !planned.chain.ended);
+    const bool stops = loft_chain_push(&planned.chain, &chain[1]) == LOFT_ERR_SPACE;
+    if (fabs(size - exact) > 0.01)
+        CHECK(stops == (limits.exact > 0 && size > exact));
+    CHECK(planned.chain.ended == stops);
+    loft_path_init(&planned, &period, ring, 1);
+    CHECK(loft_chain_push(&planned.chain, &chain[0]) == LOFT_OK && planned.chain.ended);
+    limits.exact = 0;
+}
+
 int main(void)
 {
     PROPERTY(places_lead_from_end_to_end, 60);
@@ -357,6 +395,7 @@ int main(void)
     PROPERTY(ways_change_by_little, 30);
     PROPERTY(chords_are_off_by_half_of_their_sag, 40);
     PROPERTY(a_circle_is_one_however_it_is_written, 20);
+    PROPERTY(a_chain_ends_where_it_has_to_stop, 60);
     PROPERTY(curves_that_do_not_fit_are_refused, 5);
     return check_failures();
 }
