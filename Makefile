@@ -64,6 +64,9 @@ lib/names.h: build/names.stamp
 	+@test -f $@
 
 # What each function may err by is read from the headers too, when asked for: lint says when.
+host-tools/MESSAGES.md: tests/house/messages.py $(wildcard host-tools/*/*.c)
+	$(SAY) "  GEN $@"
+	$(Q)python3 $< > $@.new && mv $@.new $@
 lib/ERRORS.md: $(LIB_HDR) tests/house/errors.sh
 	@sh tests/house/errors.sh > $@.new && mv $@.new $@
 

@@ -11,6 +11,7 @@
 #include "base/progress.h"   /* progress_watch */
 #include "base/tool.h"       /* tool_command */
 #include "cmd/commands.h"    /* command_stream .. */
+#include "cmd/terminal.h"    /* terminal_host */
 #include "figures/cmd_figures.h" /* command_figures, command_study */
 #include "loft.h"            /* LOFT_VERSION */
 
@@ -104,7 +105,7 @@ static int run(const char *name, int argc, char **argv)
     return flushed(c->run(c, argc, argv));
 }
 
-int main(int argc, char **argv)
+static int command(int argc, char **argv)
 {
     const char *name = argc > 1 ? argv[1] : "";
 
@@ -125,4 +126,15 @@ int main(int argc, char **argv)
         return run(argv[2], 2, line);
     }
     return run(name, argc - 1, argv + 1);
+}
+
+int main(int argc, char **argv)
+{
+    terminal t     = { .doing = NULL };
+    host h         = terminal_host(&t);
+
+    tool_use(&h);
+    const int code = command(argc, argv);
+    host_close(&h);
+    return code;
 }

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/source.h"        /* source_open */
-#include "base/tool.h"          /* tool_error, sysexits */
 #include "gcode/gcode.h"        /* GCODE_ANY */
 #include "gcode/gcode_draw.h"   /* reader_gcode */
 #include "read/drawing_curves.h"    /* reader_loft */
@@ -18,24 +17,26 @@
 
 static const reader *const readers[] = { &reader_svg, &reader_loft, &reader_gcode,
                                          &reader_numbers };
-#define READERS (sizeof readers / sizeof *readers)
+#define EXPECTED "a drawing is expected, SVG, G-code, CSV or .loft"
+#define READERS  (sizeof readers / sizeof *readers)
 
-/* The kind of a file of which the first part is there. NULL after printing one line: it is not
- * read. */
-static const reader *kind_of(const char *file, const char *text, size_t size, const char *expected)
+/* The kind of a file of which the first part is there. NULL after one message: it is not read. */
+static const reader *kind_of(host *h, const char *file, const char *text, size_t size,
+                             const char *expected)
 {
     const reader *rows[READERS + FOREIGN_KINDS];
+    const host_place at = { file, 0 };
 
     memcpy(rows, readers, sizeof readers);
     for (size_t i = 0; i < FOREIGN_KINDS; i++)
         rows[READERS + i] = &foreign_readers[i];
-    const reader *r = reader_of(rows, READERS + FOREIGN_KINDS, file, text, size);
+    const reader *r = reader_of(h, rows, READERS + FOREIGN_KINDS, file, text, size);
     if (r == NULL)
         return NULL;
     if (r->read == NULL)
-        (void)tool_error(EX_DATAERR, "%s: is %s: %s", file, r->name, r->remedy);
+        (void)host_error(h, EX_DATAERR, "file.foreign", at, r->remedy, "is %s", r->name);
     else if (!(r->takes & READER_BYTES) && strlen(text) != size)
-        (void)tool_error(EX_DATAERR, "%s: is not text: %s", file, expected);
+        (void)host_error(h, EX_DATAERR, "file.not-text", at, expected, "is not text");
     else
         return r;
     return NULL;
@@ -46,7 +47,7 @@ static const reader *kind_of(const char *file, const char *text, size_t size, co
 // --------
 
 /* Refuse options that were given, and say nothing about a file of this kind. */
-static bool other_options(const drawing *d, const char *file, unsigned takes)
+static bool other_options(host *h, const drawing *d, const char *file, unsigned takes)
 {
     char line[24];
     const struct {
@@ -65,86 +66,90 @@ static bool other_options(const drawing *d, const char *file, unsigned takes)
     snprintf(line, sizeof line, "%u", d->from_line);
     for (size_t i = 0; i < sizeof given / sizeof *given; i++)
         if (!(takes & given[i].of) && given[i].value != NULL)
-            return tool_error(EX_USAGE, "%s: --%s%s%s: %s: leave it out", file, given[i].option,
+            return host_error(h, EX_USAGE, "file.option-of-another-kind", (host_place){ file, 0 },
+                              "leave it out", "--%s%s%s: %s", given[i].option,
                               given[i].value[0] ? " " : "", given[i].value, given[i].why) != 0;
     return false;
 }
 
 /* The source has given its first part. */
-static int read_source(drawing *d, const char *file, source *s)
+static int read_source(host *h, drawing *d, const char *file, source *s)
 {
+    const host_place at = { file, 0 };
+
     if (s->text[strspn(s->text, " \t\r\n")] == '\0' && strlen(s->text) == s->size)
-        return tool_error(EX_DATAERR,
-                          "%s: is empty: a drawing is expected, SVG, G-code, CSV or .loft", file);
-    const reader *r = kind_of(file, s->text, s->size,
-                              "a drawing is expected, SVG, G-code, CSV or .loft");
+        return host_error(h, EX_DATAERR, "file.empty", at, EXPECTED, "is empty");
+    const reader *r = kind_of(h, file, s->text, s->size, EXPECTED);
     if (r == NULL)
         return EX_DATAERR;
-    if (other_options(d, file, r->takes))
+    if (other_options(h, d, file, r->takes))
         return EX_USAGE;
     const int code = r->takes & READER_PARTS ? 0 : source_rest(s);
     if (code != 0)
         return code;
     if (s->stream != NULL && s->text[s->size - 1] != '\n')
-        return tool_error(EX_DATAERR, "%s:1: a line of more than 1 MB: split it", file);
+        return host_error(h, EX_DATAERR, "file.line-too-long", (host_place){ file, 1 }, "split it",
+                          "a line of more than 1 MB");
     if (!(r->takes & READER_BYTES) && strlen(s->text) != s->size)
-        return tool_error(
-            EX_DATAERR, "%s: is not text: a drawing is expected, SVG, G-code, CSV or .loft", file);
-    return r->read(d, file, s);
+        return host_error(h, EX_DATAERR, "file.not-text", at, EXPECTED, "is not text");
+    return r->read(h, d, file, s);
 }
 
-int drawing_read(drawing *d, const char *file)
+int drawing_read(host *h, drawing *d, const char *file)
 {
+    const unsigned warnings = h->warnings;
     const bool kept = strcmp(file, "-") == 0;       /* it cannot be read again */
     source s;
-    int code = kept ? source_whole(&s, file) : source_open(&s, file);
+    int code = kept ? source_whole(h, &s, file) : source_open(h, &s, file);
 
     if (code == 0)
-        code = read_source(d, source_name(file), &s);
+        code = read_source(h, d, source_name(file), &s);
     source_close(&s);
     if (code == 0 && d->count + d->taken == 0)
-        return tool_error(EX_DATAERR,
-                          "%s: nothing to draw: it holds no visible curve of 0.000001 mm or more",
-                          source_name(file));
-    return code;
+        return host_error(h, EX_DATAERR, "drawing.empty", (host_place){ source_name(file), 0 },
+                          NULL,
+                          "nothing to draw: it holds no visible curve of 0.000001 mm or more");
+    return host_code(h, warnings, code);
 }
 
 
 // Curves
 // ------
 
-static int curves_of_file(curves *all, const char *file)
+static int curves_of_file(host *h, curves *all, const char *file)
 {
     size_t size;
     int code;
-    char *text = source_read(file, &size, &code);
+    char *text = source_read(h, file, &size, &code);
 
     if (text == NULL)
         return code;
-    const reader *r = kind_of(source_name(file), text, size, "give control points, one per line");
+    const reader *r = kind_of(h, source_name(file), text, size,
+                              "give control points, one per line");
     if (r == NULL) {
         code = EX_DATAERR;
     } else if (r->curves != NULL) {
-        code = r->curves(all, source_name(file), text);
+        code = r->curves(h, all, source_name(file), text);
     } else {
         drawing d = { 0 };
         source s  = source_text(text, size);
-        code      = r->read(&d, source_name(file), &s);
+        code      = r->read(h, &d, source_name(file), &s);
         if (code == 0)
-            code = curves_of_drawing(all, &d, source_name(file));
+            code = curves_of_drawing(h, all, &d, source_name(file));
         drawing_free(&d);
     }
     free(text);
     return code;
 }
 
-int curves_read(curves *all, const char *file, const char *text)
+int curves_read(host *h, curves *all, const char *file, const char *text)
 {
+    const unsigned warnings = h->warnings;
     const char *name = text ? "--points" : source_name(file);
-    const int code   = text ? curves_of_points(all, text) : curves_of_file(all, file);
+    const int code   = text ? curves_of_points(h, all, text) : curves_of_file(h, all, file);
 
     if (code == 0 && all->count == 0)
-        return tool_error(EX_DATAERR, "%s: no curve in it: give control points, one per line",
-                          name);
-    return code;
+        return host_error(h, EX_DATAERR, "points.none", (host_place){ name, 0 },
+                          "give control points, one per line", "no curve in it");
+    return host_code(h, warnings, code);
 }

@@ -8,14 +8,14 @@
 #include "read/drawing.h"       /* drawing */
 
 /* Read `file` ("-" is standard input): SVG, curves (LOFT.md), G-code or CSV (x0,y0,..,x3,y3 in mm
- * per line). Returns 0, or a code of <sysexits.h> after printing one line. `*d` must be zeroed but
+ * per line). Returns 0, or a code of <sysexits.h> after one message. `*d` must be zeroed but
  * for what is set before; free with drawing_free. */
-int drawing_read(drawing *d, const char *file);
+int drawing_read(host *h, drawing *d, const char *file);
 
 /* Read the curves of `file` ("-" is standard input); lines of two or three numbers are control
  * points. If `text` is not NULL, read the control points of one Bezier curve from it instead: "0,0
- * 1,2 3,0". Returns 0, or an exit code after printing one line. `*all` must be zeroed, but for what
+ * 1,2 3,0". Returns 0, or an exit code after one message. `*all` must be zeroed, but for what
  * is asked for. */
-int curves_read(curves *all, const char *file, const char *text);
+int curves_read(host *h, curves *all, const char *file, const char *text);
 
 #endif

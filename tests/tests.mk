@@ -15,7 +15,8 @@ SURFACES_TESTS := $(patsubst test_%.c,%,$(notdir \
 vpath test_%.c $(sort $(dir $(TEST_SRC)))
 
 # the solver of harmonic coordinates, with which tests make tables: on the host, in long double
-SOLVER_SRC := $(sort $(wildcard host-tools/engine/harmonic*.c)) $(wildcard host-tools/base/least*.c)
+SOLVER_SRC := $(sort $(wildcard host-tools/engine/harmonic*.c host-tools/base/least*.c)) \
+              host-tools/base/memory.c
 SOLVER_OBJ := $(patsubst %.c,build/solver/%.o,$(SOLVER_SRC))
 build/solver/%.o: %.c
 	@mkdir -p $(@D)
@@ -206,7 +207,7 @@ REPLAY   = for n in $(FUZZERS); do \
                echo "sh tests/house/corpus.sh build/corpus/$$n tests/corpus/$$n.tar.gz"; done
 
 # --- readers, plans and pictures: build/test/tools/<module>, sanitized ----------------------------
-# The tests replace base/tool.c: they catch the lines that it would print.
+# Without base/tool.c, which has a command around it: the tests listen by support/heard.h.
 TOOL_TESTS  := $(patsubst tests/tools/test_%.c,%,$(sort $(wildcard tests/tools/test_*.c)))
 TOOL_TESTED := $(filter-out %/tool.c $(TOOL_LEFT),$(sort $(wildcard $(patsubst %, \
                  host-tools/%/*.c,base engine geometry read svg gcode fit arrange plan draw mill))))

@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "base/create.h"
-#include "base/tool.h"
+#include "base/host.h"
 
 static bool is_followed(const char *name) { return strncmp(name, "/dev/", 5) == 0; }
 
@@ -46,20 +46,20 @@ FILE *create_file(const char *name)
     return file;
 }
 
-int create_refused(const char *name, int why)
+int create_refused(host *h, const char *name, int why)
 {
+    const host_place at = { name, 0 };
+
     if (why == ELOOP)
-        return tool_error(EX_CANTCREAT,
-                          "%s: is a symbolic link, and no file is written through one: name the "
-                          "file that it points to, or remove the link",
-                          name);
-    return tool_error(
-        EX_CANTCREAT,
-        "%s: cannot be written: %s: name a place in a folder that exists and is yours", name,
-        strerror(why));
+        return host_error(h, EX_CANTCREAT, "file.symbolic-link", at,
+                          "name the file that it points to, or remove the link",
+                          "is a symbolic link, and no file is written through one");
+    return host_error(h, EX_CANTCREAT, "file.not-written", at,
+                      "name a place in a folder that exists and is yours", "cannot be written: %s",
+                      strerror(why));
 }
 
-int create_check(const char *name)
+int create_check(host *h, const char *name)
 {
     char folder[4096];
     struct stat info;
@@ -68,16 +68,16 @@ int create_check(const char *name)
         return 0;
     if (!is_followed(name) && lstat(name, &info) == 0 && S_ISLNK(info.st_mode) &&
         !(stat(name, &info) == 0 && is_stream(&info)))
-        return create_refused(name, ELOOP);
+        return create_refused(h, name, ELOOP);
     if (access(name, F_OK) == 0)
-        return access(name, W_OK) == 0 ? 0 : create_refused(name, errno);
+        return access(name, W_OK) == 0 ? 0 : create_refused(h, name, errno);
     size_t length = strlen(name);
     while (length > 1 && name[length - 1] == '/')       /* a folder that is to be made */
         length--;
     while (length > 0 && name[length - 1] != '/')
         length--;
     if (length >= sizeof folder)
-        return create_refused(name, ENAMETOOLONG);
+        return create_refused(h, name, ENAMETOOLONG);
     snprintf(folder, sizeof folder, "%.*s", (int)length, length > 0 ? name : "");
-    return access(length > 0 ? folder : ".", W_OK | X_OK) == 0 ? 0 : create_refused(name, errno);
+    return access(length > 0 ? folder : ".", W_OK | X_OK) == 0 ? 0 : create_refused(h, name, errno);
 }

@@ -6,6 +6,8 @@
 
 #include <stdio.h>
 
+struct host;                /* base/host.h */
+
 /* fopen to write a file that is made or emptied. What a symbolic link points to is not touched:
  * links that somebody put there would lead to any file of the user. Those of /dev are followed, as
  * /dev/stdout, and those to a device of characters or a pipe. NULL, with errno, which is ELOOP for
@@ -13,10 +15,10 @@
 FILE *create_file(const char *name);
 
 /* Tell that a file could not be made, and why: an `errno`. Returns EX_CANTCREAT. */
-int create_refused(const char *name, int why);
+int create_refused(struct host *h, const char *name, int why);
 
 /* Can a file or folder be made there? Changes nothing; NULL and "-" can. Returns 0, or an exit code
- * after printing one line. */
-int create_check(const char *name);
+ * after one message. */
+int create_check(struct host *h, const char *name);
 
 #endif

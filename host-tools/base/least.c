@@ -2,22 +2,11 @@
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/least.h"
-
-void *least_room(size_t bytes)
-{
-    void *room = malloc(bytes);
-
-    if (room == NULL) {
-        fprintf(stderr, "loft: no memory for %lu bytes\n", (unsigned long)bytes);
-        exit(EXIT_FAILURE);
-    }
-    return room;
-}
+#include "base/memory.h"    /* memory_grow */
 
 typedef struct {
     long double *at, scale, square;     /* its entries; its scale factor; the squared length of what
@@ -84,9 +73,9 @@ size_t least_squares(long double a[], size_t rows, size_t columns, size_t rights
                      long double x[])
 {
     const size_t all = columns + rights;
-    column *c = least_room(all * sizeof *c);
-    long double *diagonal = least_room(columns * sizeof *diagonal),
-                *y = least_room(columns * sizeof *y);
+    column *c = memory_grow(NULL, all * sizeof *c);
+    long double *diagonal = memory_grow(NULL, columns * sizeof *diagonal),
+                *y = memory_grow(NULL, columns * sizeof *y);
     size_t rank = 0;
 
     for (size_t k = 0; k < all; k++)

@@ -7,9 +7,6 @@
 
 #include <stddef.h>
 
-/* malloc; on failure, prints one line and ends the program. */
-void *least_room(size_t bytes);
-
 /* Find the x that minimizes |A x - b|, for several b at once, by Householder reflections, with the
  * longest remaining column first. Columns are scaled to a largest entry of 1. Columns that are then
  * shorter than `share` of the first one are left out (x = 0). So nearly dependent columns do not

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/least.h"
+#include "base/memory.h"    /* memory_grow */
 
 #define BLOCK 8     /* columns */
 
@@ -79,7 +80,7 @@ void least_damped(double a[], size_t rows, size_t columns, size_t rights, double
                   double x[])
 {
     const size_t all = columns + rights;
-    double *scale = least_room(3 * columns * sizeof *scale), *diagonal = scale + columns;
+    double *scale = memory_grow(NULL, 3 * columns * sizeof *scale), *diagonal = scale + columns;
     const matrix m = { a, diagonal + columns, rows + columns, rows + 1 };
 
     for (size_t k = 0; k < columns; k++) {

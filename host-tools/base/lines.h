@@ -14,6 +14,7 @@
 #define LINES_WEIGHT_MOST  256.0
 
 typedef struct {
+    struct host *host;      /* base/host.h */
     const char *file;
     unsigned line;          /* from 1                      */
     const char *rest;       /* the rest of the line */

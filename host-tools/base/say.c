@@ -86,6 +86,26 @@ char *say_copy(char out[], size_t room, const char *text)
     return out;
 }
 
+void say_quoted(FILE *out, const char *text)
+{
+    int32_t c;
+
+    putc('"', out);
+    for (int size; *text != '\0'; text += size) {
+        size = say_character(text, &c);
+        if (c < 0)
+            c = (unsigned char)*text;
+        else if (!say_hides(c) && c != '"' && c != '\\') {
+            fwrite(text, 1, (size_t)size, out);
+            continue;
+        }
+        if (c > 0xffff)
+            fprintf(out, "\\u%04x", (unsigned)(0xd7c0 + (c >> 10)));
+        fprintf(out, "\\u%04x", (unsigned)(c > 0xffff ? 0xdc00 + (c & 0x3ff) : c));
+    }
+    putc('"', out);
+}
+
 int say_list(FILE *out, const char *format, va_list values)
 {
     va_list again;

@@ -27,6 +27,10 @@ bool say_hides(int32_t character);
  * character. Returns `out`. */
 char *say_copy(char out[], size_t room, const char *text);
 
+/* The text as JSON writes it, in quotes. Bytes that are no UTF-8 are taken for Latin 1. What does
+ * not print is written in digits, beyond U+FFFF as two surrogates: a terminal may show it, too. */
+void say_quoted(FILE *out, const char *text);
+
 /* printf for people. Only a newline at the end of the format is one. */
 int say(FILE *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
 int say_list(FILE *out, const char *format, va_list values);

@@ -11,8 +11,9 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include "base/host.h"
+#include "base/memory.h"     /* memory_grow */
 #include "base/source.h"
-#include "base/tool.h"       /* tool_error, tool_grow, sysexits */
 
 /* bytes; a drawing with the largest number of curves is smaller */
 #define FILE_MAX ((size_t)512 << 20)
@@ -38,7 +39,7 @@ static bool is_trap(gzFile stream, size_t used)
 static char *slurp_stream(gzFile stream, size_t *size)
 {
     size_t room = 1u << 16, used = 0;
-    char *text = tool_grow(NULL, room + 1);
+    char *text = memory_grow(NULL, room + 1);
 
     for (;;) {
         const size_t left = room - used;
@@ -61,7 +62,7 @@ static char *slurp_stream(gzFile stream, size_t *size)
             break;
         }
         if (used == room)
-            text = tool_grow(text, (room *= 2) + 1);
+            text = memory_grow(text, (room *= 2) + 1);
     }
     free(text);
     return NULL;
@@ -93,22 +94,31 @@ static char *slurp(int handle, size_t *size)
     return text;
 }
 
-static int unreadable(const char *file)
+static int unreadable(host *h, const char *file)
 {
+    const host_place at = { file, 0 };
+
     switch (errno) {
-    case ENOENT: return tool_error(EX_NOINPUT, "%s: no such file: check the name", file);
-    case EISDIR: return tool_error(EX_NOINPUT, "%s: is a directory: give a file", file);
-    case EACCES: return tool_error(EX_NOPERM, "%s: may not be read: check its permissions", file);
+    case ENOENT:
+        return host_error(h, EX_NOINPUT, "file.missing", at, "check the name", "no such file");
+    case EISDIR:
+        return host_error(h, EX_NOINPUT, "file.directory", at, "give a file", "is a directory");
+    case EACCES:
+        return host_error(h, EX_NOPERM, "file.no-permission", at, "check its permissions",
+                          "may not be read");
     case EBADMSG:
-        return tool_error(
-            EX_DATAERR, "%s: is compressed, and damaged or cut off: fetch or pack it again", file);
+        return host_error(h, EX_DATAERR, "file.damaged", at, "fetch or pack it again",
+                          "is compressed, and damaged or cut off");
     case EOVERFLOW:
-        return tool_error(EX_DATAERR,
-                          "%s: unpacks to more than %d times its size: unpack it, if that is right",
-                          file, TRAP_TIMES);
+        return host_error(h, EX_DATAERR, "file.unpacks-too-large", at,
+                          "unpack it, if that is right", "unpacks to more than %d times its size",
+                          TRAP_TIMES);
     case EFBIG:
-        return tool_error(EX_DATAERR, "%s: more than %zu MB: split the file", file, FILE_MAX >> 20);
-    default:     return tool_error(EX_IOERR, "%s: cannot be read: %s", file, strerror(errno));
+        return host_error(h, EX_DATAERR, "file.too-large", at, "split the file", "more than %zu MB",
+                          FILE_MAX >> 20);
+    default:
+        return host_error(h, EX_IOERR, "file.not-read", at, NULL, "cannot be read: %s",
+                          strerror(errno));
     }
 }
 
@@ -119,34 +129,30 @@ const char *source_name(const char *file)
 
 /* Standard input is read once and kept, since two readers may want it: the one for surfaces, then
  * the one for curves. */
-static char *slurp_input(size_t *size)
+static char *slurp_input(host *h, size_t *size)
 {
-    static char *kept;
-    static size_t length;
-
-    if (kept == NULL)
-        kept = slurp(dup(STDIN_FILENO), &length);
-    if (kept == NULL)
+    if (h->input.text == NULL)
+        h->input.text = slurp(dup(STDIN_FILENO), &h->input.size);
+    if (h->input.text == NULL)
         return NULL;
-    *size = length;
-    return memcpy(tool_grow(NULL, length + 1), kept, length + 1);
+    *size = h->input.size;
+    return memcpy(memory_grow(NULL, *size + 1), h->input.text, *size + 1);
 }
 
-char *source_read(const char *file, size_t *size, int *code)
+char *source_read(host *h, const char *file, size_t *size, int *code)
 {
-    char *text = strcmp(file, "-") == 0 ? slurp_input(size)
+    char *text = strcmp(file, "-") == 0 ? slurp_input(h, size)
                                         : slurp(open(file, O_RDONLY | O_CLOEXEC), size);
 
-    *code = text ? 0 : unreadable(source_name(file));
+    *code = text ? 0 : unreadable(h, source_name(file));
     return text;
 }
-
 
 
 // In parts
 // --------
 
-int source_open(source *s, const char *file)
+int source_open(host *h, source *s, const char *file)
 {
     const bool input = strcmp(file, "-") == 0;
     const int handle = input ? dup(STDIN_FILENO) : open(file, O_RDONLY | O_CLOEXEC);
@@ -154,25 +160,25 @@ int source_open(source *s, const char *file)
 
     struct stat is   = { .st_size = 0 };
 
-    *s = (source){ .file = source_name(file), .stream = stream };
+    *s = (source){ .file = source_name(file), .stream = stream, .host = h };
     if (stream == NULL)
-        return unreadable(s->file);
+        return unreadable(h, s->file);
     (void)fstat(handle, &is);
     s->large = is.st_size > (off_t)FILE_MAX;
-    progress_start(&s->bar, (double)is.st_size);
-    s->buffer    = tool_grow(NULL, PART + 1);
+    s->total     = (double)is.st_size;
+    s->buffer    = memory_grow(NULL, PART + 1);
     s->room      = PART;
     s->buffer[0] = '\0';
     s->text      = s->buffer;
     return source_part(s);
 }
 
-int source_whole(source *s, const char *file)
+int source_whole(host *h, source *s, const char *file)
 {
     int code;
 
-    *s        = (source){ .file = source_name(file) };
-    s->buffer = source_read(file, &s->size, &code);
+    *s        = (source){ .file = source_name(file), .host = h };
+    s->buffer = source_read(h, file, &s->size, &code);
     s->text   = s->buffer;
     s->used   = s->size;
     return code;
@@ -187,7 +193,8 @@ void source_close(source *s)
 {
     if (s->stream != NULL)
         gzclose_r(s->stream);
-    progress_clear(&s->bar);
+    if (s->host != NULL)
+        host_has_done(s->host);
     free(s->buffer);
     *s = (source){ .size = 0 };
 }
@@ -203,7 +210,7 @@ static int fill(source *s)
         (void)gzerror(s->stream, &status);
         if (got < 0 || (got == 0 && status != Z_OK && status != Z_STREAM_END)) {
             errno = status == Z_ERRNO ? errno : EBADMSG;
-            return unreadable(s->file);
+            return unreadable(s->host, s->file);
         }
         s->used += (size_t)got;
         if (got == 0) {
@@ -217,7 +224,7 @@ static int fill(source *s)
 
 static void widen(source *s)
 {
-    s->buffer = tool_grow(s->buffer, (s->room *= 2) + 1);
+    s->buffer = memory_grow(s->buffer, (s->room *= 2) + 1);
     s->text   = s->buffer;
 }
 
@@ -231,7 +238,8 @@ static int cut_part(source *s, bool first)
     s->buffer[s->size] = '\0';
     if (first || strlen(s->buffer) == s->size)
         return 0;
-    return tool_error(EX_DATAERR, "%s: is not text: there is a 0 in it", s->file);
+    return host_error(s->host, EX_DATAERR, "file.not-text", (host_place){ s->file, 0 }, NULL,
+                      "is not text: there is a 0 in it");
 }
 
 static unsigned long lines_of(const char *text, size_t size)
@@ -253,8 +261,11 @@ int source_part(source *s)
         s->size = 0;
         return 0;
     }
-    if (!first && s->stream != NULL && s->bar.total > 0)
-        progress_show(&s->bar, (double)gzoffset(s->stream), "reading");
+    if (!first && s->stream != NULL && s->total > 0) {
+        const host_progress p = { "reading", (double)gzoffset(s->stream), s->total, false };
+        if (!host_goes_on(s->host, &p))
+            return EX_TEMPFAIL;
+    }
     s->buffer[s->size] = s->held;
     s->lines += lines_of(s->buffer, s->size);
     s->used -= s->size;
@@ -262,8 +273,9 @@ int source_part(source *s)
     code = fill(s);
     while (code == 0 && s->stream != NULL && memrchr(s->buffer, '\n', s->used) == NULL) {
         if (s->room >= LINE_MOST && !first)
-            return tool_error(EX_DATAERR, "%s:%lu: a line of more than %d MB: split it", s->file,
-                              s->lines + 1, LINE_MOST >> 20);
+            return host_error(s->host, EX_DATAERR, "file.line-too-long",
+                              (host_place){ s->file, (unsigned)s->lines + 1 }, "split it",
+                              "a line of more than %d MB", LINE_MOST >> 20);
         if (s->room >= LINE_MOST)
             break;
         widen(s);
@@ -280,14 +292,14 @@ int source_rest(source *s)
     while (code == 0 && s->stream != NULL && s->used <= FILE_MAX && !s->large) {
         if (is_trap(s->stream, s->used)) {
             errno = EOVERFLOW;
-            return unreadable(s->file);
+            return unreadable(s->host, s->file);
         }
         widen(s);
         code = fill(s);
     }
     if (code == 0 && (s->used > FILE_MAX || s->large)) {
         errno = EFBIG;
-        return unreadable(s->file);
+        return unreadable(s->host, s->file);
     }
     s->size = s->used;
     return code;

@@ -7,14 +7,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "base/progress.h"  /* progress */
+struct host;                /* base/host.h */
 
 /* Read all of `file` and append a 0. "-" is standard input, which may be read again. A file that is
- * packed with gzip is unpacked. On failure prints one line, sets *code to a code of <sysexits.h>
- * and returns NULL. */
-char *source_read(const char *file, size_t *size, int *code);
+ * packed with gzip is unpacked. On failure gives one message, sets *code to a code of
+ * <sysexits.h> and returns NULL. */
+char *source_read(struct host *h, const char *file, size_t *size, int *code);
 
-/* A file in parts. While it is read, a terminal shows how much of it is. */
+/* A file in parts. While it is read, the host is told how much of it is. */
 typedef struct source {
     const char *text;           /* this part: whole lines, followed by a 0; all of them if it is of
                                  * one part */
@@ -26,16 +26,18 @@ typedef struct source {
     size_t room, used;
     bool large;                 /* all of it together would be refused */
     unsigned long lines;        /* before the buffer */
-    progress bar;               /* of its bytes */
+    double total;               /* of its bytes, as they lie on the disk; 0: unknown */
+    struct host *host;
 } source;
 
-/* Begin with the first part, or with all of the file. On failure prints one line and returns a code
- * of <sysexits.h>. Call source_close in any case. */
-int  source_open(source *s, const char *file);
-int  source_whole(source *s, const char *file);
+/* Begin with the first part, or with all of the file. On failure gives one message and returns a
+ * code of <sysexits.h>. Call source_close in any case. */
+int  source_open(struct host *h, source *s, const char *file);
+int  source_whole(struct host *h, source *s, const char *file);
 void source_close(source *s);
 
-/* Go on to the next part. Results as above; so lines of more than 1 MB are refused. */
+/* Go on to the next part. Results as above; so lines of more than 1 MB are refused. The host can
+ * stop it: EX_TEMPFAIL. */
 int source_part(source *s);
 
 /* Append all that follows to the first part. */

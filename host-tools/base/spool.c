@@ -13,8 +13,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "base/memory.h"    /* memory_grow */
 #include "base/spool.h"
-#include "base/tool.h"      /* tool_grow */
 
 #define LONG 0x40000        /* bytes: below, an array stays in memory */
 
@@ -123,7 +123,7 @@ void *spool_grow(void *spool, size_t bytes)
         now = copied(now, h, all);
     if (now == NULL) {
         const bool held = h != NULL && h->file < 0;
-        now = tool_grow(held ? h : NULL, all);
+        now = memory_grow(held ? h : NULL, all);
         now->file = -1;
         if (!held)
             now = copied(now, h, all);

@@ -10,7 +10,7 @@
 
 #include <stddef.h>
 
-/* As tool_grow: NULL begins an array. Only the functions of this page may free it or let it grow.
+/* As memory_grow: NULL begins an array. Only the functions of this page may free it or let it grow.
  */
 void *spool_grow(void *spool, size_t bytes);
 void  spool_free(void *spool);

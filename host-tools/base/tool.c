@@ -1,53 +1,22 @@
-/* host-tools/base/tool.c -- options, help, errors in one line
+/* host-tools/base/tool.c -- options, help
  * SPDX-License-Identifier: MIT
  */
 #include <errno.h>
 #include <getopt.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/describe.h"   /* describe_command */
 #include "base/near.h"       /* near_try */
-#include "base/progress.h"   /* progress_clear_any */
-#include "base/say.h"
-#include "cmd/screen.h"     /* screen_close */
+#include "base/host.h"       /* host.strict */
 #include "base/tool.h"
 #include "loft.h"            /* LOFT_VERSION */
 
 const char tool_version[] = LOFT_VERSION;
 
 static bool strict;         /* --strict */
-
-int tool_error(int code, const char *format, ...)
-{
-    va_list values;
-
-    fflush(stdout);
-    progress_clear_any();
-    screen_close();
-    fputs("loft: ", stderr);
-    va_start(values, format);
-    (void)say_list(stderr, format, values);
-    va_end(values);
-    if (code == EX_OK && strict)
-        fputs(" (an error by --strict)", stderr);
-    fputc('\n', stderr);
-    if (code == EX_OK && strict)
-        exit(EX_DATAERR);
-    return code;
-}
-
-void *tool_grow(void *old, size_t bytes)
-{
-    void *grown = realloc(old, bytes ? bytes : 1);
-
-    if (grown == NULL)
-        exit(tool_error(EX_OSERR, "no memory for %zu bytes: give a smaller drawing", bytes));
-    return grown;
-}
 
 /* Read the number at the start of `text`, and find its end. Returns false if there is none, or if
  * it is out of bounds. */
@@ -257,6 +226,7 @@ int tool_options(const tool_command *self, const tool_option options[], int argc
     const int code = parse_options(self, all, count + 1, argc, argv);
     free(all);
     *first = optind;
+    tool_host()->strict = strict;
     return code;
 }
 

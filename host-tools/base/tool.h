@@ -13,6 +13,8 @@
 #include <stddef.h>
 #include <sysexits.h>       /* EX_USAGE, EX_DATAERR, EX_NOINPUT, EX_UNAVAILABLE, EX_PROTOCOL, .. */
 
+#include "base/bridge.h"    /* tool_error */
+
 typedef struct tool_command tool_command;
 struct tool_command {
     const char *name;
@@ -22,16 +24,9 @@ struct tool_command {
     int (*run)(const tool_command *self, int argc, char **argv);    /* returns the exit code */
 };
 
-/* Print `loft: <message>` and return `code`. With EX_OK it is a warning: --strict, which all
- * commands take, ends the program with EX_DATAERR then. */
-int tool_error(int code, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
 /* Read a number from `least` to `most`. On failure prints the name of the option and returns
  * false. */
 bool tool_number(const char *option, const char *text, double least, double most, double *out);
-
-/* realloc; on failure prints one line and calls exit(EX_OSERR). For host tools only. */
-void *tool_grow(void *old, size_t bytes);
 
 /* The seconds of a monotonic clock. */
 double tool_clock(void);

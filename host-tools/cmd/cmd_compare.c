@@ -320,10 +320,10 @@ static int compare_types(const char *types, const compare_to *to, const content 
 
 static int read_content(content *out, const char *file, const char *text)
 {
-    int code = text ? 0 : surfaces_read(&out->surface, file);
+    int code = text ? 0 : surfaces_read(tool_host(), &out->surface, file);
 
     if (code == 0 && out->surface.count == 0)
-        code = curves_read(&out->curve, file, text);
+        code = curves_read(tool_host(), &out->curve, file, text);
     return code;
 }
 

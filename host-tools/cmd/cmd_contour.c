@@ -236,7 +236,7 @@ static int run_contour(const tool_command *self, int argc, char **argv)
         return code;
     c.file    = source_name(argv[first]);
     c.p.solid = !flat;
-    code = surfaces_read_only(&all, argv[first]);
+    code = surfaces_read_only(tool_host(), &all, argv[first]);
     if (code == 0)
         code = print_contours(&c, &all, levels ? levels : 10);
     surfaces_free(&all);

@@ -286,7 +286,7 @@ static int eval_solids(const char *file, const engine *e, const tool_list *uvw)
 {
     const print_options p = { e, true };
     surfaces all = { .solids = true };
-    int code = surfaces_read_only(&all, file);
+    int code = surfaces_read_only(tool_host(), &all, file);
 
     if (code == 0 && uvw->count % 3 != 0)
         code = tool_error(EX_USAGE, "--uvw: %zu numbers: give triples, V,W,X,..", uvw->count);
@@ -357,7 +357,7 @@ static int run_eval(const tool_command *self, int argc, char **argv)
     v.p.e  = e;
     v.file = text ? "--points" : source_name(file);
     if (text == NULL)
-        code = surfaces_read(&patches, file);
+        code = surfaces_read(tool_host(), &patches, file);
     if (code == 0 && patches.count > 0) {
         code = eval_surfaces(&patches, &v, &uv, shape || t.count > 0);
         surfaces_free(&patches);
@@ -367,7 +367,7 @@ static int run_eval(const tool_command *self, int argc, char **argv)
     if (code == 0 && uv.count > 0)
         code = tool_error(EX_USAGE, "--uv: is for surfaces: curves have one parameter, --t");
     if (code == 0)
-        code = curves_read(&all, file, text);
+        code = curves_read(tool_host(), &all, file, text);
     if (code == 0) {
         v.p.solid = all.solid;
         code = every_curve(&v, &all, shape);

@@ -229,7 +229,7 @@ static int write_file(const export_wishes *w, enum form form, const drawing *d,
     FILE *out = w->output ? create_file(w->output) : stdout;
 
     if (out == NULL)
-        return create_refused(w->output, errno);
+        return create_refused(tool_host(), w->output, errno);
     const int code = write_form(w, form, d, smooth, out);
     const bool bad = ferror(out) != 0;
     if (out != stdout && (fclose(out) != 0 || bad) && code == 0)

@@ -310,7 +310,7 @@ static int run_fit(const tool_command *self, int argc, char **argv)
     code = tool_file_options(self, options, argc, argv, NULL, &file);
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
-    char *text = source_read(file, &size, &code);
+    char *text = source_read(tool_host(), file, &size, &code);
     if (text == NULL)
         return code;
     fitting x = { .o = { tol, corner / 180 * acos(-1), degree },

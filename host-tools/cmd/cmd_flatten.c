@@ -69,7 +69,7 @@ static int run_flatten(const tool_command *self, int argc, char **argv)
     if (code != 0)
         return code == TOOL_HELP ? EX_OK : code;
 
-    code = curves_read(&all, file, text);
+    code = curves_read(tool_host(), &all, file, text);
     if (code == 0) {
         flattening f = { .p = { e, all.solid }, .tol = tol };
         char words[40];

@@ -77,7 +77,7 @@ static int read_polygon(reading *r, const char *file)
 {
     size_t size;
     int code = 0;
-    char *text = source_read(file, &size, &code);
+    char *text = source_read(tool_host(), file, &size, &code);
 
     if (text == NULL)
         return code;
@@ -164,7 +164,7 @@ static int write_table(const harmonic_series *s, const engine *e, const char *ou
                           output);
     FILE *out = create_file(output);
     if (out == NULL)
-        return create_refused(output, errno);
+        return create_refused(tool_host(), output, errno);
     c_name_of(output, name);
     if (output[length - 1] == 'h')
         write_header(out, s, e, name);
@@ -196,7 +196,7 @@ static int run(const tool_command *self, int argc, char **argv)
         return code == TOOL_HELP ? EX_OK : code;
     if (at.count != 0 && at.count != 2)
         return tool_error(EX_USAGE, "--at: %zu numbers: give X,Y", at.count);
-    if ((code = create_check(output)) != 0)
+    if ((code = create_check(tool_host(), output)) != 0)
         return code;
     code = read_polygon(&r, file);
     round_vertices(&r, e);

@@ -393,7 +393,7 @@ static int read_files(measuring *m, curves all[], int argc, char **argv, const c
         argc = 1;
     }
     for (int i = 0; i < argc && code == 0; i++) {
-        code = curves_read(&all[i], argv[i], text);
+        code = curves_read(tool_host(), &all[i], argv[i], text);
         if (code == 0)
             code = elements_add(&m->list, m->p.e, &all[i], text ? "--points" : source_name(argv[i]),
                                 m->tol);

@@ -187,7 +187,7 @@ static int mill_surfaces(const engine *e, tool_wish *w, const char *file)
     mill_cuts path = { 0 };
     progress bar;
     mill_report r;
-    int code = surfaces_read_only(&all, file);
+    int code = surfaces_read_only(tool_host(), &all, file);
 
     const bool by_uv = w->o.parametric || (w->o.trim.count > 0 && !w->o.trim.plane);
     for (size_t k = 0; k < all.count && code == 0 && by_uv; k++)
@@ -223,7 +223,7 @@ static int plot_left(tool_wish *w, const char *file, const char *record_file, co
     surfaces all = { 0 };
     record r = { 0 };
     left_over l;
-    int code = surfaces_read_only(&all, file);
+    int code = surfaces_read_only(tool_host(), &all, file);
 
     if (code == 0 && w->block.given)
         code = stock_place(&w->block, &all, &w->o.trim, source_name(file));
@@ -266,7 +266,7 @@ static int mill_trimmed(const engine *e, tool_wish *w, const char *const trim[2]
     w->o.trim.plane = trim[1] != NULL;
     w->o.trim.tol = trim[1] ? w->o.tol / 10 : 1e-4;
     if (trim[0] || trim[1])
-        code = mill_trim_read(&w->o.trim, trim[1] ? trim[1] : trim[0]);
+        code = mill_trim_read(tool_host(), &w->o.trim, trim[1] ? trim[1] : trim[0]);
     if (code == 0)
         code = mill_surfaces(e, w, file);
     mill_trim_free(&w->o.trim);
@@ -433,7 +433,7 @@ static int run_mill(const tool_command *self, int argc, char **argv)
     }
     if (record_file != NULL) {
         output = output ? output : "left.png";
-        const int refused = create_check(output);
+        const int refused = create_check(tool_host(), output);
         return refused ? refused : plot_left(&w, argv[first], record_file, output);
     }
     return mill_trimmed(e, &w, trim, argv[first]);

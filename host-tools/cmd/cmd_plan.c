@@ -167,7 +167,7 @@ static int open_rows(report *r)
     if (!(r->o->rate > 0) && !r->o->spans)
         return 0;
     r->rows = name == NULL ? stdout : create_file(name);
-    return r->rows != NULL ? 0 : create_refused(name, errno);
+    return r->rows != NULL ? 0 : create_refused(tool_host(), name, errno);
 }
 
 static int close_rows(const report *r)
@@ -352,8 +352,8 @@ static int run_plan(const tool_command *self, int argc, char **argv)
         return tool_error(EX_USAGE, "%s: see `loft plan --help`",
                           first < argc ? "more than one drawing"
                                        : "no drawing: name an SVG, CSV or .loft file, or -");
-    if ((code = check_options(&o)) != 0 || (code = create_check(o.picture)) != 0 ||
-        (code = create_check(o.output)) != 0)
+    if ((code = check_options(&o)) != 0 || (code = create_check(tool_host(), o.picture)) != 0 ||
+        (code = create_check(tool_host(), o.output)) != 0)
         return code;
     o.file = argv[first];
     o.p.passes = !o.certify;

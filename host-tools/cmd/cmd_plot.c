@@ -44,7 +44,7 @@ static int plot_files(plot_options *o, const page_options *sheet, const char *re
                   .areas = sheet->fill.distance > 0 };
     record r  = { 0 };
     plot_result found = { 0 };
-    int code = drawing_read(&d, o->name);
+    int code = drawing_read(tool_host(), &d, o->name);
 
     if (code == 0)
         code = page_apply(sheet, &d, o->name);
@@ -137,7 +137,7 @@ static int plot_file(plot_options *o, const page_options *sheet, const char *rec
                      const surface_wishes *w, bool of_drawings)
 {
     surfaces all = { .drawn = true };
-    int code = surfaces_read(&all, o->name);
+    int code = surfaces_read(tool_host(), &all, o->name);
 
     if (code == 0 && all.count > 0 && of_drawings)
         code = tool_error(
@@ -206,7 +206,7 @@ static int run_plot(const tool_command *self, int argc, char **argv)
                           "--error: give --record FILE as well: errors are those of a machine");
     else if (code == 0 && o.tol > 0 && record_file == NULL)
         code = tool_error(EX_USAGE, "--tol: give --record FILE as well: it shows what was drawn");
-    else if (code == 0 && (code = create_check(o.output)) == 0) {
+    else if (code == 0 && (code = create_check(tool_host(), o.output)) == 0) {
         if (part.count == 4)
             memcpy(o.part, part.value, sizeof o.part);
         o.name = argv[first];

@@ -97,7 +97,7 @@ static int run_sample(const tool_command *self, int argc, char **argv)
         return code == TOOL_HELP ? EX_OK : code;
 
     if (text == NULL)
-        code = surfaces_read(&patches, file);
+        code = surfaces_read(tool_host(), &patches, file);
     if (code == 0 && patches.count > 0) {
         code = sample_surfaces(&patches, file, e, n);
         surfaces_free(&patches);
@@ -105,7 +105,7 @@ static int run_sample(const tool_command *self, int argc, char **argv)
     }
     surfaces_free(&patches);
     if (code == 0)
-        code = curves_read(&all, file, text);
+        code = curves_read(tool_host(), &all, file, text);
     if (code == 0) {
         sampling s = { { e, all.solid }, n };
         char words[40];

@@ -30,7 +30,7 @@ static int save_settings(const machine_file *m, const char *title, const char *f
     FILE *out = create_file(file);
 
     if (out == NULL)
-        return create_refused(file, errno);
+        return create_refused(tool_host(), file, errno);
     print_settings(m, title, out);
     if ((ferror(out) | fclose(out)) != 0)
         return tool_error(EX_IOERR, "%s: is not complete: %s: is the disk full?", file,

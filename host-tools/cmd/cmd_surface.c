@@ -76,9 +76,9 @@ static int run_surface(const tool_command *self, int argc, char **argv)
     if (n > 0 && tol > 0)
         return tool_error(EX_USAGE, "--n and --tol: give one of them");
     n = n ? n : 32;
-    code = create_check(output);
+    code = create_check(tool_host(), output);
     if (code == 0)
-        code = surfaces_read_only(&all, argv[first]);
+        code = surfaces_read_only(tool_host(), &all, argv[first]);
     if (code == 0 && tol > 0) {
         code = refine(&all, source_name(argv[first]), e, tol, &m, output);
         mesh_free(&m);

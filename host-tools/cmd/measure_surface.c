@@ -12,7 +12,7 @@ int measure_surfaces(const char *file, const engine *e, const tool_list *at, dou
 {
     const tool_list within = { .value = { tol }, .count = 1 };
     surfaces all = { 0 };
-    int code = surfaces_read(&all, file);
+    int code = surfaces_read(tool_host(), &all, file);
 
     *done = code == 0 && all.count > 0;
     if (*done && path)

@@ -201,7 +201,7 @@ int mill_chip_run(mill_chip *c, const char *file)
         return tool_error(EX_USAGE, "--port -: standard output has the summary: name another port");
     c->o.feed   = c->p.feed;
     c->o.travel = c->p.travel;
-    int code    = surfaces_read_only(&all, file);
+    int code    = surfaces_read_only(tool_host(), &all, file);
     if (code == 0) {
         keys_start(!c->dry && strcmp(file, "-") != 0);
         code = report_start(REPORT_BAR);

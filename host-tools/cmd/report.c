@@ -40,35 +40,13 @@ static struct {
 // JSON
 // ----
 
-/* A text in quotes. Bytes that are no UTF-8 are taken for Latin 1. What does not print is written
- * in digits, beyond U+FFFF as two surrogates: a terminal may show this, too. */
-static void put_text(const char *text)
-{
-    int32_t c;
-
-    putc('"', now.out);
-    for (int size; *text != '\0'; text += size) {
-        size = say_character(text, &c);
-        if (c < 0)
-            c = (unsigned char)*text;
-        else if (!say_hides(c) && c != '"' && c != '\\') {
-            fwrite(text, 1, (size_t)size, now.out);
-            continue;
-        }
-        if (c > 0xffff)
-            fprintf(now.out, "\\u%04x", (unsigned)(0xd7c0 + (c >> 10)));
-        fprintf(now.out, "\\u%04x", (unsigned)(c > 0xffff ? 0xdc00 + (c & 0x3ff) : c));
-    }
-    putc('"', now.out);
-}
-
 static void put_event(const char *event) { fprintf(now.out, "{\"event\":\"%s\"", event); }
 
 static void put_pair(const char *key, const char *text)
 {
     fprintf(now.out, ",\"%s\":", key);
     if (text != NULL)
-        put_text(text);
+        say_quoted(now.out, text);
     else
         fputs("null", now.out);
 }

@@ -131,7 +131,7 @@ int mesh_write(const mesh *m, const char *output, size_t *triangles)
         return tool_error(EX_USAGE, "%s: give a name that ends with .stl or .ply", output);
     FILE *file = create_file(output);
     if (file == NULL)
-        return create_refused(output, errno);
+        return create_refused(tool_host(), output, errno);
     *triangles = every_triangle(m, NULL, NULL);
     (stl ? write_stl : write_ply)(file, m, *triangles);
     const bool good = !ferror(file);

@@ -381,7 +381,7 @@ int plot_end(plot_view *v, cairo_surface_t *canvas, const char *output)
     if (v->file != NULL && fclose(v->file) != 0 && v->failed == 0)
         v->failed = errno;
     if (v->failed != 0)
-        return create_refused(output, v->failed);
+        return create_refused(tool_host(), output, v->failed);
     if (status != CAIRO_STATUS_SUCCESS)
         return tool_error(EX_CANTCREAT, "%s: the picture cannot be drawn: %s: try another --size",
                           output, cairo_status_to_string(status));

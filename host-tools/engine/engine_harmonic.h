@@ -7,6 +7,7 @@
 #define LOFT_HOST_ENGINE_HARMONIC_H
 
 #include "engine/engine_num.h"         /* double_of */
+#include "base/memory.h"               /* memory_grow */
 #include "engine/harmonic_table.h"     /* harmonic_table_of */
 
 typedef struct {
@@ -35,7 +36,7 @@ static inline int engine_harmonic_solve(const loft_domain *d, engine_harmonic **
     const harmonic_target target = LOFT_REAL_LSB > 0                     ? HARMONIC_TARGET_Q16
                                    : sizeof(loft_real) == sizeof(double) ? HARMONIC_TARGET_F64
                                                                          : HARMONIC_TARGET_F32;
-    engine_harmonic *e = least_room(sizeof *e);
+    engine_harmonic *e = memory_grow(NULL, sizeof *e);
     double v[LOFT_SIDES_MAX][2];
 
     *e = (engine_harmonic){ .table = { .coefficient = NULL } };

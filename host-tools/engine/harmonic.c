@@ -6,7 +6,8 @@
 #include <string.h>
 
 #include "engine/harmonic_poles.h"
-#include "base/least.h"          /* least_squares, least_room */
+#include "base/least.h"         /* least_squares */
+#include "base/memory.h"        /* memory_grow */
 
 #define PLACES 5000 /* of a boundary sample, at most     */
 #define TERMS  1900 /* of a series                       */
@@ -112,7 +113,7 @@ static void put_row(const problem *p, const harmonic_series *s, const extent *e,
 
 static void fit_wide(const problem *p, const harmonic_series *s, const extent *e, long double x[])
 {
-    long double *a = least_room(e->height * e->all * sizeof *a), row[TERMS + HARMONIC_SIDES];
+    long double *a = memory_grow(NULL, e->height * e->all * sizeof *a), row[TERMS + HARMONIC_SIDES];
 
     memset(a, 0, e->height * e->all * sizeof *a);
     for (size_t k = 0; k < e->columns; k++)
@@ -129,7 +130,8 @@ static void fit_wide(const problem *p, const harmonic_series *s, const extent *e
 static void fit_double(const problem *p, const harmonic_series *s, const extent *e, long double x[])
 {
     const size_t found = e->columns * s->sides;
-    double *a = least_room(e->height * e->all * sizeof *a), *y = least_room(found * sizeof *y);
+    double *a = memory_grow(NULL, e->height * e->all * sizeof *a),
+           *y = memory_grow(NULL, found * sizeof *y);
     long double row[TERMS + HARMONIC_SIDES];
 
     memset(a, 0, e->height * e->all * sizeof *a);
@@ -148,14 +150,14 @@ static void fit_double(const problem *p, const harmonic_series *s, const extent 
 static void fit(const problem *p, harmonic_series *s)
 {
     const extent e = { p->places, s->terms, s->terms + s->sides, p->places + s->terms };
-    long double *x = least_room(e.columns * s->sides * sizeof *x);
+    long double *x = memory_grow(NULL, e.columns * s->sides * sizeof *x);
 
     if (p->target.error > WIDE || e.columns > WIDE_TERMS)
         fit_double(p, s, &e, x);
     else
         fit_wide(p, s, &e, x);
 
-    s->coefficient = least_room(e.columns * s->sides * sizeof *s->coefficient);
+    s->coefficient = memory_grow(NULL, e.columns * s->sides * sizeof *s->coefficient);
     s->largest = s->weight = 0;
     for (unsigned i = 0; i < s->sides; i++) {
         long double sum = 0;
@@ -209,7 +211,7 @@ static void start(double v[][2], unsigned sides, harmonic_target target, problem
     p->target = target;
     p->planes.cut = NULL;
     harmonic_shape_of(v, sides, &p->shape);
-    p->place = least_room(PLACES * sizeof *p->place);
+    p->place = memory_grow(NULL, PLACES * sizeof *p->place);
     find_places(p, NULL);
 }
 

@@ -21,7 +21,7 @@
 #include <string.h>
 
 #include "engine/harmonic_basis.h"
-#include "base/least.h" /* least_room */
+#include "base/memory.h"   /* memory_grow */
 
 #define DEGREE  20
 #define SAMPLES 40 /* so that the cosine is that of 45 degrees */
@@ -226,8 +226,8 @@ long double harmonic_bound(const harmonic_shape *h, harmonic_series *s, long dou
     proof p = { h,
                 s,
                 fmaxl(sampled / 32, rounding),
-                least_room(s->terms * sizeof *p.term),
-                least_room(s->terms * sizeof *p.size),
+                memory_grow(NULL, s->terms * sizeof *p.term),
+                memory_grow(NULL, s->terms * sizeof *p.size),
                 0 };
     long double bound = 0;
 

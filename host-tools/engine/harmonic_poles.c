@@ -23,7 +23,7 @@
 #include <stdlib.h>
 
 #include "engine/harmonic_poles.h"
-#include "base/least.h" /* least_room */
+#include "base/memory.h"   /* memory_grow */
 
 #define DIRECTIONS 96
 #define CIRCLES    1.1L  /* from one to the next, in distances from the corner           */
@@ -305,9 +305,9 @@ void harmonic_planes_of(const harmonic_shape *h, const harmonic_place place[], s
     p->h = h;
     p->count = count;
     p->cuts = 0;
-    p->cut = least_room(HARMONIC_CUTS * sizeof *p->cut);
+    p->cut = memory_grow(NULL, HARMONIC_CUTS * sizeof *p->cut);
     for (unsigned j = 0; j <= h->sides; j++) {
-        p->root[j] = least_room(count * sizeof *p->root[j]);
+        p->root[j] = memory_grow(NULL, count * sizeof *p->root[j]);
         for (size_t k = 0; k < count; k++) {
             const int edge = (int)place[k].edge;
             const harmonic_point at = j < h->sides

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 #include "engine/harmonic.h"    /* harmonic_series */
-#include "base/least.h"         /* least_room */
+#include "base/memory.h"        /* memory_grow */
 #include "polygon/harmonic.h"   /* loft_harmonic_table */
 
 /* A wide number's 1 is 2^32 in q16. */
@@ -25,8 +25,8 @@ static inline loft_acc harmonic_acc(long double x)
 static inline bool harmonic_table_of(const harmonic_series *s, loft_harmonic_table *out)
 {
     const size_t count = (size_t)s->terms * s->sides;
-    loft_acc *coefficient = least_room(count * sizeof *coefficient);
-    loft_harmonic_pole *pole = least_room((s->pole_count + 1) * sizeof *pole);
+    loft_acc *coefficient = memory_grow(NULL, count * sizeof *coefficient);
+    loft_harmonic_pole *pole = memory_grow(NULL, (s->pole_count + 1) * sizeof *pole);
     bool fits = true;
 
     for (size_t k = 0; k < count; k++) {

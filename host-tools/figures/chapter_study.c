@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "figures/chapter.h"
-#include "base/least.h"              /* least_room */
+#include "base/memory.h"             /* memory_grow */
 
 #define RAYS    72          /* from the middle */
 #define STEPS   (s->rough ? 25 : 120)   /* of a ray, closer together toward the middle */
@@ -107,7 +107,8 @@ static void take_point(const study *s, sample *all, bool bent, double weight, do
 
 static void take_points(const study *s, bool bent, unsigned fine, sample *all)
 {
-    *all = (sample){ .place = least_room(CHAPTER_SIDES * (size_t)fine * fine * sizeof(place)) };
+    *all = (sample){ .place = memory_grow(NULL,
+                                          CHAPTER_SIDES * (size_t)fine * fine * sizeof(place)) };
     for (unsigned i = 0; i < CHAPTER_SIDES; i++) {
         const double *a = s->p->v[i], *b = s->p->v[(i + 1) % CHAPTER_SIDES], *c = s->middle;
         const double area = ((a[0] - c[0]) * (b[1] - c[1]) - (a[1] - c[1]) * (b[0] - c[0])) / 2 /
@@ -348,7 +349,7 @@ static int compare_values(const void *a, const void *b)
 static void study_quantiles(const study *s, const sample *all, unsigned kind, int h)
 {
     static const double part[5] = { 0, 0.05, 0.5, 0.95, 1 };
-    double value[5], *sorted = least_room(all->count * sizeof *sorted);
+    double value[5], *sorted = memory_grow(NULL, all->count * sizeof *sorted);
 
     for (size_t i = 0; i < all->count; i++)
         sorted[i] = all->place[i].gauss[kind][h];
@@ -405,8 +406,9 @@ static double triangle_corner(double sorted[], size_t count, double part)
 static void study_estimator(const study *s, unsigned kind, int h, unsigned n)
 {
     const size_t most = (size_t)n * n;
-    double *error = least_room(most * sizeof *error), *ratio = least_room(most * sizeof *ratio),
-           largest = 0, vertex[3], ring[CHAPTER_FAN][3], mesh;
+    double *error = memory_grow(NULL, most * sizeof *error),
+           *ratio = memory_grow(NULL, most * sizeof *ratio), largest = 0, vertex[3],
+           ring[CHAPTER_FAN][3], mesh;
     chapter_point p, beside;
     size_t count = 0;
 

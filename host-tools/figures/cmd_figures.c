@@ -109,7 +109,7 @@ static FILE *open_file(const char *name, const char *mode)
     FILE *f = *mode == 'r' ? fopen(name, mode) : create_file(name);
 
     if (f == NULL)
-        (void)create_refused(name, errno);
+        (void)create_refused(tool_host(), name, errno);
     return f;
 }
 

@@ -138,7 +138,7 @@ static int run_study(const tool_command *self, int argc, char **argv)
     const engine_chapters *e = num == &engine_q16   ? &engine_chapters_q16
                                : num == &engine_f32 ? &engine_chapters_f32
                                                     : &engine_chapters_f64;
-    if ((code = create_check(folder)) != 0)
+    if ((code = create_check(tool_host(), folder)) != 0)
         return code;
     t.num = num->name;
     if (!pictures_only)

@@ -10,6 +10,7 @@
 #include "surface/deficit.h"            /* loft_deficit_eval */
 
 #include "figures/chapter.h"
+#include "base/memory.h"                /* memory_grow */
 #include "engine/engine_harmonic.h"    /* engine_harmonic_solve */
 #include "engine/engine_num.h"         /* vec_of, double_of_acc */
 
@@ -53,7 +54,7 @@ static void chapter_close(engine_chapter *e)
 
 static int chapter_open(const double v[CHAPTER_SIDES][2], unsigned kind, engine_chapter **out)
 {
-    engine_chapter *e = least_room(sizeof *e);
+    engine_chapter *e = memory_grow(NULL, sizeof *e);
     int status;
 
     *e = (engine_chapter){ .kind = kind };

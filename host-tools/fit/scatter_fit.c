@@ -216,8 +216,8 @@ static size_t fold_of(const double p[3])
 static size_t solve(const scatter_fit *f, room *r, size_t left)
 {
     const size_t rows = f->count, columns = (size_t)f->points[0] * f->points[1];
-    long double *const a = least_room((columns + 3) * rows * sizeof *a);
-    long double *const x = least_room(3 * columns * sizeof *x);
+    long double *const a = memory_grow(NULL, (columns + 3) * rows * sizeof *a);
+    long double *const x = memory_grow(NULL, 3 * columns * sizeof *x);
 
     memset(a, 0, columns * rows * sizeof *a);
     for (size_t k = 0; k < rows; k++) {

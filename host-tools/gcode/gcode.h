@@ -98,7 +98,8 @@ typedef struct gcode_program gcode_program;
 
 /* Begin a program at machine coordinates 0, 0, 0; GCODE_ANY is LINUXCNC or, for a 3-D printer's
  * file, MARLIN. Free with gcode_close. */
-gcode_program *gcode_open(const char *file, enum gcode_dialect d, gcode_sink *sink, void *context);
+gcode_program *gcode_open(struct host *h, const char *file, enum gcode_dialect d, gcode_sink *sink,
+                          void *context);
 
 /* The tools of the machine, for G41, G43 and M6; NULL: none. They outlive the program. */
 void gcode_set_tools(gcode_program *g, const struct machine_tools *tools);
@@ -114,7 +115,7 @@ int  gcode_finish(gcode_program *g);
 void gcode_close(gcode_program *g);
 
 /* All lines of a part of a text, which ends with a whole line; all of a text and its end. Returns
- * 0, or an exit code after printing one line. */
+ * 0, or an exit code after one message. */
 int  gcode_lines(gcode_program *g, const char *text, size_t size);
 int  gcode_read(gcode_program *g, const char *text, size_t size);
 

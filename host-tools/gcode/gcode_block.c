@@ -9,14 +9,15 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/tool.h"       /* tool_error, sysexits */
+#include "base/host.h"       /* host_error */
 #include "gcode/gcode_number.h"
 
 #define CODE_TOL 1e-4       /* of a number that must be a tenth */
 
-int gcode_wrong(const gcode_block *b, const char *what, const char *remedy)
+int gcode_wrong(const gcode_block *b, const char *name, const char *what, const char *remedy)
 {
-    return tool_error(EX_DATAERR, "%s:%u: %s: %s", b->file, b->line, what, remedy);
+    return host_error(b->host, EX_DATAERR, name, (host_place){ b->file, b->line }, remedy, "%s",
+                      what);
 }
 
 
@@ -45,9 +46,10 @@ static void skip_comment(gcode_scanner *s)
     if (inner != NULL && s->b->printer)
         close = outer_end(s);
     else if (inner != NULL)
-        gcode_scan_fail(s, "( in a comment", "comments do not nest: write [ ] within");
+        gcode_scan_fail(s, "gcode.comment-nested", "( in a comment",
+                        "comments do not nest: write [ ] within");
     if (close == NULL) {
-        gcode_scan_fail(s, "( without )", "close the comment");
+        gcode_scan_fail(s, "gcode.comment-open", "( without )", "close the comment");
         s->at = s->end;
         return;
     }
@@ -64,11 +66,12 @@ static void read_setting(gcode_scanner *s)
     const int n = gcode_read_parameter(s, name);
 
     if (!gcode_take(s, '='))
-        gcode_scan_fail(
-            s, "# without =", "set a parameter as #5 = 2, or use it behind a letter, as X#5");
+        gcode_scan_fail(s, "gcode.parameter-no-value", "# without =",
+                        "set a parameter as #5 = 2, or use it behind a letter, as X#5");
     const double value = gcode_read_value(s);
     if (s->sets == GCODE_SETTINGS)
-        gcode_scan_fail(s, "more than 16 parameters set in a line", "split the line");
+        gcode_scan_fail(s, "gcode.parameters-in-line", "more than 16 parameters set in a line",
+                        "split the line");
     if (s->code != 0)
         return;
     s->set[s->sets].number = n;
@@ -88,12 +91,14 @@ static void apply_settings(gcode_scanner *s)
         }
         double live;
         if (gcode_live_name(s->b->of, s->set[i].name, &live)) {
-            gcode_scan_fail(s, "a parameter that only tells", "take another name");
+            gcode_scan_fail(s, "gcode.parameter-read-only", "a parameter that only tells",
+                            "take another name");
             return;
         }
         named = gcode_find_named(s->b, s->set[i].name);
         if (named == NULL && all->count == GCODE_NAMED) {
-            gcode_scan_fail(s, "more than 1024 named parameters", "use numbers: #1 to #5602");
+            gcode_scan_fail(s, "gcode.parameters-named", "more than 1024 named parameters",
+                            "use numbers: #1 to #5602");
             return;
         }
         if (named == NULL) {
@@ -115,10 +120,10 @@ static void add_code(gcode_scanner *s, char letter, double value)
     if (!(fabs(10 * value - tenths) <= 10 * CODE_TOL) || tenths < 0 || tenths > 9999 ||
         (letter == 'M' && fmod(tenths, 10) > 0 && !s->b->printer)) {
         snprintf(what, sizeof what, "%c%.6g: no such code", letter, value);
-        gcode_scan_fail(s, what, "leave it out, or correct it");
+        gcode_scan_fail(s, "gcode.code-unknown", what, "leave it out, or correct it");
     } else if (*count == GCODE_CODES) {
         snprintf(what, sizeof what, "more than 16 %c words in a line", letter);
-        gcode_scan_fail(s, what, "split the line");
+        gcode_scan_fail(s, "gcode.words-in-line", what, "split the line");
     } else {
         list[(*count)++] = (short)tenths;
     }
@@ -137,7 +142,7 @@ static void read_word(gcode_scanner *s, char letter)
     }
     if (gcode_has(s->b, letter)) {
         snprintf(what, sizeof what, "%c twice in a line", GCODE_SHOWN(letter));
-        gcode_scan_fail(s, what, "leave one of them out");
+        gcode_scan_fail(s, "gcode.letter-twice", what, "leave one of them out");
         return;
     }
     s->b->has |= GCODE_BIT(letter);
@@ -239,7 +244,8 @@ static void refuse_character(gcode_scanner *s, unsigned char c)
     char what[40];
 
     if (c == '*') {
-        gcode_scan_fail(s, "*: a checksum", "for a 3-D printer's file give --dialect marlin");
+        gcode_scan_fail(s, "gcode.checksum", "*: a checksum",
+                        "for a 3-D printer's file give --dialect marlin");
         return;
     }
 
@@ -247,7 +253,7 @@ static void refuse_character(gcode_scanner *s, unsigned char c)
         snprintf(what, sizeof what, "a character of code %u", (unsigned)c);
     else
         snprintf(what, sizeof what, "`%c`", c);
-    gcode_scan_fail(s, what, "is this G-code? a word is a letter and a number");
+    gcode_scan_fail(s, "gcode.not-a-word", what, "is this G-code? a word is a letter and a number");
 }
 
 static void read_words(gcode_scanner *s)
@@ -263,7 +269,7 @@ static void read_words(gcode_scanner *s)
         else if (c == '#')
             read_setting(s);
         else if (c == 'O' && !names_program(s))
-            gcode_scan_fail(s, "O behind other words, or without a number",
+            gcode_scan_fail(s, "gcode.label-misplaced", "O behind other words, or without a number",
                             "begin the line with O100 sub, or the like");
         else if (c == 'O')
             continue;
@@ -288,7 +294,8 @@ int gcode_block_read(gcode_block *b, const char *text, size_t length)
     b->percent = false;
     b->unknown[0] = '\0';
     if (length > GCODE_LINE_MAX)
-        return gcode_wrong(b, "a line of more than 65536 characters", "is this G-code?");
+        return gcode_wrong(b, "gcode.line-too-long", "a line of more than 65536 characters",
+                           "is this G-code?");
     const char first = gcode_peek(&s);
     if (first == '%') {
         b->percent = true;

@@ -37,6 +37,7 @@ typedef struct {
 } gcode_parameters;
 
 typedef struct {
+    struct host *host;          /* base/host.h */
     const char *file;
     unsigned line;
     bool printer;               /* of a 3-D printer: M words take text, checksums follow * */
@@ -73,10 +74,10 @@ static inline double gcode_value(const gcode_block *b, char letter)
 }
 
 /* Read a line of `length` characters, without its newline, into the second half of *b. Returns 0,
- * or EX_DATAERR after printing one line `file:line: what: remedy`. */
+ * or EX_DATAERR after one message. */
 int gcode_block_read(gcode_block *b, const char *text, size_t length);
 
-/* Print `file:line: what: remedy`. Returns EX_DATAERR. */
-int gcode_wrong(const gcode_block *b, const char *what, const char *remedy);
+/* Tell what is wrong in this line. Returns EX_DATAERR. */
+int gcode_wrong(const gcode_block *b, const char *name, const char *what, const char *remedy);
 
 #endif

@@ -155,7 +155,7 @@ static int take_sides(gcode_program *g, bool first)
         if (gcode_has(&g->b, letter))
             g->cycle.aside[i] = gcode_value(&g->b, letter);
         else if (first)
-            return gcode_fails(g, "G87 without I, J and K",
+            return gcode_fails(g, "gcode.bore-offset", "G87 without I, J and K",
                                "give I and J, the way aside, and K, the end of the bore");
     }
     return 0;
@@ -169,9 +169,9 @@ static int take_words(gcode_program *g)
     const bool first = g->cycle.code != g->motion;
 
     if (g->feed_mode == 930)
-        return gcode_fails(g, "drilling in G93", "give G94 before");
+        return gcode_fails(g, "gcode.drilling-inverse-time", "drilling in G93", "give G94 before");
     if (first && (!gcode_has(b, 'R') || !gcode_has(b, up)))
-        return gcode_fails(g, "drilling without R and its depth",
+        return gcode_fails(g, "gcode.drilling-no-depth", "drilling without R and its depth",
                            "give R, and Z in the plane of x "
                            "and y");
     if (first)
@@ -219,17 +219,19 @@ int gcode_drill(gcode_program *g)
     if (code != 0)
         return code;
     if (!(times >= 0 && times <= HOLES_MOST) || times > floor(times))
-        return gcode_fails(g, "L of drilling is its number of holes",
+        return gcode_fails(g, "gcode.drilling-count", "L of drilling is its number of holes",
                            "give a whole number up to 100000");
     const double top = first_height(g), r = g->incremental ? top + g->cycle.r : g->cycle.r,
                  bottom = g->incremental ? r + g->cycle.z : g->cycle.z,
                  clear = g->retract_to_r ? r : fmax(top, r);
     const int c = g->cycle.code;
     if (bottom > r)
-        return gcode_fails(g, "drilling from R upwards", "give a depth below R");
+        return gcode_fails(g, "gcode.drilling-upwards", "drilling from R upwards",
+                           "give a depth below R");
     if ((c == 830 || c == 730) &&
         (!(g->cycle.q > 0) || times * ((r - bottom) / g->cycle.q) > HOLES_MOST))
-        return gcode_fails(g, "Q: the step of the pecks", "give Q above 0, and not too small");
+        return gcode_fails(g, "gcode.drilling-peck", "Q: the step of the pecks",
+                           "give Q above 0, and not too small");
     memcpy(at, g->at, sizeof at);
     at[up] = fmax(g->retract_to_r ? g->at[up] : top, r);
     for (int i = 0; i < 3; i++)

@@ -13,8 +13,8 @@
 #include "engine/curve.h"
 #include "engine/engine.h"  /* engine_f64: NURBS */
 #include "engine/piece.h"
+#include "base/host.h"
 #include "base/source.h"    /* source_part */
-#include "base/tool.h"      /* tool_error, sysexits */
 #include "read/drawing.h"
 #include "gcode/gcode.h"
 #include "gcode/gcode_draw.h"
@@ -23,6 +23,7 @@
 #define LINES_LOOKED 200    /* of the beginning, for what kind of file it is */
 
 typedef struct {
+    host *host;
     drawing *d;
     const char *file;
     const gcode_event *e;
@@ -48,7 +49,7 @@ static void draw(void *context, double p[4][3])
     const size_t before = out->d->count;
     const double feed = e->kind == GCODE_RAPID && !(e->feed > 0) ? DRAWING_RAPID : e->feed;
     if (out->code == 0)
-        out->code = drawing_join_space(out->d, out->file, e->line, mm, feed);
+        out->code = drawing_join_space(out->host, out->d, out->file, e->line, mm, feed);
     if (out->d->count > before && out->d->events > 0 && before > 0 &&
         out->d->event[out->d->events - 1].before == out->d->taken + before)
         out->d->curve[before].path = out->d->curve[before - 1].path + 1;
@@ -149,9 +150,9 @@ static void add_event(pen *out, const gcode_event *e)
     if (out->d->events < DRAWING_CURVES_MAX)
         drawing_add_event(out->d, &to);
     else if (out->code == 0)
-        out->code = tool_error(EX_DATAERR,
-                               "%s:%u: more than %u waits, stops and switches: split the program",
-                               out->file, e->line, DRAWING_CURVES_MAX);
+        out->code = host_error(out->host, EX_DATAERR, "gcode.too-many-events",
+                               (host_place){ out->file, e->line }, "split the program",
+                               "more than %u waits, stops and switches", DRAWING_CURVES_MAX);
 }
 
 static void note_message(pen *out, const gcode_event *e)
@@ -213,7 +214,8 @@ static int take(void *context, const gcode_event *e)
     default: draw_cubic(out, e);
     }
     if (status != 0 && out->code == 0)
-        out->code = tool_error(EX_DATAERR, "%s:%u: NURBS: %s", out->file, e->line,
+        out->code = host_error(out->host, EX_DATAERR, "gcode.nurbs",
+                               (host_place){ out->file, e->line }, NULL, "NURBS: %s",
                                engine_status(status, "give L from 2 to 10 and more points than L"));
     return out->code;
 }
@@ -221,15 +223,15 @@ static int take(void *context, const gcode_event *e)
 static void tell_path(const pen *out)
 {
     if (out->d->exact && out->blends)
-        (void)tool_error(EX_OK, "%s: G61 in a part of it: it stops at corners everywhere",
-                         out->file);
+        host_warn(out->host, "gcode.exact-stop-everywhere", (host_place){ out->file, 0 }, NULL,
+                  "G61 in a part of it: it stops at corners everywhere");
 }
 
-static int drawing_gcode_parts(drawing *d, const char *file, source *s)
+static int drawing_gcode_parts(host *h, drawing *d, const char *file, source *s)
 {
-    pen out  = { .d = d, .file = file };
+    pen out  = { .host = h, .d = d, .file = file };
     const bool printer = d->dialect == GCODE_ANY && gcode_is_printer(s->text);
-    gcode_program *g   = gcode_open(file, printer ? GCODE_MARLIN : (enum gcode_dialect)d->dialect,
+    gcode_program *g   = gcode_open(h, file, printer ? GCODE_MARLIN : (enum gcode_dialect)d->dialect,
                                   take, &out);
     d->clear       = -HUGE_VAL;
     gcode_set_tools(g, d->tools);
@@ -249,11 +251,11 @@ static int drawing_gcode_parts(drawing *d, const char *file, source *s)
     return code;
 }
 
-int drawing_read_gcode(drawing *d, const char *file, const char *text, size_t size)
+int drawing_read_gcode(host *h, drawing *d, const char *file, const char *text, size_t size)
 {
     source s = source_text(text, size);
 
-    return drawing_gcode_parts(d, file, &s);
+    return drawing_gcode_parts(h, d, file, &s);
 }
 
 

@@ -12,8 +12,8 @@
 extern const reader reader_gcode;
 
 /* Read a text of `size` bytes, followed by a 0; `file` is for messages. Returns 0, or an exit code
- * after printing one line. */
-int drawing_read_gcode(drawing *d, const char *file, const char *text, size_t size);
+ * after one message. */
+int drawing_read_gcode(host *h, drawing *d, const char *file, const char *text, size_t size);
 
 /* Is it a program of a 3-D printer? */
 bool gcode_is_printer(const char *text);

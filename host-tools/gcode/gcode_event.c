@@ -54,10 +54,11 @@ int gcode_give(gcode_program *g, gcode_event *e, double length)
     e->within = g->within;
     e->feed  = e->kind != GCODE_RAPID || g->printer ? feed_of(g, length) : 0;
     if (moves && e->kind != GCODE_RAPID && g->feed_mode == 930 && !gcode_has(&g->b, 'F'))
-        return gcode_fails(g, "no F: in G93 each line has its time",
+        return gcode_fails(g, "gcode.inverse-time-no-feed", "no F: in G93 each line has its time",
                            "give F with each motion, or G94");
     if (moves && e->kind != GCODE_RAPID && g->fed && !(g->feed > 0))
-        return gcode_fails(g, "F0: this motion would never end", "give a feed above 0");
+        return gcode_fails(g, "gcode.feed-zero", "F0: this motion would never end",
+                           "give a feed above 0");
     memcpy(to, e->to, sizeof to);
     const int code = g->radius.side != 0 ? gcode_radius_take(g, e) : gcode_send(g, e);
     if (moves) {

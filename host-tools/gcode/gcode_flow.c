@@ -14,8 +14,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/memory.h"     /* memory_grow */
 #include "base/source.h"     /* source_read */
-#include "base/tool.h"       /* tool_grow */
 #include "gcode/gcode_number.h"
 #include "gcode/gcode_state.h"
 
@@ -151,7 +151,8 @@ static void read_label(gcode_scanner *s, o_word *out, bool runs)
     else if (out->computed && runs)
         snprintf(out->text, sizeof out->text, "%.0f", gcode_read_value(s));
     else
-        gcode_scan_fail(s, "O without a label", "write as O100 sub, or O<name> sub");
+        gcode_scan_fail(s, "gcode.label-missing", "O without a label",
+                        "write as O100 sub, or O<name> sub");
     out->label = hash(out->text);
 }
 
@@ -199,7 +200,7 @@ static void add_steer(unit *u, const steer *new)
 {
     if (u->count == u->room) {
         u->room  = u->room ? 2 * u->room : 64;
-        u->steer = tool_grow(u->steer, u->room * sizeof *u->steer);
+        u->steer = memory_grow(u->steer, u->room * sizeof *u->steer);
     }
     u->steer[u->count++] = *new;
 }
@@ -211,7 +212,7 @@ static void join_labels(unit *u)
 
     while (size < 2 * u->count)
         size *= 2;
-    unsigned *last = tool_grow(NULL, size * sizeof *last);
+    unsigned *last = memory_grow(NULL, size * sizeof *last);
     memset(last, 0, size * sizeof *last);
     for (unsigned n = u->count; n > 0; n--) {
         steer *s    = &u->steer[n - 1];
@@ -253,7 +254,7 @@ static unit *unit_at(const gcode_program *g) { return &g->flow->unit[g->flow->at
 
 void gcode_flow_open(gcode_program *g, unsigned line)
 {
-    g->flow = tool_grow(NULL, sizeof *g->flow);
+    g->flow = memory_grow(NULL, sizeof *g->flow);
     memset(g->flow, 0, sizeof *g->flow);
     g->flow->units = 1;
     g->flow->unit[0].first = line;
@@ -267,10 +268,11 @@ int gcode_flow_keep(gcode_program *g, const char *text, size_t size)
     if (size == 0)
         return 0;
     if (size > TEXT - u->size)
-        return gcode_fails(g, "more than 256 MB behind the first O-word", "split the program");
+        return gcode_fails(g, "gcode.flow-too-large", "more than 256 MB behind the first O-word",
+                           "split the program");
     if (f->room - u->size < size) {
         f->room = 2 * (u->size + size);
-        u->text = tool_grow(u->text, f->room);
+        u->text = memory_grow(u->text, f->room);
     }
     memcpy(u->text + u->size, text, size);
     u->size += size;
@@ -295,7 +297,7 @@ static bool load_file(gcode_program *g, const char *stem, int *code)
     const int folder  = slash ? (int)(slash - g->file + 1) : 0;
     struct gcode_flow *f = g->flow;
     struct stat is;
-    char *name = tool_grow(NULL, (size_t)folder + strlen(stem) + 5);
+    char *name = memory_grow(NULL, (size_t)folder + strlen(stem) + 5);
 
     sprintf(name, "%.*s%s.ngc", folder, g->file, stem);
     if (strchr(stem, '/') != NULL || *stem == '.' || stat(name, &is) != 0 || !S_ISREG(is.st_mode)) {
@@ -303,12 +305,14 @@ static bool load_file(gcode_program *g, const char *stem, int *code)
         return false;
     }
     unit *u = &f->unit[f->units];
-    *code   = f->units == UNITS ? gcode_fails(g, "more than 63 files are called", "join some")
+    *code = f->units == UNITS
+                ? gcode_fails(g, "gcode.files-called", "more than 63 files are called", "join some")
             : is.st_size > TEXT
-                ? gcode_fails(g, "the file that is called has more than 256 MB", "split it")
+                ? gcode_fails(g, "gcode.file-too-large",
+                              "the file that is called has more than 256 MB", "split it")
                 : 0;
     if (*code == 0)
-        u->text = source_read(name, &u->size, code);
+        u->text = source_read(g->b.host, name, &u->size, code);
     if (*code != 0) {
         free(name);
         return false;
@@ -331,21 +335,22 @@ static int count_line(gcode_program *g)
 
     if (++g->flow->lines > most) {
         snprintf(what, sizeof what, "more than %u lines are run", most);
-        return gcode_fails(g, what, "look for a loop without an end");
+        return gcode_fails(g, "gcode.lines-run", what, "look for a loop without an end");
     }
     if (++g->quiet > QUIET)
-        return gcode_fails(g, "a million lines are run without a motion",
+        return gcode_fails(g, "gcode.loop-endless", "a million lines are run without a motion",
                            "look for a loop without an end");
     return 0;
 }
 
-static int wrong_word(const gcode_program *g, const o_word *o, const char *what, const char *remedy)
+static int wrong_word(const gcode_program *g, const o_word *o, const char *name, const char *what,
+                      const char *remedy)
 {
     char text[2 * GCODE_NAME_MAX + 128];
 
     snprintf(text, sizeof text, "O%s%s%s: %s", o->text, o->word < NAME ? " " : "",
              o->word < NAME ? words[o->word] : "", what);
-    return gcode_fails(g, text, remedy);
+    return gcode_fails(g, name, text, remedy);
 }
 
 
@@ -381,7 +386,8 @@ static int find_word(gcode_program *g, unsigned n, const o_word *o, enum word wo
         code = count_line(g);
     }
     snprintf(what, sizeof what, "it has no %s", words[word]);
-    return code != 0 ? code : wrong_word(g, o, what, "end it with the same label");
+    return code != 0 ? code
+                     : wrong_word(g, o, "gcode.flow-no-end", what, "end it with the same label");
 }
 
 
@@ -415,7 +421,8 @@ static int open_block(gcode_program *g, const o_word *o, enum word word, unsigne
     if (find_block(g, o->label, 1u << word) != NULL)    /* one that was left without its end */
         f->blocks--;
     if (f->blocks == BLOCKS)
-        return wrong_word(g, o, "more than 256 blocks in each other", "end those before");
+        return wrong_word(g, o, "gcode.blocks-nested", "more than 256 blocks in each other",
+                          "end those before");
     const steer *s = &unit_at(g)->steer[n];
     f->block[f->blocks++] = (block){ o->label, word, { f->at.unit, s->line, s->at, n }, left };
     return 0;
@@ -424,7 +431,8 @@ static int open_block(gcode_program *g, const o_word *o, enum word word, unsigne
 static double read_bracket(gcode_scanner *s)
 {
     if (gcode_peek(s) != '[') {
-        gcode_scan_fail(s, "an O-word without its condition or number", "write as O1 if [#1 LT 2]");
+        gcode_scan_fail(s, "gcode.condition-missing", "an O-word without its condition or number",
+                        "write as O1 if [#1 LT 2]");
         return 0;
     }
     return gcode_read_value(s);
@@ -435,7 +443,8 @@ static void end_line(gcode_scanner *s)
     const char c = gcode_peek(s);
 
     if (c != '\0' && c != ';' && c != '(')
-        gcode_scan_fail(s, "something behind the O-word", "give it a line of its own");
+        gcode_scan_fail(s, "gcode.label-line", "something behind the O-word",
+                        "give it a line of its own");
 }
 
 static bool condition(gcode_scanner *s)
@@ -474,7 +483,8 @@ static int run_if(gcode_program *g, gcode_scanner *s, const o_word *o, unsigned 
         const unsigned next = unit_at(g)->steer[n].next;
         const enum word word = next ? unit_at(g)->steer[next - 1].word : IF;
         if (word != ELSEIF && word != ELSE && word != ENDIF)
-            return wrong_word(g, o, "it has no ENDIF", "end it with the same label");
+            return wrong_word(g, o, "gcode.flow-no-end", "it has no ENDIF",
+                              "end it with the same label");
         n = next - 1;
         if (word == ENDIF) {
             go_behind(g, n);
@@ -494,7 +504,8 @@ static int run_if(gcode_program *g, gcode_scanner *s, const o_word *o, unsigned 
 static int run_else(gcode_program *g, const o_word *o, unsigned n)
 {
     if (find_block(g, o->label, 1u << IF) == NULL)
-        return wrong_word(g, o, "no IF is before it", "begin it with the same label");
+        return wrong_word(g, o, "gcode.no-if", "no IF is before it",
+                          "begin it with the same label");
     g->flow->blocks--;
     const int code = o->word == ENDIF ? 0 : find_word(g, n, o, ENDIF, &n);
     go_behind(g, n);
@@ -543,7 +554,8 @@ static int end_loop(gcode_program *g, const o_word *o, unsigned n)
     block *loop = find_block(g, o->label, 1u << (o->word == ENDWHILE ? WHILE : REPEAT));
 
     if (loop == NULL)
-        return wrong_word(g, o, "no loop is before it", "begin it with the same label");
+        return wrong_word(g, o, "gcode.no-loop", "no loop is before it",
+                          "begin it with the same label");
     if (o->word == ENDWHILE) {
         go_to(g, loop->begin.next);
     } else if (--loop->left > 0) {
@@ -561,7 +573,8 @@ static int leave_loop(gcode_program *g, const o_word *o)
     unsigned end = 0;
 
     if (loop == NULL)
-        return wrong_word(g, o, "no loop of this label is around it", "give that of the loop");
+        return wrong_word(g, o, "gcode.no-loop-around", "no loop of this label is around it",
+                          "give that of the loop");
     const int code = find_word(g, loop->begin.next, o,
                                loop->word == WHILE ? ENDWHILE
                                : loop->word == DO  ? WHILE
@@ -624,11 +637,12 @@ static int find_sub(gcode_program *g, const o_word *o, enum word word, place *ou
     if (code != 0 || (loaded && find_line(g, o->label, word, out)))
         return code;
     if (find_line(g, o->label, word == SUB ? NAME : SUB, out))
-        return wrong_word(g, o, word == SUB ? "it ends with M99" : "it ends with ENDSUB",
+        return wrong_word(g, o, "gcode.subroutine-kind",
+                          word == SUB ? "it ends with M99" : "it ends with ENDSUB",
                           word == SUB ? "call it by M98 P" : "call it by O and its label");
     snprintf(what, sizeof what, "no such subroutine, and no file %.*s.ngc that holds it",
              (int)(named ? length - 2 : length), o->text + named);
-    return wrong_word(g, o, what, "give the file beside the program");
+    return wrong_word(g, o, "gcode.subroutine-missing", what, "give the file beside the program");
 }
 
 static int enter(gcode_program *g, const o_word *o, const call *new)
@@ -636,7 +650,8 @@ static int enter(gcode_program *g, const o_word *o, const call *new)
     struct gcode_flow *f = g->flow;
 
     if (f->calls == CALLS)
-        return wrong_word(g, o, "more than 10 subroutines in each other", "call them in turn");
+        return wrong_word(g, o, "gcode.calls-nested", "more than 10 subroutines in each other",
+                          "call them in turn");
     f->call[f->calls]        = *new;
     f->call[f->calls].back   = f->at;
     f->call[f->calls].blocks = f->blocks;
@@ -654,7 +669,8 @@ static int run_call(gcode_program *g, gcode_scanner *s, const o_word *o, unsigne
 
     while (s->code == 0 && gcode_peek(s) == '[') {
         if (count == LOCALS)
-            return wrong_word(g, o, "more than 30 numbers", "set parameters #31 and above before");
+            return wrong_word(g, o, "gcode.call-numbers", "more than 30 numbers",
+                              "set parameters #31 and above before");
         given[count++] = gcode_read_value(s);
     }
     end_line(s);
@@ -698,7 +714,8 @@ static int run_return(gcode_program *g, gcode_scanner *s, const o_word *o)
     if (s->code != 0)
         return s->code;
     if (f->calls == 0 || f->call[f->calls - 1].plain)
-        return wrong_word(g, o, "outside of a subroutine that was called by its O-word",
+        return wrong_word(g, o, "gcode.subroutine-end",
+                          "outside of a subroutine that was called by its O-word",
                           f->calls == 0 ? "put SUB before it" : "end this one with M99");
     g->all.value    = value;
     g->all.returned = returns;
@@ -712,12 +729,15 @@ int gcode_flow_m98(gcode_program *g)
                  times = gcode_has(&g->b, 'L') ? gcode_value(&g->b, 'L') : 1;
 
     if (!gcode_has(&g->b, 'P') || !(p >= 0 && p <= 999999999) || p > floor(p))
-        return gcode_fails(g, "M98 without P, the number of the subroutine", "give as M98 P100");
+        return gcode_fails(g, "gcode.call-no-number", "M98 without P, the number of the subroutine",
+                           "give as M98 P100");
     if (!(times >= 0 && times <= 999999999) || times > floor(times))
-        return gcode_fails(g, "M98: L is how many times", "give a whole number");
+        return gcode_fails(g, "gcode.call-times", "M98: L is how many times",
+                           "give a whole number");
     if (g->b.gs > 0 || g->b.ms > 1 ||
         (g->b.has & ~(GCODE_BIT('N') | GCODE_BIT('P') | GCODE_BIT('L'))) != 0)
-        return gcode_fails(g, "M98 with other words than P and L", "split the line");
+        return gcode_fails(g, "gcode.call-line", "M98 with other words than P and L",
+                           "split the line");
     g->wants       = GCODE_CALLS;
     g->wants_p     = p;
     g->wants_times = times;
@@ -743,7 +763,8 @@ static int obey(gcode_program *g)
     }
     call *c = f->calls > 0 ? &f->call[f->calls - 1] : NULL;
     if (c != NULL && !c->plain)
-        return gcode_fails(g, "M99 in a subroutine that was called by its O-word",
+        return gcode_fails(g, "gcode.return-kind",
+                           "M99 in a subroutine that was called by its O-word",
                            "end it with ENDSUB");
     if (c != NULL)
         g->all.value = g->all.returned = 0;
@@ -773,9 +794,10 @@ static int run_steer(gcode_program *g, unsigned n)
     (void)take_o(&s);
     read_o_word(&s, &o, true);
     if (s.code == 0 && o.computed && o.word != CALL)
-        return wrong_word(g, &o, "a label that is computed is for CALL", "write its number");
+        return wrong_word(g, &o, "gcode.label-computed", "a label that is computed is for CALL",
+                          "write its number");
     if (s.code == 0 && o.word == WORDS)
-        return wrong_word(g, &o, "an unknown word",
+        return wrong_word(g, &o, "gcode.label-word", "an unknown word",
                           "give sub, endsub, call, return, if, elseif, "
                           "else, endif, while, endwhile, do, repeat, endrepeat, break or continue");
     if (o.word == ENDIF || o.word == ELSE || o.word == ENDWHILE || o.word == ENDREPEAT ||
@@ -832,7 +854,7 @@ int gcode_flow_run(gcode_program *g)
         if (f->at.at >= u->size) {
             if (f->calls == 0)
                 break;
-            code = gcode_fails(g, "the text ends within a subroutine",
+            code = gcode_fails(g, "gcode.subroutine-open", "the text ends within a subroutine",
                                "end it with ENDSUB, or M99 after M98");
             break;
         }

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/tool.h"       /* tool_error */
+#include "base/host.h"       /* host_warn */
 #include "gcode/gcode_state.h"
 
 static void leave_out(gcode_program *g, char letter, int code, const char *name)
@@ -28,19 +28,26 @@ void gcode_leave_out(gcode_program *g, char letter, int code) { leave_out(g, let
 
 void gcode_leave_name(gcode_program *g, const char *name) { leave_out(g, ' ', 0, name); }
 
-static const char *reason_of(char letter, int code)
+/* Why it is left out. */
+typedef struct {
+    const char *name, *what, *remedy;
+} reason;
+
+static reason reason_of(char letter, int code)
 {
     const int m = code / 10;
 
     if (letter == 'E')
-        return "there is no extruder: its words are left out";
+        return (reason){ "gcode.left-extruder", "there is no extruder", "its words are left out" };
     if (letter == '$')
-        return "commands of a controller are left out: give them to it yourself";
+        return (reason){ "gcode.left-command", "commands of a controller are left out",
+                         "give them to it yourself" };
     if (letter == 'M' && m >= 3 && m <= 5)
-        return "no spindle or laser follows it yet: switch it by hand";
+        return (reason){ "gcode.left-spindle", "no spindle or laser follows it yet",
+                         "switch it by hand" };
     if (letter == 'M' && m >= 7 && m <= 9)
-        return "there is no coolant: it is left out";
-    return "has no meaning for this machine: it is left out";
+        return (reason){ "gcode.left-coolant", "there is no coolant", "it is left out" };
+    return (reason){ "gcode.left-word", "has no meaning for this machine", "it is left out" };
 }
 
 void gcode_tell_left(gcode_program *g)
@@ -55,8 +62,9 @@ void gcode_tell_left(gcode_program *g)
             snprintf(word, sizeof word, "%c%g", g->left[i].letter, g->left[i].code / 10.0);
         if (g->left[i].count > 1)
             snprintf(times, sizeof times, " (%u times)", g->left[i].count);
-        (void)tool_error(EX_OK, "%s:%u: %s%s: %s", g->file, g->left[i].line, word, times,
-                         reason_of(g->left[i].letter, g->left[i].code));
+        const reason why = reason_of(g->left[i].letter, g->left[i].code);
+        host_warn(g->b.host, why.name, (host_place){ g->file, g->left[i].line }, why.remedy,
+                  "%s%s: %s", word, times, why.what);
     }
     g->lefts = 0;
 }

@@ -75,13 +75,15 @@ int gcode_modes_word(gcode_program *g, int m)
     if (m < 70 || m > 72)
         return 0;
     if (g->radius.side != 0)
-        return gcode_fails(g, "M70 to M72 in G41 or G42", "give G40 before");
+        return gcode_fails(g, "gcode.modes-compensated", "M70 to M72 in G41 or G42",
+                           "give G40 before");
     if (m == 70)
         save_modes(g);
     else if (m == 71)
         g->saved.valid = false;
     else if (!g->saved.valid)
-        return gcode_fails(g, "M72 without M70", "save the modes by M70 before");
+        return gcode_fails(g, "gcode.modes-not-saved", "M72 without M70",
+                           "save the modes by M70 before");
     else
         return bring_back(g);
     return 0;

@@ -60,7 +60,7 @@ static int target_of_machine(const gcode_program *g, double out[3])
     double machine[3];
 
     if (g->incremental)
-        return gcode_fails(g, "G53 with G91", "give G90 first");
+        return gcode_fails(g, "gcode.machine-place-incremental", "G53 with G91", "give G90 first");
     gcode_machine_place(g, g->at, machine);
     for (int i = 0; i < 3; i++)
         if (gcode_has(&g->b, (char)('X' + i)))
@@ -101,11 +101,11 @@ static int centre_by_radius(const gcode_program *g, double turn, gcode_event *e)
     char what[96];
 
     if (!(half > 0))
-        return gcode_fails(g, "an arc with R that ends where it starts",
+        return gcode_fails(g, "gcode.arc-no-way", "an arc with R that ends where it starts",
                            "give its centre by I, J, K for a full circle");
     if (over > SPIRAL_PART * fabs(r) && over * g->frame.unit > CHORD_OVER) {
         snprintf(what, sizeof what, "R%.6g is too small for ends %.6g apart", r, 2 * half);
-        return gcode_fails(g, what, "correct R");
+        return gcode_fails(g, "gcode.arc-radius-short", what, "correct R");
     }
     const double off = over < 0 ? sqrt((fabs(r) - half) * (fabs(r) + half)) : 0,
                  side = turn * (r < 0 ? -1 : 1) * off / (2 * half);
@@ -126,13 +126,14 @@ static int centre_by_offset(const gcode_program *g, gcode_event *e)
         const bool given  = gcode_has(&g->b, letter);
         any = any || given;
         if (!given && g->centre_absolute)
-            return gcode_fails(g, "an arc without both numbers of its centre",
+            return gcode_fails(g, "gcode.arc-centre-half",
+                               "an arc without both numbers of its centre",
                                "in G90.1 give both, or G91.1 before");
         e->centre[axis[i]] = (given ? gcode_value(&g->b, letter) : 0) +
                              (g->centre_absolute ? 0 : g->at[axis[i]]);
     }
     if (!any)
-        return gcode_fails(g, "an arc without I, J, K in its plane or R",
+        return gcode_fails(g, "gcode.arc-no-centre", "an arc without I, J, K in its plane or R",
                            "give its centre, or its radius");
     r[0] = radius_at(g, e->centre, g->at);
     r[1] = radius_at(g, e->centre, e->to);
@@ -140,10 +141,10 @@ static int centre_by_offset(const gcode_program *g, gcode_event *e)
     if (off > SPIRAL_MOST * most || (off > most && off > SPIRAL_PART * fmax(r[0], r[1]))) {
         snprintf(what, sizeof what, "an arc that starts %.6g and ends %.6g from its centre", r[0],
                  r[1]);
-        return gcode_fails(g, what, "correct I, J, K, or write more digits");
+        return gcode_fails(g, "gcode.arc-centre", what, "correct I, J, K, or write more digits");
     }
     if (!(r[0] * g->frame.unit > RADIUS_LEAST))
-        return gcode_fails(g, "an arc without a radius", "correct I, J, K");
+        return gcode_fails(g, "gcode.arc-no-radius", "an arc without a radius", "correct I, J, K");
     return 0;
 }
 
@@ -155,7 +156,7 @@ static int move_arc(gcode_program *g)
     const double p   = has_p ? gcode_value(&g->b, 'P') : 1;
 
     if (!(p >= 1 && p <= 4096) || p > floor(p))
-        return gcode_fails(g, "P of an arc is its number of turns",
+        return gcode_fails(g, "gcode.arc-turns", "P of an arc is its number of turns",
                            "give a whole number from 1 to 4096");
     e.turns = turn * (int)p;
     gcode_target(g, e.to);
@@ -182,9 +183,11 @@ static double length_of_legs(const gcode_program *g, const gcode_event *e)
 static int check_curve(const gcode_program *g)
 {
     if (g->plane != 2)
-        return gcode_fails(g, "G5 outside of the plane of x and y", "give G17 before");
+        return gcode_fails(g, "gcode.cubic-plane", "G5 outside of the plane of x and y",
+                           "give G17 before");
     if (gcode_has(&g->b, 'Z'))
-        return gcode_fails(g, "G5 with Z", "it lies in the plane of x and y: leave Z out");
+        return gcode_fails(g, "gcode.cubic-height", "G5 with Z",
+                           "it lies in the plane of x and y: leave Z out");
     return 0;
 }
 
@@ -196,9 +199,10 @@ static int move_cubic(gcode_program *g)
     gcode_event e = { .kind = GCODE_CUBIC };
 
     if (i != j || (!i && !g->after_cubic))
-        return gcode_fails(g, "G5 without I and J", "give both; only behind a G5 none are needed");
+        return gcode_fails(g, "gcode.cubic-first-control", "G5 without I and J",
+                           "give both; only behind a G5 none are needed");
     if (!gcode_has(b, 'P') || !gcode_has(b, 'Q'))
-        return gcode_fails(g, "G5 without P and Q", "give both");
+        return gcode_fails(g, "gcode.cubic-last-control", "G5 without P and Q", "give both");
     gcode_target(g, e.to);
     memcpy(e.inner[0], g->at, sizeof e.inner[0]);
     memcpy(e.inner[1], e.to, sizeof e.inner[1]);
@@ -216,7 +220,8 @@ static int move_quadratic(gcode_program *g)
     gcode_event e = { .kind = GCODE_QUADRATIC };
 
     if (!gcode_has(&g->b, 'I') && !gcode_has(&g->b, 'J'))
-        return gcode_fails(g, "G5.1 without I and J", "give the control point from the start");
+        return gcode_fails(g, "gcode.quadratic-control", "G5.1 without I and J",
+                           "give the control point from the start");
     gcode_target(g, e.to);
     for (int i = 0; i < 3; i++)
         e.inner[0][i] = g->at[i] + (i < 2 && gcode_has(&g->b, (char)('I' + i))
@@ -231,9 +236,11 @@ static int add_pole(gcode_program *g, double x, double y)
     double *pole = g->pole[g->poles];
 
     if (g->poles == GCODE_POLES)
-        return gcode_fails(g, "a NURBS of more than 1024 control points", "split it");
+        return gcode_fails(g, "gcode.nurbs-points", "a NURBS of more than 1024 control points",
+                           "split it");
     if (!(g->pole_weight > 0))
-        return gcode_fails(g, "a weight that is not above 0", "give P above 0");
+        return gcode_fails(g, "gcode.nurbs-weight", "a weight that is not above 0",
+                           "give P above 0");
     pole[0] = x;
     pole[1] = y;
     pole[2] = g->pole_weight;
@@ -254,7 +261,8 @@ static int move_nurbs(gcode_program *g)
     if (g->poles == 0) {
         const double said = g->pole_weight;
         if (!(order >= 2 && order <= ORDER_MOST) || order > floor(order))
-            return gcode_fails(g, "L of G5.2 is the order", "give 2 to 10; 3 if it is left out");
+            return gcode_fails(g, "gcode.nurbs-order", "L of G5.2 is the order",
+                               "give 2 to 10; 3 if it is left out");
         g->degree      = (unsigned)order - 1;
         g->pole_line   = b->line;
         g->pole_weight = !point && gcode_has(b, 'P') ? gcode_value(b, 'P') : 1;
@@ -280,9 +288,11 @@ int gcode_nurbs_end(gcode_program *g)
     double length = 0;
 
     if (g->poles == 0)
-        return gcode_fails(g, "G5.3 without G5.2", "begin the NURBS with G5.2");
+        return gcode_fails(g, "gcode.nurbs-not-begun", "G5.3 without G5.2",
+                           "begin the NURBS with G5.2");
     if (g->poles <= g->degree)
-        return gcode_fails(g, "a NURBS with fewer control points than its order",
+        return gcode_fails(g, "gcode.nurbs-few-points",
+                           "a NURBS with fewer control points than its order",
                            "give more, or a smaller L");
     e.to[0] = g->pole[g->poles - 1][0];
     e.to[1] = g->pole[g->poles - 1][1];
@@ -326,9 +336,11 @@ static int check_beside(const gcode_program *g)
     if (arc && g->radius.side != 0)
         return 0;
     if (g->radius.side == 0)
-        return gcode_fails(g, "a motion behind G40 that is not straight",
+        return gcode_fails(g, "gcode.compensation-leave",
+                           "a motion behind G40 that is not straight",
                            "give G0 or G1 first, which leads back to the path");
-    return gcode_fails(g, "a motion that is neither straight nor an arc, in G41 or G42",
+    return gcode_fails(g, "gcode.compensation-motion",
+                       "a motion that is neither straight nor an arc, in G41 or G42",
                        "give G40 before");
 }
 
@@ -338,7 +350,8 @@ int gcode_move(gcode_program *g)
     int code = 0;
 
     if (g->poles > 0 && g->motion != 52 && g->motion != 53)
-        return gcode_fails(g, "a motion between G5.2 and G5.3", "end the NURBS with G5.3");
+        return gcode_fails(g, "gcode.nurbs-motion", "a motion between G5.2 and G5.3",
+                           "end the NURBS with G5.3");
     g->after_cubic = false;
     if (g->motion < 730 || g->motion == GCODE_CANCEL)
         g->cycle.code = 0, g->cycle.leveled = false;
@@ -358,9 +371,9 @@ int gcode_move(gcode_program *g)
     case 52: return move_nurbs(g);
     case 53: return gcode_nurbs_end(g);
     case GCODE_CANCEL:
-        return line_has(g, 800)
-                   ? 0
-                   : gcode_fails(g, "X, Y or Z without a motion", "give G0, G1, G2 or G3 with it");
+        return line_has(g, 800) ? 0
+                                : gcode_fails(g, "gcode.no-motion", "X, Y or Z without a motion",
+                                              "give G0, G1, G2 or G3 with it");
     default: return gcode_drill(g);
     }
 }

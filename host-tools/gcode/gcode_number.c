@@ -16,10 +16,10 @@
 #define DEGREES  (180 / PI)
 #define CODE_TOL 1e-4       /* of a number that must be whole */
 
-void gcode_scan_fail(gcode_scanner *s, const char *what, const char *remedy)
+void gcode_scan_fail(gcode_scanner *s, const char *name, const char *what, const char *remedy)
 {
     if (s->code == 0)
-        s->code = gcode_wrong(s->b, what, remedy);
+        s->code = gcode_wrong(s->b, name, what, remedy);
 }
 
 static char upper(char c) { return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c; }
@@ -76,7 +76,8 @@ static double read_digits(gcode_scanner *s)
     for (char c = gcode_peek(s); (c >= '0' && c <= '9') || (c == '.' && !point);
          c = next_digit(s)) {
         if (length == DIGITS) {
-            gcode_scan_fail(s, "a number of more than 60 digits", "write fewer");
+            gcode_scan_fail(s, "gcode.number-long", "a number of more than 60 digits",
+                            "write fewer");
             return 0;
         }
         text[length++] = c;
@@ -89,7 +90,8 @@ static double read_digits(gcode_scanner *s)
         }
     }
     if (digits == 0) {
-        gcode_scan_fail(s, "a number is missing", "write one after each letter");
+        gcode_scan_fail(s, "gcode.number-missing", "a number is missing",
+                        "write one after each letter");
         return 0;
     }
     if (digits <= 15)
@@ -127,7 +129,8 @@ void gcode_read_label(gcode_scanner *s, char out[GCODE_NAME_MAX])
     char name[GCODE_NAME_MAX];
 
     if (!gcode_take(s, '<') || !read_name(s, name) || strlen(name) > GCODE_NAME_MAX - 3)
-        gcode_scan_fail(s, "O<: a name is missing, or too long", "write O<name>");
+        gcode_scan_fail(s, "gcode.label-name", "O<: a name is missing, or too long",
+                        "write O<name>");
     else
         snprintf(out, GCODE_NAME_MAX, "<%.*s>", GCODE_NAME_MAX - 3, name);
 }
@@ -137,12 +140,14 @@ int gcode_read_parameter(gcode_scanner *s, char name[GCODE_NAME_MAX])
 {
     if (gcode_take(s, '<')) {
         if (!read_name(s, name))
-            gcode_scan_fail(s, "#<: a name is missing, or too long", "write #<name>");
+            gcode_scan_fail(s, "gcode.parameter-name", "#<: a name is missing, or too long",
+                            "write #<name>");
         return -1;
     }
     const double n = gcode_read_value(s), whole = floor(n + 0.5);
     if (s->code == 0 && (!(fabs(n - whole) <= CODE_TOL) || whole < 1 || whole >= GCODE_NUMBERED)) {
-        gcode_scan_fail(s, "#: no such parameter", "give a whole number from 1 to 5602");
+        gcode_scan_fail(s, "gcode.parameter-number", "#: no such parameter",
+                        "give a whole number from 1 to 5602");
         return 1;
     }
     return s->code == 0 ? (int)whole : 1;
@@ -162,7 +167,7 @@ static double parameter_value(gcode_scanner *s)
         return live;
     if (found == NULL) {
         snprintf(what, sizeof what, "#<%s> has no value", name);
-        gcode_scan_fail(s, what, "set it first");
+        gcode_scan_fail(s, "gcode.parameter-unset", what, "set it first");
     }
     return found ? found->value : 0;
 }
@@ -182,7 +187,7 @@ static double read_exists(gcode_scanner *s)
         there = n >= 1 - CODE_TOL && n < GCODE_NUMBERED - CODE_TOL;
     }
     if (!good || !gcode_take(s, ']'))
-        gcode_scan_fail(s, "EXISTS without [#<name>]", "write EXISTS[#<name>]");
+        gcode_scan_fail(s, "gcode.exists", "EXISTS without [#<name>]", "write EXISTS[#<name>]");
     return there ? 1 : 0;
 }
 
@@ -205,7 +210,7 @@ static double apply_function(gcode_scanner *s, enum function f, double x)
     case TAN:   return tan(x / DEGREES);
     case ATAN:
         if (!gcode_take(s, '/') || !gcode_take(s, '['))
-            gcode_scan_fail(s, "ATAN without its second number", "write ATAN[y]/[x]");
+            gcode_scan_fail(s, "gcode.atan", "ATAN without its second number", "write ATAN[y]/[x]");
         return s->code == 0 ? atan2(x, read_expression(s)) * DEGREES : 0;
     case FUNCTIONS: break;
     }
@@ -223,7 +228,8 @@ static double read_function(gcode_scanner *s)
     for (int f = 0; f < FUNCTIONS; f++)
         if (gcode_take_word(s, names[f])) {
             if (!gcode_take(s, '[')) {
-                gcode_scan_fail(s, "a function without [", "write as SIN[30]");
+                gcode_scan_fail(s, "gcode.function-bracket", "a function without [",
+                                "write as SIN[30]");
                 return 0;
             }
             return apply_function(s, (enum function)f, read_expression(s));
@@ -239,7 +245,8 @@ double gcode_read_value(gcode_scanner *s)
     if (c == '.' || (c >= '0' && c <= '9'))
         return read_digits(s);
     if (s->code != 0 || ++s->depth > DEPTH) {
-        gcode_scan_fail(s, "an expression of more than 32 levels", "split it with parameters");
+        gcode_scan_fail(s, "gcode.expression-deep", "an expression of more than 32 levels",
+                        "split it with parameters");
         return 0;
     }
     if (gcode_take(s, '-'))
@@ -254,7 +261,7 @@ double gcode_read_value(gcode_scanner *s)
         out = read_function(s);
     s->depth--;
     if (s->code == 0 && !isfinite(out))
-        gcode_scan_fail(s, "a number that is not finite",
+        gcode_scan_fail(s, "gcode.number-not-finite", "a number that is not finite",
                         "look for a division by 0, or a root of less than 0");
     return s->code == 0 ? out : 0;
 }
@@ -321,7 +328,7 @@ static double read_expression(gcode_scanner *s)
         }
     } while (s->code == 0 && waiting[n++] != NONE);
     if (!gcode_take(s, ']'))
-        gcode_scan_fail(s, "[ without ]",
+        gcode_scan_fail(s, "gcode.bracket-open", "[ without ]",
                         "close the brackets, and put one operator between two numbers");
     return s->code == 0 ? value[0] : 0;
 }

@@ -20,8 +20,8 @@ typedef struct {
     unsigned sets;
 } gcode_scanner;
 
-/* Print what is wrong with the line, once. */
-void gcode_scan_fail(gcode_scanner *s, const char *what, const char *remedy);
+/* Tell what is wrong with the line, once. */
+void gcode_scan_fail(gcode_scanner *s, const char *name, const char *what, const char *remedy);
 
 /* The next character that is not blank, as a capital; 0 at the end. */
 char gcode_peek(gcode_scanner *s);

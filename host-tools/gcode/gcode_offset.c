@@ -137,10 +137,10 @@ static int set_system(gcode_program *g)
     double machine[3];
 
     if (!(l >= 2 && l <= 2) && !(l >= 20 && l <= 20))
-        return gcode_fails(g, "G10 without L2 or L20",
+        return gcode_fails(g, "gcode.system-set", "G10 without L2 or L20",
                            "only origins of coordinate systems are set");
     if (!(p >= 0 && p <= GCODE_SYSTEMS) || p > floor(p))
-        return gcode_fails(g, "G10: no such coordinate system",
+        return gcode_fails(g, "gcode.system-unknown", "G10: no such coordinate system",
                            "give P1 to P9, or P0 for this one");
     double *system = system_of(g, p > 0 ? (int)p : g->system);
     gcode_machine_place(g, g->at, machine);
@@ -185,7 +185,8 @@ static int set_shift(gcode_program *g, bool local)
         any = true;
     }
     if (!any && !g->printer)
-        return gcode_fails(g, "G92 without X, Y or Z", "give the coordinates of this place");
+        return gcode_fails(g, "gcode.shift-no-axis", "G92 without X, Y or Z",
+                           "give the coordinates of this place");
     g->shifted = true;
     g->all.number[SHIFT] = 1;
     gcode_use_offsets(g);

@@ -204,7 +204,8 @@ static bool meet(const trace *a, const trace *b, double out[2])
 static int hold(gcode_program *g, const gcode_event *e)
 {
     if (g->radius.count == GCODE_HELD)
-        return gcode_fails(g, "64 lines without a way in the plane, in G41 or G42",
+        return gcode_fails(g, "gcode.compensation-waits",
+                           "64 lines without a way in the plane, in G41 or G42",
                            "give G40 before them");
     g->radius.held[g->radius.count++] = *e;
     return 0;
@@ -216,7 +217,8 @@ static int does_not_fit(const gcode_program *g, unsigned line)
 
     snprintf(what, sizeof what, "the tool of radius %.6g does not fit into the corner at line %u",
              g->radius.r, line);
-    return gcode_fails(g, what, "take a smaller tool, or round the corner");
+    return gcode_fails(g, "gcode.compensation-corner", what,
+                       "take a smaller tool, or round the corner");
 }
 
 /* How far an arc turns from the place of the tool to `end`. */
@@ -339,16 +341,19 @@ static int check_motion(const gcode_program *g, const gcode_event *e, const doub
 
     in_plane(g, e->centre, centre);
     if (e->kind > GCODE_ARC)
-        return gcode_fails(g, "G5 in G41 or G42", "give G40 before");
+        return gcode_fails(g, "gcode.compensation-cubic", "G5 in G41 or G42", "give G40 before");
     if (e->loose[0] & plane)
-        return gcode_fails(g, "G41 or G42 from a place that is not named",
+        return gcode_fails(g, "gcode.compensation-unplaced",
+                           "G41 or G42 from a place that is not named",
                            "give a motion to X and Y before");
     if (!g->radius.entered && !(hypot(to[0] - from[0], to[1] - from[1]) > g->radius.r))
-        return gcode_fails(g, "the first motion in G41 or G42 is not longer than the tool's radius",
+        return gcode_fails(g, "gcode.compensation-first",
+                           "the first motion in G41 or G42 is not longer than the tool's radius",
                            "begin farther away");
     if (e->kind == GCODE_ARC && !is_outside(g, e) &&
         !(hypot(to[0] - centre[0], to[1] - centre[1]) > g->radius.r))
-        return gcode_fails(g, "an arc whose radius is not above that of the tool",
+        return gcode_fails(g, "gcode.compensation-arc",
+                           "an arc whose radius is not above that of the tool",
                            "take a smaller tool, or a larger arc");
     return 0;
 }
@@ -406,11 +411,14 @@ int gcode_radius_off(gcode_program *g)
 int gcode_radius_on(gcode_program *g, int side, double diameter)
 {
     if (g->radius.side != 0)
-        return gcode_fails(g, "G41 or G42 while one of them is in force", "give G40 before");
+        return gcode_fails(g, "gcode.compensation-twice",
+                           "G41 or G42 while one of them is in force", "give G40 before");
     if (g->plane == 0)
-        return gcode_fails(g, "G41 or G42 in the plane of y and z", "give G17 or G18 before");
+        return gcode_fails(g, "gcode.compensation-plane", "G41 or G42 in the plane of y and z",
+                           "give G17 or G18 before");
     if (g->apart)
-        return gcode_fails(g, "G41 or G42 right behind G40", "give a straight motion between them");
+        return gcode_fails(g, "gcode.compensation-again", "G41 or G42 right behind G40",
+                           "give a straight motion between them");
     memcpy(g->place, g->at, sizeof g->place);
     g->radius.r       = diameter / 2 / g->frame.unit;
     g->radius.side    = g->radius.r > 0 ? side : 0;

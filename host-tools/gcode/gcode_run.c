@@ -62,13 +62,13 @@ static enum group group_of(int code)
     return UNKNOWN;
 }
 
-static int wrong_code(const gcode_program *g, char letter, int code, const char *what,
-                      const char *remedy)
+static int wrong_code(const gcode_program *g, char letter, int code, const char *name,
+                      const char *what, const char *remedy)
 {
     char words[96];
 
     snprintf(words, sizeof words, "%c%g: %s", letter, code / 10.0, what);
-    return gcode_fails(g, words, remedy);
+    return gcode_fails(g, name, words, remedy);
 }
 
 
@@ -96,18 +96,19 @@ static int sort_codes(gcode_program *g, int of[GROUPS])
             continue;
         }
         if (code / 10 == 38)
-            return wrong_code(g, 'G', code, "a file cannot probe: what follows would depend on it",
+            return wrong_code(g, 'G', code, "gcode.probe",
+                              "a file cannot probe: what follows would depend on it",
                               "probe before, with `loft probe z- --at 0`, and leave G38 out");
         if (into == UNKNOWN)
-            return wrong_code(g, 'G', code, "is not known here",
+            return wrong_code(g, 'G', code, "gcode.g-unknown", "is not known here",
                               "write it out in plain motions, in the CAM's post-processor");
         if (into == MOTION && of[into] == GCODE_CANCEL)
             of[into] = GCODE_NONE;      /* G80 G81: the new motion counts */
         if (into == MOTION && of[into] != GCODE_NONE && code == GCODE_CANCEL)
             continue;
         if (of[into] != GCODE_NONE)
-            return wrong_code(g, 'G', code, "a second word of its kind in the line",
-                              "split the line");
+            return wrong_code(g, 'G', code, "gcode.group-twice",
+                              "a second word of its kind in the line", "split the line");
         of[into] = code;
     }
     return 0;
@@ -138,11 +139,13 @@ static int check_words(const gcode_program *g)
     char what[64];
 
     if (gcode_has(&g->b, 'E') && !g->printer && !has_output(&g->b))
-        return gcode_fails(g, "E: an extruder", "for a 3-D printer's file give --dialect marlin");
+        return gcode_fails(g, "gcode.extruder", "E: an extruder",
+                           "for a 3-D printer's file give --dialect marlin");
     for (const char *at = others; *at != '\0' && !g->printer; at++)
         if (gcode_has(&g->b, *at)) {
             snprintf(what, sizeof what, "%c: this machine has the axes X, Y and Z", *at);
-            return gcode_fails(g, what, "take a post-processor for three axes");
+            return gcode_fails(g, "gcode.axis-unknown", what,
+                               "take a post-processor for three axes");
         }
     return 0;
 }
@@ -157,7 +160,7 @@ static int set_feed(gcode_program *g, int mode)
     if (gcode_has(&g->b, 'F')) {
         const double said = gcode_value(&g->b, 'F');
         if (!(said >= 0) && !g->printer)
-            return gcode_fails(g, "F below 0", "give a feed above 0");
+            return gcode_fails(g, "gcode.feed-negative", "F below 0", "give a feed above 0");
         if (said > 0 || !g->printer) {          /* a printer goes on with the feed before */
             g->feed = said;
             g->fed  = true;
@@ -165,7 +168,7 @@ static int set_feed(gcode_program *g, int mode)
     }
     if (gcode_has(&g->b, 'S')) {
         if (!(gcode_value(&g->b, 'S') >= 0))
-            return gcode_fails(g, "S below 0", "give a speed of 0 or more");
+            return gcode_fails(g, "gcode.speed-negative", "S below 0", "give a speed of 0 or more");
         g->speed = gcode_value(&g->b, 'S');
         g->timed = true;
     }
@@ -193,8 +196,8 @@ static int check_m_words(const gcode_program *g)
     for (unsigned i = 0; i < g->b.ms && !g->printer; i++) {
         const int group = group_of_m(g->b.m[i] / 10);
         if (group > 0 && (seen & 1u << group))
-            return wrong_code(g, 'M', g->b.m[i], "a second word of its kind in the line",
-                              "split the line");
+            return wrong_code(g, 'M', g->b.m[i], "gcode.group-twice",
+                              "a second word of its kind in the line", "split the line");
         seen |= 1u << group;
     }
     return 0;
@@ -226,7 +229,8 @@ static int check_used(const gcode_program *g)
     for (char c = 'A'; c <= GCODE_ANGLE && !g->printer; c++)
         if (idle & GCODE_BIT(c)) {
             snprintf(what, sizeof what, "%c: no word of the line uses it", GCODE_SHOWN(c));
-            return gcode_fails(g, what, "leave it out, or give the word that it belongs to");
+            return gcode_fails(g, "gcode.word-unused", what,
+                               "leave it out, or give the word that it belongs to");
         }
     return 0;
 }
@@ -279,7 +283,7 @@ static int run_outputs(gcode_program *g)
         default:
             if (!g->printer && (m < 100 || m > 199))
                 return wrong_code(
-                    g, 'M', g->b.m[i], "is not known here",
+                    g, 'M', g->b.m[i], "gcode.m-unknown", "is not known here",
                     "leave it out, or for a 3-D printer's file give --dialect marlin");
             leave_out_m(g, g->b.m[i]);
         }
@@ -352,10 +356,12 @@ static int run_wait(gcode_program *g)
     const gcode_block *b = &g->b;
 
     if (!gcode_has(b, 'P') && !g->printer)
-        return gcode_fails(g, "G4 without P", "give the seconds to wait, as G4 P0.5");
+        return gcode_fails(g, "gcode.wait-no-time", "G4 without P",
+                           "give the seconds to wait, as G4 P0.5");
     const double seconds = g->printer ? wait_of(g) : gcode_value(b, 'P');
     if (seconds < 0)
-        return gcode_fails(g, "G4 waits less than nothing", "give a time of 0 or more");
+        return gcode_fails(g, "gcode.wait-negative", "G4 waits less than nothing",
+                           "give a time of 0 or more");
     return gcode_wait(g, seconds);
 }
 
@@ -365,7 +371,8 @@ static int use_path(gcode_program *g, int code)
     const double p = code == 640 && gcode_has(&g->b, 'P') ? gcode_value(&g->b, 'P') : 0;
 
     if (!(p >= 0))
-        return gcode_fails(g, "G64 with P below 0", "give the tolerance in units of the program");
+        return gcode_fails(g, "gcode.blend-negative", "G64 with P below 0",
+                           "give the tolerance in units of the program");
     if (code == 640)
         (void)gcode_value(&g->b, 'Q');  /* how short lines are joined: a plan keeps P for all */
     g->exact  = code != 640;
@@ -391,7 +398,8 @@ static int set_modes(gcode_program *g, const int of[GROUPS])
         code = gcode_use_system(g,
                                 of[SYSTEM] < 591 ? (of[SYSTEM] - 530) / 10 : 6 + of[SYSTEM] - 590);
     if (code == 0 && of[LATHE] == 70)
-        code = wrong_code(g, 'G', 70, "diameters of a lathe are not known here", "give radii (G8)");
+        code = wrong_code(g, 'G', 70, "gcode.lathe-diameter",
+                          "diameters of a lathe are not known here", "give radii (G8)");
     if (of[SPINDLE] == 960) {           /* the speed is that of the cut, of a lathe */
         gcode_leave_out(g, 'G', 960);
         (void)gcode_value(&g->b, 'D');
@@ -409,13 +417,16 @@ static int set_modes(gcode_program *g, const int of[GROUPS])
 static int check_polar(const gcode_program *g, int once)
 {
     if (gcode_has(&g->b, 'X') || gcode_has(&g->b, 'Y'))
-        return gcode_fails(g, "@ or ^ with X or Y", "give one or the other");
+        return gcode_fails(g, "gcode.polar-and-axes", "@ or ^ with X or Y",
+                           "give one or the other");
     if (g->plane != 2)
-        return gcode_fails(g, "@ and ^ outside of the plane of x and y", "give G17 before");
+        return gcode_fails(g, "gcode.polar-plane", "@ and ^ outside of the plane of x and y",
+                           "give G17 before");
     if (once != GCODE_NONE && once != 40)
-        return wrong_code(g, 'G', once, "with @ or ^", "give X and Y");
+        return wrong_code(g, 'G', once, "gcode.polar-code", "with @ or ^", "give X and Y");
     if (!gcode_has(&g->b, GCODE_ANGLE) && !(hypot(g->at[0], g->at[1]) > 0))
-        return gcode_fails(g, "@ without ^ where the angle is not known", "give ^, the angle");
+        return gcode_fails(g, "gcode.polar-no-angle", "@ without ^ where the angle is not known",
+                           "give ^, the angle");
     return 0;
 }
 
@@ -432,11 +443,13 @@ static int run_motion(gcode_program *g, const int of[GROUPS])
         return code;
     const bool taken = once == 100 || once == 280 || once == 300 || once == 520 || once == 920;
     if (of[MOTION] != GCODE_NONE && taken && axes && of[MOTION] != 800)
-        return wrong_code(g, 'G', once, "takes the axes that the motion wants", "split the line");
+        return wrong_code(g, 'G', once, "gcode.axes-taken", "takes the axes that the motion wants",
+                          "split the line");
     if (of[MOTION] != GCODE_NONE)
         g->motion = of[MOTION];
     if (once == 530 && g->motion != 0 && g->motion != 10)
-        return wrong_code(g, 'G', 530, "is for straight motions", "give G0 or G1 with it");
+        return wrong_code(g, 'G', 530, "gcode.machine-place-motion", "is for straight motions",
+                          "give G0 or G1 with it");
     if (taken || (!axes && of[MOTION] == GCODE_NONE && g->poles == 0))
         return 0;
     return gcode_move(g);
@@ -455,10 +468,12 @@ static int check_radius(const gcode_program *g, const int of[GROUPS])
         const bool same = (fixed[i] == PLANE && code == 190 - 10 * g->plane) ||
                           (fixed[i] == UNITS && (code == 210) == (g->frame.unit < 2));
         if (code != GCODE_NONE && !same)
-            return wrong_code(g, 'G', code, "in G41 or G42", "give G40 before");
+            return wrong_code(g, 'G', code, "gcode.compensation-code", "in G41 or G42",
+                              "give G40 before");
     }
     if (once != GCODE_NONE && once != 40)
-        return wrong_code(g, 'G', once, "in G41 or G42", "give G40 before");
+        return wrong_code(g, 'G', once, "gcode.compensation-code", "in G41 or G42",
+                          "give G40 before");
     return 0;
 }
 
@@ -499,9 +514,10 @@ static int run_block(gcode_program *g)
 // Lines
 // -----
 
-gcode_program *gcode_open(const char *file, enum gcode_dialect d, gcode_sink *sink, void *context)
+gcode_program *gcode_open(host *h, const char *file, enum gcode_dialect d, gcode_sink *sink,
+                          void *context)
 {
-    gcode_program *g = tool_grow(NULL, sizeof *g);
+    gcode_program *g = memory_grow(NULL, sizeof *g);
 
     memset(g, 0, sizeof *g);
     g->file    = file;
@@ -510,7 +526,7 @@ gcode_program *gcode_open(const char *file, enum gcode_dialect d, gcode_sink *si
     g->sink    = sink;
     g->context = context;
     g->b = (gcode_block){
-        .file = file, .printer = g->printer, .at = &g->all, .used = &g->used, .of = g
+        .host = h, .file = file, .printer = g->printer, .at = &g->all, .used = &g->used, .of = g
     };
     g->frame.unit = 1;
     g->motion     = d == GCODE_LINUXCNC || d == GCODE_ANY ? GCODE_CANCEL : 0;
@@ -586,8 +602,9 @@ int gcode_finish(gcode_program *g)
     if (code != 0)
         return code;
     if (g->poles > 0)
-        return tool_error(EX_DATAERR, "%s:%u: G5.2 without G5.3: end the NURBS", g->file,
-                          g->pole_line);
+        return host_error(g->b.host, EX_DATAERR, "gcode.nurbs-open",
+                          (host_place){ g->file, g->pole_line }, "end the NURBS",
+                          "G5.2 without G5.3");
     gcode_tell_left(g);
     return 0;
 }

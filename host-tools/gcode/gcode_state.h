@@ -111,9 +111,10 @@ struct gcode_program {
 static inline int gcode_first(const gcode_program *g)   { return (g->plane + 1) % 3; }
 static inline int gcode_second(const gcode_program *g)  { return (g->plane + 2) % 3; }
 
-static inline int gcode_fails(const gcode_program *g, const char *what, const char *remedy)
+static inline int gcode_fails(const gcode_program *g, const char *name, const char *what,
+                              const char *remedy)
 {
-    return gcode_wrong(&g->b, what, remedy);
+    return gcode_wrong(&g->b, name, what, remedy);
 }
 
 /* Give an event, completed with line, start, frame and feed. `length`: of the motion in units of

@@ -23,7 +23,7 @@ static int read_number(const gcode_program *g, char letter, long *out)
         return 0;
     }
     snprintf(what, sizeof what, "%c%.6g: no such tool", letter, said);
-    return gcode_fails(g, what, "give a whole number");
+    return gcode_fails(g, "gcode.tool-number", what, "give a whole number");
 }
 
 static const machine_tool *tool_of(const gcode_program *g, long number)
@@ -50,7 +50,7 @@ static int named_tool(const gcode_program *g, char letter, const char *key,
     if (number <= 0 && gcode_has(&g->b, letter))
         return 0; /* D0, H0 and no tool: as if it were a point */
     if (number <= 0)
-        return gcode_fails(g, "no tool is in the spindle",
+        return gcode_fails(g, "gcode.tool-none", "no tool is in the spindle",
                            letter == 'D' ? "give D with its number, or T and M6 before"
                                          : "give H with its number, or T and M6 before");
     *out = tool_of(g, number);
@@ -59,7 +59,7 @@ static int named_tool(const gcode_program *g, char letter, const char *key,
     snprintf(what, sizeof what, "tool %ld has no %s", number, key);
     snprintf(remedy, sizeof remedy, "give tool.%ld.%s in the machine file, or %s", number, key,
              letter == 'D' ? "G41.1 D with the diameter" : "G43.1 Z with the length");
-    return gcode_fails(g, what, remedy);
+    return gcode_fails(g, "gcode.tool-no-value", what, remedy);
 }
 
 int gcode_tool_length(const gcode_program *g, double *out)
@@ -82,9 +82,11 @@ int gcode_tool_side(gcode_program *g, int code)
         return status != 0 ? status : gcode_radius_on(g, side, tool != NULL ? tool->diameter : 0);
     }
     if (!gcode_has(&g->b, 'D') || gcode_value(&g->b, 'D') < 0)
-        return gcode_fails(g, "G41.1 and G42.1 want the diameter", "give D of 0 or more");
+        return gcode_fails(g, "gcode.compensation-no-diameter", "G41.1 and G42.1 want the diameter",
+                           "give D of 0 or more");
     if (gcode_has(&g->b, 'L') && fabs(gcode_value(&g->b, 'L')) > 0)
-        return gcode_fails(g, "L: tools of a lathe are not known here", "leave it out");
+        return gcode_fails(g, "gcode.lathe-tool", "L: tools of a lathe are not known here",
+                           "leave it out");
     return gcode_radius_on(g, side, gcode_value(&g->b, 'D') * g->frame.unit);
 }
 
@@ -99,9 +101,11 @@ int gcode_tool_change(gcode_program *g, int m)
     gcode_event e = { .kind = GCODE_TOOL };
 
     if (g->radius.side != 0)
-        return gcode_fails(g, "a change of the tool in G41 or G42", "give G40 before");
+        return gcode_fails(g, "gcode.compensation-tool-change",
+                           "a change of the tool in G41 or G42", "give G40 before");
     if (m == 61 && !gcode_has(&g->b, 'Q'))
-        return gcode_fails(g, "M61 without Q", "give the number of the tool");
+        return gcode_fails(g, "gcode.tool-loaded-number", "M61 without Q",
+                           "give the number of the tool");
     if (m == 61)
         return read_number(g, 'Q', &g->loaded);
     if (g->selected < 0)

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "geometry/curve_text.h"
+#include "base/host.h"
 #include "base/lines.h"         /* lines_numbers, lines_wrong */
 #include "base/scan.h"          /* scan_word */
 #include "geometry/surface_text.h"  /* surface_begins */
@@ -386,7 +387,7 @@ static int check_slopes(const lines *at, curve *c)
 /* The curve is complete: is it valid? */
 static int end_curve(reading *r)
 {
-    const lines at = { .file = r->at.file, .line = r->now ? r->now->line : 0 };
+    const lines at = { .host = r->at.host, .file = r->at.file, .line = r->now ? r->now->line : 0 };
     curve *c = r->now;
     char words[96];
 
@@ -458,9 +459,9 @@ static int read_line(void *context)
     return isalpha((unsigned char)*r->at.rest) ? word_line(r) : point_line(r);
 }
 
-int curves_read_text(curves *all, const char *file, const char *text)
+int curves_read_text(host *h, curves *all, const char *file, const char *text)
 {
-    reading r = { .all = all, .at = { .file = file } };
+    reading r = { .all = all, .at = { .host = h, .file = file } };
     const int code = lines_read(&r.at, text, read_line, &r);
 
     return code ? code : end_curve(&r);

@@ -6,11 +6,13 @@
 
 #include "engine/curve.h"       /* curves */
 
+struct host;                    /* base/host.h */
+
 /* Does the name of the file, or the first word of the text, say that it holds curves? */
 bool curves_is_text(const char *file, const char *text);
 
-/* Append the curves of a text. Returns 0, or an exit code after printing one line. `*all` must be
+/* Append the curves of a text. Returns 0, or an exit code after one message. `*all` must be
  * zeroed, but for what is asked for. */
-int curves_read_text(curves *all, const char *file, const char *text);
+int curves_read_text(struct host *h, curves *all, const char *file, const char *text);
 
 #endif

@@ -15,6 +15,7 @@
 #include "num/status.h"  /* enum loft_status */
 
 #include "engine/engine_sided.h"    /* complete, cut */
+#include "base/host.h"
 #include "base/lines.h"             /* lines_numbers, lines_wrong */
 #include "base/source.h"            /* source_read */
 #include "base/tool.h"              /* tool_error, sysexits */
@@ -374,7 +375,7 @@ static void count_degree(surface *s)
 /* The surface is complete: is it valid? */
 static int end_surface(reading *r)
 {
-    const lines at = { .file = r->at.file, .line = r->now ? r->now->line : 0 };
+    const lines at = { .host = r->at.host, .file = r->at.file, .line = r->now ? r->now->line : 0 };
     surface *s = r->now;
     char words[64], remedy[64];
     const bool counted = r->counted;
@@ -440,9 +441,9 @@ static int read_line(void *context)
     return isalpha((unsigned char)*r->at.rest) ? word_line(r) : point_line(r);
 }
 
-int surfaces_read_text(surfaces *all, const char *file, const char *text)
+int surfaces_read_text(host *h, surfaces *all, const char *file, const char *text)
 {
-    reading r = { .all = all, .at = { .file = file } };
+    reading r = { .all = all, .at = { .host = h, .file = file } };
     int code = lines_read(&r.at, text, read_line, &r);
 
     if (code == 0)
@@ -452,29 +453,28 @@ int surfaces_read_text(surfaces *all, const char *file, const char *text)
     return code;
 }
 
-int surfaces_read(surfaces *all, const char *file)
+int surfaces_read(host *h, surfaces *all, const char *file)
 {
     size_t size;
     int code;
-    char *text = source_read(file, &size, &code);
+    char *text = source_read(h, file, &size, &code);
 
     if (text == NULL)
         return code;
     if (strlen(text) == size && surface_begins(lines_start(text)))
-        code = surfaces_read_text(all, source_name(file), text);
+        code = surfaces_read_text(h, all, source_name(file), text);
     free(text);
     return code;
 }
 
-int surfaces_read_only(surfaces *all, const char *file)
+int surfaces_read_only(host *h, surfaces *all, const char *file)
 {
-    const int code = surfaces_read(all, file);
+    const int code = surfaces_read(h, all, file);
 
     if (code == 0 && all->count == 0)
-        return tool_error(EX_DATAERR,
-                          "%s: no surface in it: begin with tensor, triangle, coons, bicubic, pn, "
-                          "sphere, octant, gregory, nurbs-surface, tetra, spatch, toric, "
-                          "basepoint, ring or gb",
-                          source_name(file));
+        return host_error(h, EX_DATAERR, "surface.none", (host_place){ source_name(file), 0 },
+                          "begin with tensor, triangle, coons, bicubic, pn, sphere, octant, "
+                          "gregory, nurbs-surface, tetra, spatch, toric, basepoint, ring or gb",
+                          "no surface in it");
     return code;
 }

@@ -6,16 +6,18 @@
 
 #include "engine/surface.h"     /* surfaces */
 
+struct host;                    /* base/host.h */
+
 /* Read `file` ("-" is standard input) if it contains surfaces. Otherwise *all stays empty, and the
- * file may be read as something else. Returns 0, or an exit code after printing one line. `*all`
+ * file may be read as something else. Returns 0, or an exit code after one message. `*all`
  * must be zeroed, but for what is asked for. */
-int surfaces_read(surfaces *all, const char *file);
+int surfaces_read(struct host *h, surfaces *all, const char *file);
 
 /* The same, but a file without surfaces is an error. */
-int surfaces_read_only(surfaces *all, const char *file);
+int surfaces_read_only(struct host *h, surfaces *all, const char *file);
 
 /* Does a surface begin with this word? Read a text. */
 bool surface_begins(const char *word);
-int  surfaces_read_text(surfaces *all, const char *file, const char *text);
+int  surfaces_read_text(struct host *h, surfaces *all, const char *file, const char *text);
 
 #endif

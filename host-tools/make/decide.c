@@ -48,10 +48,10 @@ static int ask_of_both(const decide_question *q, const decide_input *numbers, ch
     decide_input in = *numbers;
     curves all = { 0 };
     surfaces patches = { 0 };
-    int code = curves_read(&all, file[0], NULL);
+    int code = curves_read(tool_host(), &all, file[0], NULL);
 
     if (code == 0)
-        code = surfaces_read_only(&patches, file[1]);
+        code = surfaces_read_only(tool_host(), &patches, file[1]);
     in.curves = &all;
     in.surfaces = &patches;
     if (code == 0)
@@ -67,12 +67,12 @@ static int ask_of_file(const decide_question *q, const decide_input *numbers, co
     curves all = { .any_weights = q->takes == DECIDE_CONICS };
     surfaces patches = { .solids = q->takes == DECIDE_SOLIDS };
     const bool only_curves = q->takes == DECIDE_CURVES || q->takes == DECIDE_CONICS;
-    int code = only_curves ? 0 : surfaces_read(&patches, file);
+    int code = only_curves ? 0 : surfaces_read(tool_host(), &patches, file);
     const bool curved = only_curves || ((q->takes == DECIDE_EITHER || q->takes == DECIDE_SOLIDS) &&
                                         patches.count == 0);
 
     if (code == 0 && curved)
-        code = curves_read(&all, file, NULL);
+        code = curves_read(tool_host(), &all, file, NULL);
     if (code == 0 && q->takes == DECIDE_SURFACES && patches.count == 0)
         code = tool_error(EX_DATAERR, "%s: holds no surface: give a file of surfaces",
                           source_name(file));

@@ -7,8 +7,8 @@
 #include "engine/mill.h"        /* mill_trim */
 
 /* Read the loops of a drawing into *t, of which tol and plane are set. Returns 0, or an exit code
- * after printing one line. */
-int  mill_trim_read(mill_trim *t, const char *file);
+ * after one message. */
+int  mill_trim_read(struct host *h, mill_trim *t, const char *file);
 void mill_trim_free(mill_trim *t);
 
 #endif

@@ -170,7 +170,7 @@ static int read_passing(passing *s, drawing *d)
 
     d->taker   = passes ? take_curves : NULL;
     d->context = s;
-    return drawing_read(d, s->file);
+    return drawing_read(tool_host(), d, s->file);
 }
 
 int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
@@ -200,7 +200,7 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
         drawing_free(d);
         *d   = asked;
         s    = start_passing(p, smooth, file);
-        code = drawing_read(d, file);
+        code = drawing_read(tool_host(), d, file);
     }
     s.how.within = within;
     if (code == 0)

@@ -11,7 +11,7 @@
 
 /* Read a source of which the first part is there, or a text of `size` bytes, followed by a 0;
  * `file` is for messages. */
-int drawing_csv_parts(drawing *d, const char *file, source *s);
-int drawing_read_csv(drawing *d, const char *file, const char *text, size_t size);
+int drawing_csv_parts(host *h, drawing *d, const char *file, source *s);
+int drawing_read_csv(host *h, drawing *d, const char *file, const char *text, size_t size);
 
 #endif

@@ -8,9 +8,9 @@
 
 #include "engine/curve.h"   /* curves_is_text, curves_free */
 #include "read/drawing.h"
+#include "base/memory.h"    /* memory_grow */
 #include "base/space.h"     /* space_distance */
 #include "base/spool.h"     /* spool_grow */
-#include "base/tool.h"      /* tool_error, tool_grow, sysexits */
 
 #define SAME 1e-6       /* mm; closer ends count as one point */
 #define MANY 8192       /* curves that are worth being taken out */
@@ -54,7 +54,7 @@ unsigned drawing_add_clip(drawing *d, const drawing *outline, unsigned up)
 {
     drawing_clip *to;
 
-    d->clip = tool_grow(d->clip, (d->clips + 1) * sizeof *d->clip);
+    d->clip = memory_grow(d->clip, (d->clips + 1) * sizeof *d->clip);
     to      = &d->clip[d->clips++];
     *to     = (drawing_clip){ .up = up };
     for (size_t i = 0; i < outline->count; i++)
@@ -120,7 +120,7 @@ void drawing_add_space(drawing *d, double p[4][3], double feed, bool fresh, unsi
     d->curve[d->count - 1].feed = feed;
 }
 
-int drawing_join(drawing *d, const char *file, unsigned line, double p[4][2])
+int drawing_join(host *h, drawing *d, const char *file, unsigned line, double p[4][2])
 {
     double space[4][3];
 
@@ -128,22 +128,24 @@ int drawing_join(drawing *d, const char *file, unsigned line, double p[4][2])
         memcpy(space[k], p[k], sizeof p[k]);
         space[k][2] = 0;
     }
-    return drawing_join_space(d, file, line, space, 0);
+    return drawing_join_space(h, d, file, line, space, 0);
 }
 
-int drawing_join_space(drawing *d, const char *file, unsigned line, double p[4][3], double feed)
+int drawing_join_space(host *h, drawing *d, const char *file, unsigned line, double p[4][3],
+                       double feed)
 {
     static const int ends_first[] = { 0, 3, 1, 2 };     /* these numbers stand in the file */
+    const host_place at = { file, line };
 
     for (int i = 0; i < 12; i++) {
         const double x = p[ends_first[i / 3]][i % 3];
         if (!(fabs(x) <= DRAWING_LIMIT))
-            return tool_error(EX_DATAERR, "%s:%u: %g mm is beyond +-%g mm: check the units", file,
-                              line, x, DRAWING_LIMIT);
+            return host_error(h, EX_DATAERR, "drawing.too-far", at, "check the units",
+                              "%g mm is beyond +-%g mm", x, DRAWING_LIMIT);
     }
     if (d->count >= DRAWING_CURVES_MAX)
-        return tool_error(EX_DATAERR, "%s:%u: more than %u curves: split the drawing", file, line,
-                          DRAWING_CURVES_MAX);
+        return host_error(h, EX_DATAERR, "drawing.too-many-curves", at, "split the drawing",
+                          "more than %u curves", DRAWING_CURVES_MAX);
 
     const drawing_curve *last = d->count ? &d->curve[d->count - 1] : NULL;
     const double end[3] = { last ? last->p[3][0] : NAN, last ? last->p[3][1] : NAN,

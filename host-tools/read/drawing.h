@@ -15,6 +15,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/host.h"
+
 typedef struct {
     double p[4][2];         /* control points, mm, y up, origin at the lower left corner of the
                              * page */
@@ -66,7 +68,7 @@ struct drawing_clip;
 struct drawing;
 
 /* Take curves out of a drawing that is being read, with drawing_forget: then a long one needs no
- * more memory than a short one. Returns 0, or an exit code after printing one line. */
+ * more memory than a short one. Returns 0, or an exit code after one message. */
 typedef int drawing_taker(void *context, struct drawing *d);
 
 typedef struct drawing {
@@ -149,10 +151,11 @@ void drawing_forget(drawing *d, size_t count);
 void drawing_like(drawing *to, const drawing *from);
 
 /* The same for a curve that may continue the one before: if it starts at that end, it is joined
- * exactly. A curve without length is left out; one beyond the limits is refused with one line. The
+ * exactly. A curve without length is left out; one beyond the limits is refused. The
  * second function takes a curve in space, and its feed. */
-int drawing_join(drawing *d, const char *file, unsigned line, double p[4][2]);
-int drawing_join_space(drawing *d, const char *file, unsigned line, double p[4][3], double feed);
+int drawing_join(host *h, drawing *d, const char *file, unsigned line, double p[4][2]);
+int drawing_join_space(host *h, drawing *d, const char *file, unsigned line, double p[4][3],
+                       double feed);
 
 /* The point of a curve at t in 0..1, and its derivative by t, seen from above. */
 void drawing_eval(const drawing_curve *c, double t, double out[2]);

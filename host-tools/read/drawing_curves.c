@@ -7,9 +7,10 @@
 #include "geometry/curve_text.h"   /* curves_is_text, curves_read_text */
 #include "read/drawing_curves.h"
 #include "geometry/drawn.h"   /* drawn_pieces, drawn_cubics */
-#include "base/tool.h"      /* tool_error, sysexits */
+#include "base/memory.h"    /* memory_grow */
 
 typedef struct {
+    host *host;
     drawing *d;
     const curve *c;
     const char *file;
@@ -21,7 +22,7 @@ static void draw(void *context, double p[4][CURVE_AXES])
     pen *out = context;
 
     if (out->code == 0)
-        out->code = drawing_join_space(out->d, out->file, out->c->line, p, 0);
+        out->code = drawing_join_space(out->host, out->d, out->file, out->c->line, p, 0);
 }
 
 static void draw_piece(void *context, const piece *p, bool first)
@@ -40,19 +41,20 @@ static int draw_curve(pen *out)
 
     if (out->code != 0 || status == 0)      /* the first fault is told alone */
         return out->code;
-    return tool_error(EX_DATAERR, "%s:%u: %s: %s", out->file, out->c->line,
+    return host_error(out->host, EX_DATAERR, "curve.not-drawn",
+                      (host_place){ out->file, out->c->line }, NULL, "%s: %s",
                       curve_name(out->c->kind), curve_status(out->c, status));
 }
 
-int drawing_read_curves(drawing *d, const char *file, const char *text)
+int drawing_read_curves(host *h, drawing *d, const char *file, const char *text)
 {
-    curves *all = d->of = tool_grow(NULL, sizeof *d->of);
+    curves *all = d->of = memory_grow(NULL, sizeof *d->of);
     int code;
 
     *all = (curves){ .drawn = true };
-    code = curves_read_text(all, file, text);
+    code = curves_read_text(h, all, file, text);
     for (size_t i = 0; i < all->count && code == 0; i++) {
-        pen out = { d, &all->curve[i], file, 0, 0 };
+        pen out = { h, d, &all->curve[i], file, 0, 0 };
         code = draw_curve(&out);
     }
     return code;
@@ -64,9 +66,9 @@ static int probe_loft(const reader *r, const char *file, const char *text, size_
     return curves_is_text(file, text) ? READER_WORD : READER_NOT;
 }
 
-static int read_whole(drawing *d, const char *file, source *s)
+static int read_whole(host *h, drawing *d, const char *file, source *s)
 {
-    return drawing_read_curves(d, file, s->text);
+    return drawing_read_curves(h, d, file, s->text);
 }
 
 const reader reader_loft = { .name   = "curves as LOFT.md describes them",

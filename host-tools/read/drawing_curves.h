@@ -8,6 +8,6 @@
 
 extern const reader reader_loft;
 
-int drawing_read_curves(drawing *d, const char *file, const char *text);
+int drawing_read_curves(host *h, drawing *d, const char *file, const char *text);
 
 #endif

@@ -423,7 +423,7 @@ int machine_read(machine_file *m, const char *file)
 {
     size_t size;
     int code   = 0;
-    char *text = source_read(file, &size, &code);
+    char *text = source_read(tool_host(), file, &size, &code);
 
     if (text == NULL)
         return code;

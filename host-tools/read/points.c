@@ -10,12 +10,12 @@
 #include <string.h>
 
 #include "base/scan.h"       /* scan_numbers */
-#include "base/tool.h"       /* tool_error, sysexits */
 #include "read/csv.h"        /* drawing_csv_parts */
 #include "read/points.h"
 
 /* A curve that grows point by point. */
 typedef struct {
+    host *host;
     curves *all;
     const char *file;
     curve *now;             /* NULL between curves */
@@ -35,9 +35,9 @@ static int add_point(reading *r, const double at[], int axes, unsigned line)
     if (r->now == NULL)
         r->now = curves_add(r->all, CURVE_BEZIER, line);
     if (r->now->count > CURVE_DEGREE_MAX)
-        return tool_error(EX_DATAERR,
-                          "%s:%u: more than %d control points: end the curve with an empty line",
-                          r->file, line, CURVE_DEGREE_MAX + 1);
+        return host_error(r->host, EX_DATAERR, "points.too-many", (host_place){ r->file, line },
+                          "end the curve with an empty line", "more than %d control points",
+                          CURVE_DEGREE_MAX + 1);
     for (int i = 0; i < axes; i++)
         point.p[i] = at[i] + 0.0;       /* no -0 */
     r->all->solid |= axes > 2;
@@ -68,10 +68,9 @@ static int add_line(reading *r, const char *text, unsigned line)
     if (good && (count == 2 || count == 3))
         return add_point(r, number, count, line);
     if (!good || count != 8)
-        return tool_error(
-            EX_DATAERR,
-            "%s:%u: not a control point: give lines `x y` or `x y z`, or eight numbers for a cubic",
-            r->file, line);
+        return host_error(r->host, EX_DATAERR, "points.not-a-point", (host_place){ r->file, line },
+                          "give lines `x y` or `x y z`, or eight numbers for a cubic",
+                          "not a control point");
     end_curve(r);
     for (int k = 0; k < 4 && code == 0; k++)
         code = add_point(r, number + 2 * k, 2, line);
@@ -79,9 +78,9 @@ static int add_line(reading *r, const char *text, unsigned line)
     return code;
 }
 
-static int read_lines(curves *all, const char *file, const char *text)
+static int read_lines(host *h, curves *all, const char *file, const char *text)
 {
-    reading r = { .all = all, .file = file };
+    reading r = { .host = h, .all = all, .file = file };
     int code  = 0;
 
     for (unsigned line = 1; *text != '\0' && code == 0; line++) {
@@ -94,16 +93,17 @@ static int read_lines(curves *all, const char *file, const char *text)
 }
 
 /* Spaces stand between points, commas between coordinates. */
-int curves_of_points(curves *all, const char *text)
+int curves_of_points(host *h, curves *all, const char *text)
 {
-    reading r = { .all = all, .file = "--points" };
+    reading r = { .host = h, .all = all, .file = "--points" };
     int code  = 0;
 
     for (text += strspn(text, " "); *text != '\0' && code == 0; text += strspn(text, " ")) {
         char point[128];
         const size_t length = strcspn(text, " ");
         if (length >= sizeof point)
-            return tool_error(EX_USAGE, "--points %s: give points as \"x,y x,y ..\"", text);
+            return host_error(h, EX_USAGE, "points.option", (host_place){ NULL, 0 },
+                              "give points as \"x,y x,y ..\"", "--points %s", text);
         memcpy(point, text, length);
         point[length] = '\0';
         code = add_line(&r, point, 1);
@@ -113,9 +113,9 @@ int curves_of_points(curves *all, const char *text)
     return code;
 }
 
-int curves_of_drawing(curves *all, const drawing *d, const char *file)
+int curves_of_drawing(host *h, curves *all, const drawing *d, const char *file)
 {
-    reading r = { .all = all, .file = file };
+    reading r = { .host = h, .all = all, .file = file };
     int code  = 0;
 
     for (size_t i = 0; i < d->count && code == 0; i++) {

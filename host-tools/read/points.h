@@ -9,9 +9,9 @@
 extern const reader reader_numbers;
 
 /* The control points of one Bezier curve, "0,0 1,2 3,0". */
-int curves_of_points(curves *all, const char *text);
+int curves_of_points(host *h, curves *all, const char *text);
 
 /* The curves of a drawing; the travels of a program are none. */
-int curves_of_drawing(curves *all, const drawing *d, const char *file);
+int curves_of_drawing(host *h, curves *all, const drawing *d, const char *file);
 
 #endif

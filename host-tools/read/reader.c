@@ -3,10 +3,9 @@
  */
 #include <string.h>
 
-#include "base/tool.h"      /* tool_error, sysexits */
 #include "read/reader.h"
 
-const reader *reader_of(const reader *const rows[], size_t count, const char *file,
+const reader *reader_of(host *h, const reader *const rows[], size_t count, const char *file,
                         const char *text, size_t size)
 {
     const reader *best = NULL, *other = NULL;
@@ -23,11 +22,13 @@ const reader *reader_of(const reader *const rows[], size_t count, const char *fi
         }
     }
     if (best == NULL || other != NULL) {
-        (void)tool_error(EX_DATAERR,
-                         best == NULL ? "%s: is of no kind that loft knows: give SVG, G-code, CSV "
-                                        "or .loft"
-                                      : "%s: could be %s, or %s as well: save it as SVG",
-                         file, best ? best->name : "", other ? other->name : "");
+        const host_place at = { file, 0 };
+        if (best == NULL)
+            (void)host_error(h, EX_DATAERR, "file.no-kind", at, "give SVG, G-code, CSV or .loft",
+                             "is of no kind that loft knows");
+        else
+            (void)host_error(h, EX_DATAERR, "file.two-kinds", at, "save it as SVG",
+                             "could be %s, or %s as well", best->name, other->name);
         return NULL;
     }
     return best;

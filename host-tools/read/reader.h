@@ -37,18 +37,18 @@ struct reader {
     const char *name;           /* after "is": "a PNG picture" */
     /* One of the scores. `text` holds `size` bytes, followed by a 0. Reads nothing else. */
     int (*probe)(const reader *r, const char *file, const char *text, size_t size);
-    /* As a drawing: 0, or an exit code after printing one line. NULL: the file is refused. */
-    int (*read)(drawing *d, const char *file, source *s);
+    /* As a drawing: 0, or an exit code after one message. NULL: the file is refused. */
+    int (*read)(host *h, drawing *d, const char *file, source *s);
     /* As a list of curves. NULL: those of the drawing. */
-    int (*curves)(curves *all, const char *file, const char *text);
+    int (*curves)(host *h, curves *all, const char *file, const char *text);
     unsigned takes;
     const char *remedy;         /* of a kind that is refused: what to do */
     const char *magic;          /* its first bytes, for READER_MAGIC     */
     size_t magic_size;
 };
 
-/* The row that most speaks for. NULL after printing one line: two of them speak alike. */
-const reader *reader_of(const reader *const rows[], size_t count, const char *file,
+/* The row that most speaks for. NULL after one message: two of them speak alike. */
+const reader *reader_of(host *h, const reader *const rows[], size_t count, const char *file,
                         const char *text, size_t size);
 
 /* The score of a row whose magic the text begins with. */

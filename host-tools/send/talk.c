@@ -194,7 +194,7 @@ static int open_log(talk *t, const char *file)
     wire_text_init(&t->down, '>');
     wire_text_init(&t->up, '<');
     t->log = create_file(file);
-    return t->log != NULL ? 0 : create_refused(file, errno);
+    return t->log != NULL ? 0 : create_refused(tool_host(), file, errno);
 }
 
 int talk_open(talk *t, const char *port, unsigned baud, double seconds, const char *log)

@@ -62,9 +62,9 @@ int transport_open(transport *t, const char *name, unsigned baud)
     if (strncmp(name, "unix:", 5) == 0 || strncmp(name, "tcp:", 4) == 0)
         return transport_open_socket(t, name);
 
-    const size_t host = strcspn(name, ":/");
-    if (name[host] == ':' && sscanf(name + host, ":%5u%n", &port, &used) == 1 &&
-        name[host + (size_t)used] == '\0')
+    const size_t length = strcspn(name, ":/");
+    if (name[length] == ':' && sscanf(name + length, ":%5u%n", &port, &used) == 1 &&
+        name[length + (size_t)used] == '\0')
         return tool_error(EX_UNAVAILABLE, "%s: no such port: a socket is written tcp:%s", name,
                           name);
 

@@ -163,15 +163,15 @@ static int open_tcp(transport *t, const char *name)
     const struct addrinfo hints = { .ai_family = AF_UNSPEC, .ai_socktype = SOCK_STREAM };
     const char *colon = strrchr(name, ':');
     struct addrinfo *list;
-    char host[256];
+    char site[256];
 
     const size_t length = (size_t)(colon - name) - 3;   /* the text between "tcp" and the last
                                                          * colon */
-    if (colon == name + 3 || length > sizeof host || colon[1] == '\0')
+    if (colon == name + 3 || length > sizeof site || colon[1] == '\0')
         return tool_error(EX_USAGE, "%s: give tcp:HOST:PORT", name);
     const bool bracketed = name[4] == '[' && colon[-1] == ']';      /* an IPv6 address */
-    snprintf(host, sizeof host, "%.*s", (int)length - 1 - 2 * bracketed, name + 4 + bracketed);
-    const int failed = getaddrinfo(host, colon + 1, &hints, &list);
+    snprintf(site, sizeof site, "%.*s", (int)length - 1 - 2 * bracketed, name + 4 + bracketed);
+    const int failed = getaddrinfo(site, colon + 1, &hints, &list);
     if (failed)
         return tool_error(EX_NOHOST, "%s: %s: look at the name of the host and the port", name,
                           gai_strerror(failed));

@@ -83,6 +83,7 @@ typedef struct {
 
 /* One reading of one file. */
 typedef struct {
+    host *host;
     drawing *d;
     const char *file;
     const xmlNode *node;        /* the current element: its attributes, and for messages */

@@ -365,10 +365,10 @@ static xmlDocPtr parse_document(const char *text, size_t size, report *r)
     return document;
 }
 
-int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size)
+int drawing_read_svg(host *h, drawing *d, const char *file, const char *text, size_t size)
 {
     svg_notes notes = { .warned = 0 };
-    svg_reader r    = { .d = d, .file = file, .words = xmlDictCreate(), .notes = &notes };
+    svg_reader r    = { .host = h, .d = d, .file = file, .words = xmlDictCreate(), .notes = &notes };
     report problem;
     xmlDocPtr document = parse_document(text, size, &problem);
     const xmlNode *root = document ? xmlDocGetRootElement(document) : NULL;
@@ -407,9 +407,9 @@ static int probe_svg(const reader *r, const char *file, const char *text, size_t
     return source_is_xml(text) ? READER_XML : READER_NOT;
 }
 
-static int read_whole(drawing *d, const char *file, source *s)
+static int read_whole(host *h, drawing *d, const char *file, source *s)
 {
-    return drawing_read_svg(d, file, s->text, s->size);
+    return drawing_read_svg(h, d, file, s->text, s->size);
 }
 
 const reader reader_svg = {

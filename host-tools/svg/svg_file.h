@@ -11,7 +11,7 @@
 extern const reader reader_svg;
 
 /* Read a text of `size` bytes, followed by a 0; `file` is for messages. Returns 0, or an exit code
- * after printing one line. */
-int drawing_read_svg(drawing *d, const char *file, const char *text, size_t size);
+ * after one message. */
+int drawing_read_svg(host *h, drawing *d, const char *file, const char *text, size_t size);
 
 #endif

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "base/tool.h"           /* what host tools share */
+#include "cmd/terminal.h"
 #include "plan/toolpath.h"       /* toolpath_make */
 #include "readers.h"
 
@@ -17,7 +18,11 @@ int main(int count, char **word)
                                    .lift = 1 };
     drawing d = { 0 };
     toolpath t = { 0 };
-    const int code = count > 1 ? drawing_read(&d, word[1]) : 64;
+    terminal screen = { .doing = NULL };
+    host h          = terminal_host(&screen);
+
+    tool_use(&h);
+    const int code = count > 1 ? drawing_read(&h, &d, word[1]) : 64;
 
     if (code)
         return code;

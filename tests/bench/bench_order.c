@@ -14,6 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tool.h"
+#include "cmd/terminal.h"
 #include "arrange/order.h"
 #include "tools/tour_bound.h"
 #include "readers.h"
@@ -55,7 +57,7 @@ static bool order_drawing(const char *name, double seconds, row *out)
     drawing d                = { .count = 0 };
     double(*end)[2];
 
-    bool good = drawing_read(&d, name) == 0;
+    bool good = drawing_read(tool_host(), &d, name) == 0;
     if (good) {
         (void)ends_of(&d, &end, &out->file);
         free(end);
@@ -72,8 +74,11 @@ static bool order_drawing(const char *name, double seconds, row *out)
 
 int main(int argc, char **argv)
 {
-    double worst = 1;
+    double worst    = 1;
+    terminal screen = { .doing = NULL };
+    host h          = terminal_host(&screen);
 
+    tool_use(&h);
     if (argc < 4) {
         fprintf(stderr, "usage: %s SECONDS KNOWN FILE..\n", argv[0]);
         return 64;

@@ -21,6 +21,7 @@
 #include <string.h>
 
 #include "base/tool.h"       /* tool_grow */
+#include "cmd/terminal.h"
 #include "read/drawing.h"
 #include "readers.h"
 
@@ -361,7 +362,7 @@ static const char *compare_copy(copy *c, const char *folder, const char *name, c
     if (!render(c))
         return "refused by librsvg";
     c->d = (drawing){ .areas = true, .white = true };
-    if (drawing_read(&c->d, c->file) != 0 && c->d.count == 0) {
+    if (drawing_read(tool_host(), &c->d, c->file) != 0 && c->d.count == 0) {
         drawing_free(&c->d);
         c->d = (drawing){ .count = 0 };
     }
@@ -385,7 +386,10 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: %s FOLDER FILE.svg\n", argv[0]);
         return 64;
     }
-    (void)drawing_read(&page, argv[2]);
+    terminal screen = { .doing = NULL };
+    host h          = terminal_host(&screen);
+    tool_use(&h);
+    (void)drawing_read(&h, &page, argv[2]);
     const char *hinders = compare_copy(&lines, argv[1], "lines", argv[2], line_style, &page);
     if (hinders == NULL)
         hinders = compare_copy(&painted, argv[1], "paint", argv[2], paint_style, &page);

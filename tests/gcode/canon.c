@@ -6,34 +6,20 @@
  * tests/gcode/peer.py compares them.
  */
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/host.h"
 #include "base/source.h"
 #include "base/tool.h"
 #include "gcode/gcode.h"
 #include "read/machine_file.h"
 
-int tool_error(int code, const char *format, ...)
+static void print(void *context, const host_message *m)
 {
-    va_list values;
-
-    va_start(values, format);
-    vfprintf(stderr, format, values);
-    va_end(values);
-    fputc('\n', stderr);
-    return code;
-}
-
-void *tool_grow(void *old, size_t bytes)
-{
-    void *grown = realloc(old, bytes ? bytes : 1);
-
-    if (grown == NULL)
-        abort();
-    return grown;
+    (void)context;
+    host_put_line(stderr, m, "", "");
 }
 
 static int print_event(void *context, const gcode_event *e)
@@ -74,15 +60,18 @@ static int print_event(void *context, const gcode_event *e)
 int main(int argc, char **argv)
 {
     machine_file machine = machine_usual();
+    host h      = { .message = print };
     size_t size = 0;
     int code    = 0;
+
+    tool_use(&h);
     if (argc > 2 && (code = machine_read(&machine, argv[2])) != 0)
         return code;
-    char *text  = source_read(argc > 1 ? argv[1] : "-", &size, &code);
+    char *text  = source_read(&h, argc > 1 ? argv[1] : "-", &size, &code);
 
     if (text == NULL)
         return code;
-    gcode_program *g = gcode_open(argc > 1 ? argv[1] : "-", GCODE_ANY, print_event, NULL);
+    gcode_program *g = gcode_open(&h, argc > 1 ? argv[1] : "-", GCODE_ANY, print_event, NULL);
     gcode_set_tools(g, &machine.tools);
     code     = gcode_read(g, text, size);
     gcode_close(g);

@@ -24,7 +24,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                   .most_lines = 2000,
                   .dialect = size > 0 && data[0] % 2 ? GCODE_MARLIN : GCODE_LINUXCNC };
 
-    const int code = drawing_read_gcode(&d, "fuzz.nc", text, size);
+    const int code = drawing_read_gcode(&counted, &d, "fuzz.nc", text, size);
     MUST(code == (refusals ? EX_DATAERR : 0) && refusals <= 1);
     for (size_t i = 0; code == 0 && i < d.count; i++)
         for (int k = 0; k < 4; k++)

@@ -10,7 +10,8 @@
 # of files go in no circle; a header and the source of its name are one file here.
 #
 # The rooms before cmd/ leave the terminal, the environment, signals and the end of the program to
-# their caller, and keep nothing in variables of the file: two jobs in a program do not meet.
+# their caller, and keep nothing in variables of the file: two jobs in a program do not meet. They
+# tell what is wrong to a host (base/host.h); tool_error and tool_host are for those that do not.
 #
 # What is not mended yet is in tests/house/arrows.txt, which only shrinks: `up FROM TO`, `circle
 # FIRST FILE` for each file of the circle of FIRST, `call FILE FUNCTION`, `variable FILE NAME`,
@@ -24,7 +25,8 @@ TOP = Path("host-tools")
 LIST = Path("tests/house/arrows.txt")
 BUILT = "build/tools/"
 FOR_COMMANDS = set("exit _exit abort atexit stdout stderr printf vprintf puts putchar perror "
-                   "getenv secure_getenv signal sigaction isatty sleep usleep nanosleep".split())
+                   "getenv secure_getenv signal sigaction isatty sleep usleep nanosleep "
+                   "tool_error tool_host".split())
 
 
 def unit(path):

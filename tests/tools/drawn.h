@@ -1,4 +1,4 @@
-/* tests/tools/drawn.h -- drawings as text; catches the errors of a reader instead of printing them
+/* tests/tools/drawn.h -- drawings as text
  * SPDX-License-Identifier: MIT
  *
  * A drawing is written back as path data in the user units of a page of 100 mm, y down: M at the
@@ -9,37 +9,12 @@
 #define LOFT_TESTS_DRAWN_H
 
 #include <math.h>
-#include <stdarg.h>
 #include <string.h>
 
 #include "check.h"      /* CHECK, PROPERTY */
 #include "read/drawing.h"
-#include "base/tool.h"  /* replaced here */
+#include "support/heard.h"
 #include "svg/svg_file.h"
-
-static char caught[4096];       /* the lines that tool_error was given */
-static unsigned caught_lines;
-
-int tool_error(int code, const char *format, ...)
-{
-    const size_t used = strlen(caught);
-    va_list values;
-
-    va_start(values, format);
-    vsnprintf(caught + used, sizeof caught - used, format, values);
-    va_end(values);
-    caught_lines++;
-    return code;
-}
-
-void *tool_grow(void *old, size_t bytes)
-{
-    void *grown = realloc(old, bytes ? bytes : 1);
-
-    if (grown == NULL)
-        abort();
-    return grown;
-}
 
 /* " x" with at most three decimals, without trailing zeros. */
 static inline void put_number(char *out, size_t size, double x)
@@ -86,10 +61,9 @@ static inline void put_drawing(char *out, size_t size, const drawing *d, double 
 
 static inline int read_svg(drawing *d, const char *text)
 {
-    caught[0] = '\0';
-    caught_lines = 0;
+    hear();
     *d = (drawing){ 0 };
-    return drawing_read_svg(d, "test.svg", text, strlen(text));
+    return drawing_read_svg(&heard, d, "test.svg", text, strlen(text));
 }
 
 /* Read a whole document; CHECK that it draws `wanted` on a page of `page` mm. */

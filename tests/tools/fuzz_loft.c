@@ -19,7 +19,7 @@ static void check_curves(const char *text)
 {
     curves all = { 0 };
 
-    const int code = curves_read_text(&all, "fuzz.loft", text);
+    const int code = curves_read_text(&counted, &all, "fuzz.loft", text);
     MUST(code == (refusals ? EX_DATAERR : 0) && refusals <= 1);
     curves_free(&all);
 }
@@ -28,7 +28,7 @@ static void check_surfaces(const char *text)
 {
     surfaces all = { 0 };
 
-    const int code = surfaces_read_text(&all, "fuzz.loft", text);
+    const int code = surfaces_read_text(&counted, &all, "fuzz.loft", text);
     MUST(code == (refusals ? EX_DATAERR : 0) && refusals <= 1);
     surfaces_free(&all);
 }
@@ -37,8 +37,8 @@ static void check_drawing(const char *text, size_t size, bool csv)
 {
     drawing d = { 0 };
 
-    const int code = csv ? drawing_read_csv(&d, "fuzz.csv", text, size)
-                         : drawing_read_curves(&d, "fuzz.loft", text);
+    const int code = csv ? drawing_read_csv(&counted, &d, "fuzz.csv", text, size)
+                         : drawing_read_curves(&counted, &d, "fuzz.loft", text);
     MUST(code == (refusals ? EX_DATAERR : 0) && refusals <= 1);
     for (size_t i = 0; code == 0 && i < d.count; i++)
         for (int k = 0; k < 4; k++)

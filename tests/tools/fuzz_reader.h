@@ -8,24 +8,26 @@
 
 #include <string.h>
 
+#include "base/host.h"
 #include "base/tool.h"
 #include "support/fuzz.h"
 
 static unsigned refusals;
 
-int tool_error(int code, const char *format, ...)
+static void count_refusal(void *context, const host_message *m)
 {
-    (void)format;
-    refusals += code != EX_OK;
-    return code;
+    (void)context;
+    refusals += m->code != EX_OK;
 }
 
-void *tool_grow(void *old, size_t bytes)
-{
-    void *grown = realloc(old, bytes ? bytes : 1);
+static host counted = { .message = count_refusal };
 
-    MUST(grown != NULL);
-    return grown;
+static void no_memory(size_t bytes) { MUST(bytes == 0); }
+
+__attribute__((constructor)) static void begin(void)
+{
+    memory_is_out(no_memory);
+    tool_use(&counted);
 }
 
 static inline char *text_of(const uint8_t *data, size_t size)

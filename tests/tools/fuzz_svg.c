@@ -17,7 +17,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                   .areas = size % 2,
                   .only = size % 7 ? NULL : "red,none" };
 
-    const int code = drawing_read_svg(&d, "fuzz.svg", text, size);
+    const int code = drawing_read_svg(&counted, &d, "fuzz.svg", text, size);
     MUST(code == (refusals ? EX_DATAERR : 0) && refusals <= 1);
     for (size_t i = 0; code == 0 && i < d.count; i++)
         for (int k = 0; k < 4; k++)

@@ -75,13 +75,12 @@ static int see(void *context, const gcode_event *e)
 
 static inline int run(seen *s, enum gcode_dialect d, const char *text)
 {
-    gcode_program *g = gcode_open("part.nc", d, see, s);
+    gcode_program *g = gcode_open(&heard, "part.nc", d, see, s);
 
     gcode_set_tools(g, &bench);
 
     *s = (seen){ .feed = 0 };
-    caught[0] = '\0';
-    caught_lines = 0;
+    hear();
     const int code = gcode_read(g, text, strlen(text));
     gcode_close(g);
     return code;
@@ -100,18 +99,22 @@ static inline void check_moves(const char *text, const char *want, int line)
 }
 #define MOVES(text, want) check_moves(text, want, __LINE__)
 
-static inline void check_fails(const char *text, const char *words, int line)
+/* It is refused with one message of this name, at a line; its words have those of the program. */
+static inline void check_fails(const char *text, const char *name, unsigned at, const char *words,
+                               int line)
 {
     seen s;
     const int code = run(&s, GCODE_ANY, text);
 
-    if (code != EX_DATAERR || caught_lines != 1 || strstr(caught, words) == NULL) {
-        printf("line %d: code %d, %u lines: %s\n  wanted: %s\n", line, code, caught_lines, caught,
-               words);
+    if (code != EX_DATAERR || caught_lines != 1 || !heard_it(name, at) ||
+        strstr(caught, words) == NULL) {
+        printf("line %d: code %d, %u messages: %s at %u: %s\n  wanted: %s at %u: %s\n", line, code,
+               caught_lines, caught_as[0].name, caught_as[0].line, caught, name, at, words);
         check_bad = true;
     }
 }
-#define FAILS(text, words) check_fails(text, words, __LINE__)
+#define FAILS(text, name, at)           check_fails(text, name, at, "", __LINE__)
+#define FAILS_OF(text, name, at, words) check_fails(text, name, at, words, __LINE__)
 
 static inline void check_place(const char *text, double x, double y, double z, double feed,
                                int line)

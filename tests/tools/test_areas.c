@@ -14,10 +14,9 @@ static bool areas_of(const char *inner, bool strokes, bool fills, drawing *d)
     static char text[160000];
 
     snprintf(text, sizeof text, PAGE("%s"), inner);
-    caught[0]    = '\0';
-    caught_lines = 0;
+    hear();
     *d           = (drawing){ .areas = fills };
-    return drawing_read_svg(d, "test.svg", text, strlen(text)) == 0 &&
+    return drawing_read_svg(&heard, d, "test.svg", text, strlen(text)) == 0 &&
            areas_apply(strokes, fills, d, "test.svg") == 0;
 }
 

@@ -10,10 +10,9 @@
 
 static int read_text(curves *all, const char *text)
 {
-    caught[0] = '\0';
-    caught_lines = 0;
+    hear();
     *all = (curves){ 0 };
-    return curves_read_text(all, "f.loft", text);
+    return curves_read_text(&heard, all, "f.loft", text);
 }
 
 /* CHECK that the text is refused on that line, with those words, in one line. */
@@ -298,10 +297,9 @@ static void a_curve_may_have_many_points(arb *a)
 
 static int read_drawing(drawing *d, const char *text)
 {
-    caught[0] = '\0';
-    caught_lines = 0;
+    hear();
     *d = (drawing){ 0 };
-    return drawing_read_curves(d, "f.loft", text);
+    return drawing_read_curves(&heard, d, "f.loft", text);
 }
 
 static void curves_become_paths(arb *a)

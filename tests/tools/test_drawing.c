@@ -20,10 +20,9 @@ static int read_bytes(drawing *d, const void *bytes, size_t size)
     snprintf(name, sizeof name, "%s/f", folder);
     FILE *f = fopen(name, "wb");
     CHECK(f != NULL && fwrite(bytes, 1, size, f) == size && fclose(f) == 0);
-    caught[0] = '\0';
-    caught_lines = 0;
+    hear();
     *d = (drawing){ 0 };
-    const int code = drawing_read(d, name);
+    const int code = drawing_read(&heard, d, name);
     remove(name);
     return code;
 }
@@ -139,10 +138,11 @@ static void files_that_cannot_be_read(arb *a)
     drawing d = { 0 };
     (void)a;
     caught[0] = '\0';
-    CHECK(drawing_read(&d, "/tmp/loft/no/such/file") == EX_NOINPUT &&
+    CHECK(drawing_read(&heard, &d, "/tmp/loft/no/such/file") == EX_NOINPUT &&
           strstr(caught, "no such file") != NULL);
     caught[0] = '\0';
-    CHECK(drawing_read(&d, folder) == EX_NOINPUT && strstr(caught, "is a directory") != NULL);
+    CHECK(drawing_read(&heard, &d, folder) == EX_NOINPUT &&
+          strstr(caught, "is a directory") != NULL);
     drawing_free(&d);
 }
 
@@ -241,7 +241,7 @@ static void the_demo_drawing_is_whole(arb *a)
     double box[2][2];
     (void)a;
     caught_lines = 0;
-    CHECK(drawing_read(&d, "tests/drawings/demo.svg") == 0 && caught_lines == 0);
+    CHECK(drawing_read(&heard, &d, "tests/drawings/demo.svg") == 0 && caught_lines == 0);
     CHECK(d.count >= 200 && d.count <= 500);
     CHECK(drawing_box(&d, box) && box[0][0] > 0 && box[0][1] > 0 && box[1][0] < d.width &&
           box[1][1] < d.height);
@@ -300,7 +300,7 @@ static void long_files_are_read_in_parts(arb *a)
         char *text = long_text(a, gcode, 20000, &size);
         FILE *f    = fopen(name, "wb");
         CHECK(size > 500000 && fwrite(text, 1, size, f) == size && fclose(f) == 0);
-        CHECK(drawing_read(&whole, name) == 0 && drawing_read(&d, name) == 0);
+        CHECK(drawing_read(&heard, &whole, name) == 0 && drawing_read(&heard, &d, name) == 0);
         CHECK(whole.count > 19000 && d.count < 8192 && d.room <= 8192);
         CHECK(d.count + d.taken == whole.count && d.program == gcode);
         take_all_but_one(&all, &d);
@@ -323,7 +323,8 @@ static void long_files_are_read_in_parts(arb *a)
         f           = fopen(name, "wb");
         text[size - 100000] = '\0';
         CHECK(fwrite(text, 1, size, f) == size && fclose(f) == 0);
-        CHECK(drawing_read(&d, name) == EX_DATAERR && strstr(caught, "is not text") != NULL);
+        CHECK(drawing_read(&heard, &d, name) == EX_DATAERR &&
+              strstr(caught, "is not text") != NULL);
         drawing_free(&d);
         drawing_free(&all);
 
@@ -332,7 +333,7 @@ static void long_files_are_read_in_parts(arb *a)
         memset(line, gcode ? ' ' : ',', sizeof line);
         memcpy(line, "G1 X1\n", gcode ? 6 : 0);
         CHECK(fwrite(line, 1, sizeof line, f) == sizeof line && fclose(f) == 0);
-        CHECK(drawing_read(&d, name) == EX_DATAERR);
+        CHECK(drawing_read(&heard, &d, name) == EX_DATAERR);
         CHECK(strstr(caught, gcode ? ":2: a line of more than 1 MB" : ":1: a line of more") !=
               NULL);
         drawing_free(&d);
@@ -357,9 +358,8 @@ static void one_fault_has_one_line(arb *a)
                  scale * (double)arb_below(a, 1000) / 100,
                  scale * (double)arb_below(a, 1000) / 100);
     }
-    caught[0]    = '\0';
-    caught_lines = 0;
-    const int code = drawing_read_curves(&d, "x.loft", text);
+    hear();
+    const int code = drawing_read_curves(&heard, &d, "x.loft", text);
     CHECK(caught_lines == (code != 0));
     drawing_free(&d);
 }

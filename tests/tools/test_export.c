@@ -38,7 +38,7 @@ static void make_drawing(drawing *d, arb *a, bool space)
                 p[k][i] = p[0][i] + k * (p[3][i] - p[0][i]) / 3 +
                           (kind == 0 ? 0 : size / (kind == 1 ? 30 : 3)) * (random_unit(a) - 0.5);
         }
-        CHECK(drawing_join_space(d, "d", 1, p, 0) == 0);
+        CHECK(drawing_join_space(&heard, d, "d", 1, p, 0) == 0);
     }
 }
 
@@ -107,7 +107,7 @@ static void through_gcode(drawing *out, const drawing *d, const gcode_options *h
         used += (size_t)sprintf(text + used, "%s\n", gcode_text(&g, i));
     }
     *out = (drawing){ 0 };
-    CHECK(drawing_read_gcode(out, "part.nc", text, strlen(text)) == 0);
+    CHECK(drawing_read_gcode(&heard, out, "part.nc", text, strlen(text)) == 0);
     gcode_free(&g);
     toolpath_free(&path);
     free(text);
@@ -144,7 +144,7 @@ static void helices_stay_helices(arb *a)
 
     (void)a;
     d = (drawing){ 0 };
-    CHECK(drawing_read_gcode(&d, "h.nc", "G0 X20\nG3 I-20 Z6 P3 F600\n", 27) == 0);
+    CHECK(drawing_read_gcode(&heard, &d, "h.nc", "G0 X20\nG3 I-20 Z6 P3 F600\n", 27) == 0);
     through_gcode(&back, &d, &how, &arcs);
     CHECK(arcs > 2 && arcs <= 2 * d.count);
     CHECK_NEAR(fmax(farthest(&d, &back), farthest(&back, &d)), 0, how.tol + DIGITS);
@@ -193,14 +193,14 @@ static void layers_come_back(arb *a)
     char *out;
 
     (void)a;
-    CHECK(drawing_read_svg(&d, "d.svg", text, strlen(text)) == 0 && d.count == 5);
+    CHECK(drawing_read_svg(&heard, &d, "d.svg", text, strlen(text)) == 0 && d.count == 5);
     CHECK(names.count == 2 && strcmp(names.name[0], "1 \"a<b>&\xc3\xa4\"") == 0);
     const export_options o = { .d = &d, .name = "d", .layers = &names };
     size_t size;
     FILE *f = open_memstream(&out, &size);
     CHECK(f != NULL && export_svg(&o, f) == 0);
     fclose(f);
-    CHECK(drawing_read_svg(&back, "e.svg", out, size) == 0 && same_curves(&d, &back));
+    CHECK(drawing_read_svg(&heard, &back, "e.svg", out, size) == 0 && same_curves(&d, &back));
     CHECK(again.count == 3 && strcmp(again.name[0], names.name[0]) == 0 &&
           strcmp(again.name[1], "inner") == 0 && strcmp(again.name[2], names.name[0]) == 0);
     for (int i = 0; i < 5; i++)
@@ -219,18 +219,19 @@ static void curves_come_back(arb *a)
 
     make_drawing(&d, a, false);
     text = write_form(export_svg, &d, 0);
-    CHECK(drawing_read_svg(&back, "d.svg", text, strlen(text)) == 0 && same_curves(&d, &back) &&
-          fabs(back.width - 100) < 1e-9);
+    CHECK(drawing_read_svg(&heard, &back, "d.svg", text, strlen(text)) == 0 &&
+          same_curves(&d, &back) && fabs(back.width - 100) < 1e-9);
     free(text);
     drawing_free(&back);
     text = write_form(export_csv, &d, 0);
-    CHECK(drawing_read_csv(&back, "d.csv", text, strlen(text)) == 0 && same_curves(&d, &back));
+    CHECK(drawing_read_csv(&heard, &back, "d.csv", text, strlen(text)) == 0 &&
+          same_curves(&d, &back));
     free(text);
     drawing_free(&back);
     drawing_free(&d);
     make_drawing(&d, a, true);
     text = write_form(export_loft, &d, 0);
-    CHECK(drawing_read_curves(&back, "d.loft", text) == 0 && same_curves(&d, &back));
+    CHECK(drawing_read_curves(&heard, &back, "d.loft", text) == 0 && same_curves(&d, &back));
     free(text);
     drawing_free(&back);
     caught[0] = '\0';
@@ -258,7 +259,7 @@ static void read_hpgl(drawing *d, const char *text)
         at[0] = x / 40.0;
         at[1] = y / 40.0;
         if (down)
-            (void)drawing_join_space(d, "d", 1, p, 0);
+            (void)drawing_join_space(&heard, d, "d", 1, p, 0);
         text += used;
     }
 }

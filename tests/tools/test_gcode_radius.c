@@ -50,26 +50,21 @@ static void across_the_plane(arb *a)
 static void what_does_not_fit(arb *a)
 {
     (void)a;
-    FAILS("G0 X-5 Y0\nG41 D1\nG1 X0 F9\nX10\nY2\nX0\nG40 X-9\n",
-          "part.nc:6: the tool of radius 3 does not fit into the corner at line 5: ");
-    FAILS("G0 X-9 Y0\nG41 D1\nG1 X0 F9\nG3 Y4 J2\nG40 X-9\n",
-          "part.nc:4: an arc whose radius is not above that of the tool: ");
-    FAILS("G0 X-2 Y0\nG41 D1\nG1 X0 F9\n",
-          "part.nc:3: the first motion in G41 or G42 is not longer than the tool's radius: ");
-    FAILS("G1 X-5 F9\nG41 D2\nX5\n", "part.nc:3: G41 or G42 from a place that is not named: ");
-    FAILS("G0 X0 Y0\nG41 D2 G5 X9 I1 J1 P1 Q1 F9\n",
-          "part.nc:2: a motion that is neither straight nor an arc, in G41 or G42: ");
-    FAILS("G0 X0 Y0\nG41 D2\nG81 X5 Z-1 R1 F9\n",
-          "part.nc:3: a motion that is neither straight nor an arc, in G41 or G42: ");
-    FAILS("G0 X0 Y0\nG41 D2\nG41 D2\n", "part.nc:3: G41 or G42 while one of them is in force: ");
-    FAILS("G0 X0 Y0\nG41 D2\nG20\n", "part.nc:3: G20: in G41 or G42: ");
-    FAILS("G0 X0 Y0\nG41 D2\nG55\n", "part.nc:3: G55: in G41 or G42: ");
-    FAILS("G0 X0 Y0\nG41 D2\nG28\n", "part.nc:3: G28: in G41 or G42: ");
-    FAILS("G0 X0 Y0\nG41 D2\nT2 M6\n", "part.nc:3: a change of the tool in G41 or G42: ");
-    FAILS("G19 G0 Z0 Y0\nG41 D2\n", "part.nc:2: G41 or G42 in the plane of y and z: ");
-    FAILS("G0 X0 Y0\nG41 D2\nX9\nG40\nG2 X5 I5 F9\n",
-          "part.nc:5: a motion behind G40 that is not straight: ");
-    FAILS("G0 X0 Y0\nG41 D2\nX9\nG40\nG41 D2\n", "part.nc:5: G41 or G42 right behind G40: ");
+    FAILS_OF("G0 X-5 Y0\nG41 D1\nG1 X0 F9\nX10\nY2\nX0\nG40 X-9\n", "gcode.compensation-corner", 6,
+             "the tool of radius 3 does not fit into the corner at line 5: ");
+    FAILS("G0 X-9 Y0\nG41 D1\nG1 X0 F9\nG3 Y4 J2\nG40 X-9\n", "gcode.compensation-arc", 4);
+    FAILS("G0 X-2 Y0\nG41 D1\nG1 X0 F9\n", "gcode.compensation-first", 3);
+    FAILS("G1 X-5 F9\nG41 D2\nX5\n", "gcode.compensation-unplaced", 3);
+    FAILS("G0 X0 Y0\nG41 D2 G5 X9 I1 J1 P1 Q1 F9\n", "gcode.compensation-motion", 2);
+    FAILS("G0 X0 Y0\nG41 D2\nG81 X5 Z-1 R1 F9\n", "gcode.compensation-motion", 3);
+    FAILS("G0 X0 Y0\nG41 D2\nG41 D2\n", "gcode.compensation-twice", 3);
+    FAILS_OF("G0 X0 Y0\nG41 D2\nG20\n", "gcode.compensation-code", 3, "G20: ");
+    FAILS_OF("G0 X0 Y0\nG41 D2\nG55\n", "gcode.compensation-code", 3, "G55: ");
+    FAILS_OF("G0 X0 Y0\nG41 D2\nG28\n", "gcode.compensation-code", 3, "G28: ");
+    FAILS("G0 X0 Y0\nG41 D2\nT2 M6\n", "gcode.compensation-tool-change", 3);
+    FAILS("G19 G0 Z0 Y0\nG41 D2\n", "gcode.compensation-plane", 2);
+    FAILS("G0 X0 Y0\nG41 D2\nX9\nG40\nG2 X5 I5 F9\n", "gcode.compensation-leave", 5);
+    FAILS("G0 X0 Y0\nG41 D2\nX9\nG40\nG41 D2\n", "gcode.compensation-again", 5);
 }
 
 /* As many lines as a hostile program has: no more wait than there is room for. */
@@ -79,7 +74,7 @@ static void what_waits_is_bounded(arb *a)
     (void)a;
     for (int n = 0; n < 70; n++)
         strcat(text, n % 2 ? "Z1\n" : "Z2\n");
-    FAILS(text, "part.nc:67: 64 lines without a way in the plane, in G41 or G42: ");
+    FAILS(text, "gcode.compensation-waits", 67);
 }
 
 static void tools_of_the_machine(arb *a)
@@ -93,14 +88,14 @@ static void tools_of_the_machine(arb *a)
     ENDS_AT("T1 M6\nG43\nG43 H3\nG0 Z2\nG1 F5 X2\n", 2, 0, 9, 5);
     ENDS_AT("G20 G43 H1\nG0 Z1\nG1 F5 X2\nG49 G1 Z1\n", 50.8, 0, 25.4, 127);
     ENDS_AT("G43.1 Z10\nG53 G0 Z3\nG1 X1 F5\n", 1, 0, 3, 5);
-    FAILS("G41\n", "part.nc:1: no tool is in the spindle: ");
-    FAILS("G43\n", "part.nc:1: no tool is in the spindle: ");
-    FAILS("G41 D9\n", "part.nc:1: tool 9 has no diameter: give tool.9.diameter in the machine");
-    FAILS("G43 H2\n", "part.nc:1: tool 2 has no length: give tool.2.length in the machine");
-    FAILS("G42 D3\n", "part.nc:1: tool 3 has no diameter: ");
-    FAILS("G41.1\n", "part.nc:1: G41.1 and G42.1 want the diameter: ");
-    FAILS("T1.5\n", "part.nc:1: T1.5: no such tool: ");
-    FAILS("M61\n", "part.nc:1: M61 without Q: ");
+    FAILS("G41\n", "gcode.tool-none", 1);
+    FAILS("G43\n", "gcode.tool-none", 1);
+    FAILS("G41 D9\n", "gcode.tool-no-value", 1);
+    FAILS("G43 H2\n", "gcode.tool-no-value", 1);
+    FAILS("G42 D3\n", "gcode.tool-no-value", 1);
+    FAILS("G41.1\n", "gcode.compensation-no-diameter", 1);
+    FAILS("T1.5\n", "gcode.tool-number", 1);
+    FAILS("M61\n", "gcode.tool-loaded-number", 1);
 }
 
 int main(void)

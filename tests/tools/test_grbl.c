@@ -63,19 +63,14 @@ static void keep(char text[4096], const char *format, va_list values)
     vsnprintf(text + used, 4096 - used, format, values);
 }
 
-int tool_error(int code, const char *format, ...)
+static void hear_message(void *context, const host_message *m)
 {
-    va_list values;
-
-    va_start(values, format);
-    keep(caught, format, values);
-    va_end(values);
+    (void)context;
+    snprintf(caught + strlen(caught), sizeof caught - strlen(caught), "%s", m->what);
     caught_lines++;
     told_at = fmin(told_at, c.clock);
-    return code;
 }
 
-void *tool_grow(void *old, size_t bytes) { return realloc(old, bytes); }
 void report_begin(const report_job *job) { (void)job; }
 void report_end(void) { }
 bool report_shown(void) { return true; }
@@ -413,6 +408,9 @@ static void each_part_is_sent_from_its_first_line(arb *a)
 
 int main(void)
 {
+    static host h = { .message = hear_message };
+
+    tool_use(&h);
     PROPERTY(a_job_is_drawn_as_a_whole, 20);
     PROPERTY(any_error_or_alarm_ends_it, 100);
     PROPERTY(every_state_is_known_or_told, 100);

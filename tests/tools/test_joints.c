@@ -87,8 +87,7 @@ static int make_joints(joints *j, toolpath *path, const kinematics *k)
     static drawing d = { .curve = &curve, .count = 1 };
     joints_options o = { .file = "file.csv", .d = &d, .within = WITHIN, .reach = 8191 };
 
-    caught[0] = '\0';
-    caught_lines = 0;
+    hear();
     kinematics_motors(k, path->move[0].p[0], none, o.start);
     return joints_make(j, path, k, &o);
 }

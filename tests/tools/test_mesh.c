@@ -17,7 +17,7 @@ static void make_mesh(mesh *m, const char *text)
     surfaces all = { 0 };
 
     *m = (mesh){ 0 };
-    CHECK(surfaces_read_text(&all, "test", text) == 0);
+    CHECK(surfaces_read_text(&heard, &all, "test", text) == 0);
     CHECK(mesh_make(m, &all, "test", &engine_f64, N, 4) == 0);
     surfaces_free(&all);
 }
@@ -227,7 +227,7 @@ static void normals_are_those_of_the_surface(arb *a)
     for (int k = 0; k < 4; k++) {
         surfaces all = { 0 };
         snprintf(name, sizeof name, "tests/drawings/%s.loft", file[k]);
-        CHECK(surfaces_read(&all, name) == 0 && all.count > 0);
+        CHECK(surfaces_read(&heard, &all, name) == 0 && all.count > 0);
         for (size_t j = 0; j < all.count; j++) {
             const surface *s = &all.surface[j];
             engine_surface *held = NULL;
@@ -295,11 +295,11 @@ static void tetrahedra_become_their_faces(arb *a)
                 used += (size_t)snprintf(text + used, sizeof text - used, "%u %u %u\n", m - k,
                                          k - l, l);
     snprintf(text + used, sizeof text - used, "%s", end);
-    CHECK(surfaces_read_text(&solid, "test", text) == 0 && solid.count == 3);
+    CHECK(surfaces_read_text(&heard, &solid, "test", text) == 0 && solid.count == 3);
     CHECK(solid.surface[1].kind == SURFACE_TETRA && solid.surface[1].m == n);
     CHECK(solid.surface[1].count == count);
     surfaces_free(&solid);
-    CHECK(surfaces_read_text(&all, "test", text) == 0 && all.count == 6);
+    CHECK(surfaces_read_text(&heard, &all, "test", text) == 0 && all.count == 6);
     CHECK(all.surface[0].m == 0 && all.surface[5].m == 0 && all.surface[5].count == 1);
     for (unsigned f = 0; f < 4; f++) {
         const surface *s = &all.surface[1 + f];
@@ -427,18 +427,18 @@ static void degrees_above_nine_are_read_for_pictures(arb *a)
     (void)a;
     for (unsigned k = 0; k < 561; k++)
         used += (size_t)snprintf(text + used, sizeof text - used, "%u %u 0\n", k % 33, k / 33);
-    CHECK(surfaces_read_text(&drawn, "test", text) == 0 && drawn.surface[0].m == 32);
+    CHECK(surfaces_read_text(&heard, &drawn, "test", text) == 0 && drawn.surface[0].m == 32);
     CHECK(surface_is_high(&drawn.surface[0]));
-    CHECK(surfaces_read_text(&all, "test", text) != 0);
+    CHECK(surfaces_read_text(&heard, &all, "test", text) != 0);
     surfaces_free(&all);
     surfaces_free(&drawn);
-    CHECK(surfaces_read_text(&all, "test", "tensor 10 1\n") != 0);
+    CHECK(surfaces_read_text(&heard, &all, "test", "tensor 10 1\n") != 0);
     surfaces_free(&all);
     drawn.drawn = true;
-    CHECK(surfaces_read_text(&drawn, "test", "tensor 33 1\n") != 0);
+    CHECK(surfaces_read_text(&heard, &drawn, "test", "tensor 33 1\n") != 0);
     surfaces_free(&drawn);
     drawn.drawn = true;
-    CHECK(surfaces_read_text(&drawn, "test", "coons 10 1\n") != 0);
+    CHECK(surfaces_read_text(&heard, &drawn, "test", "coons 10 1\n") != 0);
     surfaces_free(&drawn);
 }
 

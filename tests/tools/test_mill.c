@@ -99,7 +99,7 @@ static void arb_surfaces(arb *a, unsigned kind, surfaces *all)
             used += snprintf(text + used, sizeof text - (size_t)used, "%d %d %.3f\n", k / 4 * 6,
                              k % 4 * 6, fresh(a, 14));
     }
-    CHECK(surfaces_read_text(all, "-", text) == 0);
+    CHECK(surfaces_read_text(&heard, all, "-", text) == 0);
 }
 
 static void no_way_into_the_material_cuts(arb *a)
@@ -166,7 +166,7 @@ static void steep_borders_are_reached(arb *a)
     if (turn++ % 4 != 0)
         snprintf(text, sizeof text, "tensor 1 1\n0 0 0\n0 10 %.3f\n10 0 %.3f\n10 10 %.3f\n", y, x,
                  x + y);
-    CHECK(surfaces_read_text(&all, "-", text) == 0);
+    CHECK(surfaces_read_text(&heard, &all, "-", text) == 0);
     CHECK(engine_mill_f64(&all, &o, &path, &r) == 0);
     CHECK(sweep(a, &all, &o, &path.cut[0], r.left, &more, &most) > -1e-9);
     CHECK(most <= CUSP_ERRS * o.cusp + o.tol);
@@ -199,7 +199,7 @@ static void hollows_are_told(arb *a)
         o.cusp = 0;
         o.step = 1;
     }
-    CHECK(surfaces_read_text(&all, "-", text) == 0);
+    CHECK(surfaces_read_text(&heard, &all, "-", text) == 0);
     CHECK(engine_mill_f64(&all, &o, &path, &r) == 0);
     CHECK(r.hollow > r.reached && r.hollow >= exact - 1e-5);
     CHECK(r.hollow <= exact + 3 * o.tol && r.hollow <= r.left);
@@ -226,7 +226,7 @@ static void waterlines_reach_below_borders(arb *a)
     engine_surface *s;
     mill_report r;
 
-    CHECK(surfaces_read_text(&all, "-", "octant 7\n") == 0);
+    CHECK(surfaces_read_text(&heard, &all, "-", "octant 7\n") == 0);
     CHECK(engine_mill_f64(&all, &o, &path, &r) == 0);
     CHECK(o.lowest < -2 + 2.0 / 16 && o.lowest >= -2 - 1e-6);
     const chords c = { .path = &path.cut[0], .o = &o };
@@ -278,7 +278,7 @@ static size_t read_shape(const char *name, surfaces *all)
     static char text[1 << 19];
 
     if (strcmp(name, "gb") == 0) {          /* one of a hexagon */
-        CHECK(surfaces_read_only(all, "tests/drawings/sided.loft") == 0);
+        CHECK(surfaces_read_only(&heard, all, "tests/drawings/sided.loft") == 0);
         for (size_t k = 1; k < all->count; k++)
             if (all->surface[k].kind == SURFACE_GB && all->surface[k].n == 6) {
                 const surface first = all->surface[0];
@@ -289,14 +289,15 @@ static size_t read_shape(const char *name, surfaces *all)
         return 1;
     }
     if (strcmp(name, "bicubic") == 0 || strchr(name, '.') != NULL) {
-        CHECK(surfaces_read_only(all, strchr(name, '.') ? name : "tests/drawings/patch.loft") == 0);
+        CHECK(surfaces_read_only(&heard, all,
+                                 strchr(name, '.') ? name : "tests/drawings/patch.loft") == 0);
         return all->count;
     }
     if (strcmp(name, "octant") == 0)
         snprintf(text, sizeof text, "octant 20\n");
     else
         say_mesh(text, sizeof text, 32, 1);
-    CHECK(surfaces_read_text(all, "-", text) == 0);
+    CHECK(surfaces_read_text(&heard, all, "-", text) == 0);
     return all->count;
 }
 

@@ -29,8 +29,7 @@ static void add_line(drawing *d, double x0, double y0, double x1, double y1, boo
 
 static int apply(drawing *d, const order_options *o)
 {
-    caught[0]    = '\0';
-    caught_lines = 0;
+    hear();
     return order_apply(o, d, zero, false, "f");
 }
 

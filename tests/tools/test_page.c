@@ -31,8 +31,7 @@ static void add_random_path(drawing *d, arb *a, double most)
 
 static int apply(const page_options *g, drawing *d)
 {
-    caught[0]    = '\0';
-    caught_lines = 0;
+    hear();
     return page_apply(g, d, "f");
 }
 

@@ -55,7 +55,7 @@ static const reader *row_of(const char *file, const char *text, int *best)
         const int score = rows[i]->probe(rows[i], file, text, strlen(text));
         *best = score > *best ? score : *best;
     }
-    return reader_of(rows, OWN + FOREIGN_KINDS, file, text, strlen(text));
+    return reader_of(&heard, rows, OWN + FOREIGN_KINDS, file, text, strlen(text));
 }
 
 static void each_kind_takes_its_own_samples(arb *a)
@@ -94,12 +94,12 @@ static void a_tie_is_an_error_that_names_both(arb *a)
 
     (void)a;
     caught_lines = 0;
-    CHECK(reader_of(rows, 2, "x", "", 0) == &one);
-    CHECK(reader_of(rows, 3, "x", "", 0) == NULL && caught_lines == 1);
+    CHECK(reader_of(&heard, rows, 2, "x", "", 0) == &one);
+    CHECK(reader_of(&heard, rows, 3, "x", "", 0) == NULL && caught_lines == 1);
     CHECK(strstr(caught, "one kind") != NULL && strstr(caught, "another kind") != NULL);
-    CHECK(reader_of(turned, 2, "x", "", 0) == NULL);
+    CHECK(reader_of(&heard, turned, 2, "x", "", 0) == NULL);
     CHECK(strstr(caught, "one kind") != NULL && strstr(caught, "another kind") != NULL);
-    CHECK(reader_of(rows, 0, "x", "", 0) == NULL);
+    CHECK(reader_of(&heard, rows, 0, "x", "", 0) == NULL);
 }
 
 int main(void)

@@ -54,8 +54,7 @@ static int read_text(record *r, const char *text)
     FILE *f = fopen(file, "w");
 
     CHECK(f != NULL && fputs(text, f) >= 0 && fclose(f) == 0);
-    caught[0] = '\0';
-    caught_lines = 0;
+    hear();
     *r = (record){ 0 };
     return record_read(r, file, wanted);
 }

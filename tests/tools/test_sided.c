@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
+#include <stdarg.h>
 
 #include "draw/contour.h"
 #include "tools/drawn.h"            /* CHECK, tool_error */
@@ -108,7 +109,7 @@ static void make_mesh(mesh *m, surfaces *all, const char *text)
 {
     *all = (surfaces){ 0 };
     *m = (mesh){ 0 };
-    CHECK(surfaces_read_text(all, "test", text) == 0);
+    CHECK(surfaces_read_text(&heard, all, "test", text) == 0);
     CHECK(mesh_make(m, all, "test", &engine_f64, N, 3) == 0);
 }
 
@@ -392,7 +393,7 @@ static void broken_texts_are_refused(arb *a)
     for (size_t i = 0; i < sizeof text / sizeof text[0]; i++) {
         all = (surfaces){ 0 };
         caught[0] = '\0';
-        CHECK(surfaces_read_text(&all, "test", text[i][0]) == EX_DATAERR);
+        CHECK(surfaces_read_text(&heard, &all, "test", text[i][0]) == EX_DATAERR);
         CHECK(strncmp(caught, text[i][1], strlen(text[i][1])) == 0);
         surfaces_free(&all);
     }

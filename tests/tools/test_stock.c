@@ -30,7 +30,8 @@ static void words_are_read_or_refused(arb *a)
 static void read_ramp(surfaces *all)
 {
     *all = (surfaces){ 0 };
-    CHECK(surfaces_read_text(all, "-", "tensor 1 1\n0 20 1\n0 26 1\n10 20 5\n10 26 5\n") == 0);
+    CHECK(surfaces_read_text(&heard, all, "-", "tensor 1 1\n0 20 1\n0 26 1\n10 20 5\n10 26 5\n") ==
+          0);
 }
 
 static int place(const char *text, const mill_trim *trim, stock *s)

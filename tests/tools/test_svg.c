@@ -719,7 +719,7 @@ static void white_pages_are_left_out(arb *a)
     for (int k = 0; k < 2; k++) {
         static const char text[] = PAGE(BOX("white"));
         d = (drawing){ .white = k > 0, .only = k ? NULL : "white" };
-        CHECK(drawing_read_svg(&d, "f", text, strlen(text)) == 0);
+        CHECK(drawing_read_svg(&heard, &d, "f", text, strlen(text)) == 0);
         put_drawing(got, sizeof got, &d, 100);
         CHECK(strcmp(got, whole) == 0);
         drawing_free(&d);
@@ -1018,7 +1018,7 @@ static void check_drawn(drawing d, const char *text, const char *choice, const c
 {
     char got[400];
 
-    CHECK(drawing_read_svg(&d, "f", text, strlen(text)) == 0);
+    CHECK(drawing_read_svg(&heard, &d, "f", text, strlen(text)) == 0);
     put_drawing(got, sizeof got, &d, 100);
     if (strcmp(got, drawn) != 0)
         printf("%s: %s\n", choice, got);
@@ -1029,9 +1029,8 @@ static void check_drawn(drawing d, const char *text, const char *choice, const c
 /* A choice of what is not there is refused, and the choices that there are, are named. */
 static void check_refused(drawing d, const char *text, const char *named)
 {
-    caught[0]    = '\0';
-    caught_lines = 0;
-    CHECK(drawing_read_svg(&d, "f", text, strlen(text)) == EX_DATAERR && caught_lines == 1);
+    hear();
+    CHECK(drawing_read_svg(&heard, &d, "f", text, strlen(text)) == EX_DATAERR && caught_lines == 1);
     CHECK(strstr(caught, named) != NULL);
     drawing_free(&d);
 }

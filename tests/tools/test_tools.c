@@ -23,8 +23,7 @@ static int read_lines(machine_tools *t, const char *const lines[])
 {
     int code = 0;
 
-    caught[0]    = '\0';
-    caught_lines = 0;
+    hear();
     *t           = (machine_tools){ .count = 0 };
     for (unsigned i = 0; lines[i] != NULL && code == 0; i++)
         code = machine_tools_line(t, "m", i + 1, lines[i]);
@@ -96,7 +95,7 @@ static int sorted(const machine_tools *t, const char *text, drawing *d)
 {
     caught[0] = '\0';
     *d        = (drawing){ .tools = t };
-    const int code = drawing_read_svg(d, "test.svg", text, strlen(text));
+    const int code = drawing_read_svg(&heard, d, "test.svg", text, strlen(text));
     return code ? code : tools_apply(t, d, "test.svg");
 }
 
@@ -257,7 +256,7 @@ static void a_program_changes_tools(arb *a)
 
     (void)a;
     CHECK(read_lines(&t, lines) == 0 && t.tool[1].length > 4);
-    CHECK(drawing_read_gcode(&d, "part.nc", text, strlen(text)) == 0);
+    CHECK(drawing_read_gcode(&heard, &d, "part.nc", text, strlen(text)) == 0);
     CHECK(tools_apply(&t, &d, "part.nc") == 0 && d.count == 5);
     CHECK(tools_split(&t, &d, &d, part) == 4);
     CHECK(part[0].tool == NULL && part[1].tool == &t.tool[0] && part[2].tool == &t.tool[1] &&
@@ -287,7 +286,7 @@ static void too_many_changes_are_told(arb *a)
     CHECK(read_lines(&t, lines) == 0);
     for (int n = 0; n <= TOOLS_PARTS; n++)
         sprintf(text + strlen(text), "T%d M6\nX%d\n", 1 + n % 2, n + 1);
-    CHECK(drawing_read_gcode(&d, "part.nc", text, strlen(text)) == 0);
+    CHECK(drawing_read_gcode(&heard, &d, "part.nc", text, strlen(text)) == 0);
     CHECK(tools_split(&t, &d, &d, part) == 0);
     drawing_free(&d);
 }

@@ -1,0 +1,19 @@
+/* host-tools/cmd/terminal.h -- the host of the command: lines on standard error, a bar on a terminal
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_CMD_TERMINAL_H
+#define LOFT_CMD_TERMINAL_H
+
+#include "base/host.h"
+#include "base/progress.h"
+
+/* Initialize with { 0 }. */
+typedef struct {
+    progress bar;
+    const char *doing;          /* what it shows; NULL: no bar */
+} terminal;
+
+/* A host that prints, and draws. `t` outlives it. Without memory the program ends, in one line. */
+host terminal_host(terminal *t);
+
+#endif
