@@ -1,4 +1,4 @@
-/* host-tools/cmd/terminal.h -- the host of the command: lines on standard error, a bar on a terminal
+/* host-tools/cmd/terminal.h -- the host of the command: lines on standard error, a bar
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_CMD_TERMINAL_H
