@@ -12,6 +12,7 @@
 #include "plan/way.h"            /* way_follow */
 
 #define MOMENT   0.001      /* s; spans are examined in parts of at most this */
+#define EVEN     16         /* parts of a span that cruises */
 #define USED_UP  0.97       /* of a speed                                          */
 #define USED_UP_ACCEL 0.94  /* what a span may use is a multiple of 6 grains in its time */
 #define USED_UP_JERK  0.85
@@ -158,10 +159,21 @@ static void add_moment(making *m, const engine_span *s, double begin, double h, 
     causes_add(&m->causes, &now);
 }
 
+/* Does it cruise: is its speed the same but for rounding? */
+static bool is_even(const engine_span *s)
+{
+    for (int i = 0; i < ENGINE_AXES; i++)
+        for (int k = 1; k < 3; k++)
+            if (llabs(3 * ((int64_t)s->p[k][i] - s->p[0][i]) -
+                      k * ((int64_t)s->p[3][i] - s->p[0][i])) > 6)
+                return false;
+    return true;
+}
+
 static void add_moments(making *m, const engine_span *s, double begin, double end)
 {
     const double h = end - begin;
-    const int n    = (int)ceil(h / MOMENT - 1e-9);
+    const int all = (int)ceil(h / MOMENT - 1e-9), n = all > EVEN && is_even(s) ? EVEN : all;
 
     for (int k = 0; k < n; k++)
         add_moment(m, s, begin, h, (double)k / n, (k + 1.0) / n);
