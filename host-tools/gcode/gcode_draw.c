@@ -231,7 +231,7 @@ static int drawing_gcode_parts(host *h, drawing *d, const char *file, source *s)
 {
     pen out  = { .host = h, .d = d, .file = file };
     const bool printer = d->dialect == GCODE_ANY && gcode_is_printer(s->text);
-    gcode_program *g   = gcode_open(h, file, printer ? GCODE_MARLIN : (enum gcode_dialect)d->dialect,
+    gcode_program *g = gcode_open(h, file, printer ? GCODE_MARLIN : (enum gcode_dialect)d->dialect,
                                   take, &out);
     d->clear       = -HUGE_VAL;
     gcode_set_tools(g, d->tools);

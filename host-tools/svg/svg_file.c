@@ -368,7 +368,7 @@ static xmlDocPtr parse_document(const char *text, size_t size, report *r)
 int drawing_read_svg(host *h, drawing *d, const char *file, const char *text, size_t size)
 {
     svg_notes notes = { .warned = 0 };
-    svg_reader r    = { .host = h, .d = d, .file = file, .words = xmlDictCreate(), .notes = &notes };
+    svg_reader r = { .host = h, .d = d, .file = file, .words = xmlDictCreate(), .notes = &notes };
     report problem;
     xmlDocPtr document = parse_document(text, size, &problem);
     const xmlNode *root = document ? xmlDocGetRootElement(document) : NULL;
