@@ -235,6 +235,9 @@ void loft_emit_begin(loft_emit *emit, const loft_period *period, loft_vec from)
     emit->count = emit->next = 0;
     emit->begun = emit->ended = false;
     emit->period = period;
+#if LOFT_FOLDS
+    emit->left_out = (loft_fold){ { 0 }, 0 };
+#endif
     loft_thin_begin(&emit->thin, period, from);
 }
 
@@ -245,6 +248,18 @@ static void append(loft_emit *e, const loft_position *sample, loft_coord feed, u
     e->sample[k] = e->point[k] = *sample;
     e->number[k] = number;
     e->feed[k] = feed;
+#if LOFT_FOLDS
+    e->fold[k] = e->left_out;
+#endif
+}
+
+void loft_emit_fold(loft_emit *emit, const loft_path_place *before)
+{
+#if LOFT_FOLDS
+    emit->left_out = before->fold;
+#else
+    (void)emit, (void)before;
+#endif
 }
 
 /* At the start there is a sample before the first one, and the next point is on it. */
@@ -332,6 +347,9 @@ static void drop_first(loft_emit *e)
         e->point[k]  = e->point[k + 1];
         e->feed[k]   = e->feed[k + 1];
         e->number[k] = e->number[k + 1];
+#if LOFT_FOLDS
+        e->fold[k]   = e->fold[k + 1];
+#endif
     }
 }
 
@@ -342,10 +360,15 @@ static bool use_point(loft_emit *e)
 
     if (k + (e->ended ? 0 : AHEAD) >= e->count)
         return false;
-    const loft_thin_input in = { .point = e->point[k],
+    const loft_thin_input in = {
+        .point = e->point[k],
                                  .sample = e->sample[k],
                                  .feed = loft_coord_most(e->feed[k], k > 0 ? e->feed[k - 1] : 0),
-                                 .number = e->number[k] };
+#if LOFT_FOLDS
+                                 .fold = e->fold[k],
+#endif
+        .number = e->number[k]
+    };
     loft_thin_add(&e->thin, &in);
     e->next++;
     if (e->next > 3)

@@ -49,6 +49,9 @@ typedef struct {
     loft_position sample[LOFT_EMIT_SAMPLES], point[LOFT_EMIT_SAMPLES];
     loft_coord feed[LOFT_EMIT_SAMPLES];     /* the speed that is asked for before each */
     uint16_t   number[LOFT_EMIT_SAMPLES];   /* curves that are behind each */
+#if LOFT_FOLDS
+    loft_fold  fold[LOFT_EMIT_SAMPLES], left_out;   /* of the path before each, and the next one */
+#endif
     uint8_t    count, next;                 /* which point is used next? */
     bool       begun, ended;
     loft_thin  thin;
@@ -58,6 +61,9 @@ typedef struct {
 
 /* Begin a chain of at least two samples. */
 void loft_emit_begin(loft_emit *emit, const loft_period *period, loft_vec from);
+
+/* What is left out of the path before the samples that follow. */
+void loft_emit_fold(loft_emit *emit, const loft_path_place *before);
 
 /* Append a sample; there is room for it. `feed`: the speed that is asked for before it; `number`:
  * the curves behind it. */

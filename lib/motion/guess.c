@@ -185,6 +185,7 @@ static void take(loft_guess_round *g, loft_path_place *out)
     out->number = p->number;
     out->skip   = p->skip > next->skip ? p->skip : next->skip;
     out->loose  = p->loose && next->loose;
+    out->fold   = p->fold;
     out->sharp  = g->time == 0 && p->sharp;
 }
 

@@ -401,6 +401,7 @@ static bool add_sample(loft_plan *plan)
     loft_position p;
 
     loft_sample_place(&plan->at, plan->knot, &p);
+    loft_emit_fold(&plan->emit, &k->is.on);
     loft_emit_add(&plan->emit, &p, k[1].is.on.feed, k->is.on.number);
     return true;
 }

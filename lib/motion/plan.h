@@ -94,8 +94,8 @@ void loft_plan_end(loft_plan *plan);
  *           acceleration, but for rounding: velocity jumps by up to 4 grains of 2^-16 mm in the
  *           shorter one's ticks; the first begins on the first control point, at rest
  *   error   speed, acceleration and jerk of each axis: the limits, exactly (f32: but for rounding);
- *           the path is within limits.tol; a feed of less than 24 grains of 2^-16 mm in a span is
- *           exceeded by up to 6 of them, less a quarter of it
+ *           the path is within limits.tol; a feed of less than 6144 grains of 2^-16 mm in a span is
+ *           exceeded by up to 6 of them, less a 1024th of it
  */
 enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out);
 

@@ -37,6 +37,8 @@
 #define FIRST       2       /* the next span begins at knot FIRST */
 #define FINE        14      /* bits of velocities and accelerations below a unit */
 #define SIX_GRAINS  (6 * LOFT_COORD_GRAIN)
+#define EVEN        256     /* of an acceleration, is none */
+#define WAITS       40      /* periods, for that: what is kept of a line lasts longer (chain.c) */
 #define SLACK       64      /* units, a quarter of a grain, by which what is wanted of a span may be
                              * beyond the limits */
 
@@ -380,11 +382,22 @@ static int64_t most_of_last(const loft_thin *t, int i)
 /* Whole grains of a limit. */
 static int64_t grains_of(int64_t x) { return over(x / (SIX_GRAINS / 3), 3); }
 
+/* What had been left out of the path, and has come back, grains. */
+static int64_t cruised_of(const loft_thin *t, int i)
+{
+#if LOFT_FOLDS
+    return t->cruised[i];
+#else
+    (void)t, (void)i;
+    return 0;
+#endif
+}
+
 /* From the end of the last span to that of the chain. */
 static loft_coord rest_of(const loft_thin *t, int i)
 {
     const uint32_t from = (uint32_t)loft_coord_of(loft_to_acc(t->from.axis[i])),
-                   at = from + (uint32_t)(t->grains[i] * LOFT_COORD_GRAIN);
+                   at = from + (uint32_t)((t->grains[i] + cruised_of(t, i)) * LOFT_COORD_GRAIN);
     return loft_coord_sub(loft_coord_of(loft_to_acc(t->to.axis[i])), (loft_coord)at);
 }
 
@@ -420,7 +433,7 @@ static wanted want(const loft_thin *t, int i)
 static loft_real real_of(const loft_thin *t, int i, int64_t grains)
 {
     return loft_acc_round(loft_to_acc(t->from.axis[i]) +
-                          loft_coord_to_acc(grains * LOFT_COORD_GRAIN));
+                          loft_coord_to_acc((grains + cruised_of(t, i)) * LOFT_COORD_GRAIN));
 }
 
 static void set_span(loft_thin *t, loft_span *out)
@@ -448,6 +461,156 @@ static void set_span(loft_thin *t, loft_span *out)
 }
 
 
+// Cruises
+// -------
+
+#if LOFT_FOLDS
+
+#define TICK_BITS 20 /* of velocities below units in a tick */
+
+/* Velocity rises evenly from v0 to v during `ramp` ticks, and falls at the end as it rose: the plan
+ * of a feed leaves room for rounding spans, of which a cruise needs less. So the way is
+ *
+ *     v0 ramp + v (ticks - ramp)
+ */
+
+/* The way after so many ticks of the first half, units, TICK_BITS. */
+static int64_t way_to(const loft_thin_cruise *c, int i, int64_t ticks)
+{
+    const int64_t r = c->ramp, n = ticks < r ? ticks : r;
+    return c->v0[i] * ticks + (c->v[i] - c->v0[i]) * n / r * n / 2 +
+           (c->v[i] - c->v0[i]) * (ticks - n);
+}
+
+static int64_t way_after(const loft_thin_cruise *c, int i, int64_t ticks)
+{
+    const int64_t left = c->ticks - ticks, all = c->way[i] * LOFT_COORD_GRAIN * (1 << TICK_BITS);
+    return left < c->ramp ? all - way_to(c, i, left) : way_to(c, i, ticks);
+}
+
+static int64_t velocity_after(const loft_thin_cruise *c, int i, int64_t ticks)
+{
+    const int64_t left = c->ticks - ticks, n = ticks < left ? ticks : left, r = c->ramp;
+    return c->v0[i] + (c->v[i] - c->v0[i]) * (n < r ? n : r) / r;
+}
+
+/* Ticks of the next span. */
+static int64_t next_ticks(const loft_thin_cruise *c)
+{
+    const int64_t left = (int64_t)c->ticks - c->ramp - c->gone,
+                  n = (left + LOFT_SPAN_TICKS_MAX - 1) / LOFT_SPAN_TICKS_MAX;
+    return c->gone == 0 || left <= 0 ? c->ramp : (left + n - 1) / n;
+}
+
+static int64_t whole_grains(int64_t x)
+{
+    const int64_t one = (int64_t)LOFT_COORD_GRAIN << TICK_BITS;
+    return floor_of(x + one / 2, (int32_t)one);
+}
+
+static void set_cruise_span(loft_thin *t, loft_span *out)
+{
+    loft_thin_cruise *c = &t->cruise;
+    const int64_t n = next_ticks(c), from = c->gone, to = from + n;
+
+    out->p[0] = t->end;
+    out->ticks = (uint16_t)n;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t p0 = way_after(c, i, from), p3 = way_after(c, i, to),
+                      p1 = p0 + velocity_after(c, i, from) * n / 3,
+                      p2 = p3 - velocity_after(c, i, to) * n / 3, at = t->grains[i];
+        out->p[1].axis[i] = real_of(t, i, at + whole_grains(p1));
+        out->p[2].axis[i] = real_of(t, i, at + whole_grains(p2));
+        out->p[3].axis[i] = real_of(t, i, at + whole_grains(p3));
+    }
+    c->gone += (uint32_t)n;
+    t->end = out->p[3];
+    t->passed = t->point[FIRST].number;
+    for (int i = 0; i < LOFT_AXES && c->gone == c->ticks; i++)
+        t->cruised[i] += c->way[i];
+}
+
+/* The least ticks in which an axis makes its way: within its speed, but for 3 grains in a ramp. */
+static int64_t least_ticks(const loft_thin *t, int i)
+{
+    const loft_thin_cruise *c = &t->cruise;
+    const int64_t one = (int64_t)1 << TICK_BITS, way = loft_long_abs(c->way[i]) * LOFT_COORD_GRAIN,
+                  most = t->period->speed[i] * one / t->period->ticks,
+                  left = most - 3 * LOFT_COORD_GRAIN * one / c->ramp,
+                  least = left > most / 2 ? left : most / 2 + 1;
+    return c->ramp + (way * one - loft_long_abs(c->v0[i]) * c->ramp) / least + 1;
+}
+
+/* How many ticks the ramps take more than the feed would, from the axis with the longest way. */
+static int64_t more_ticks(const loft_thin_cruise *c)
+{
+    int most = 0;
+
+    for (int i = 1; i < LOFT_AXES; i++)
+        most = loft_long_abs(c->way[i]) > loft_long_abs(c->way[most]) ? i : most;
+    const int64_t way = c->way[most] * LOFT_COORD_GRAIN,
+                  part = (c->v0[most] * c->ramp >> TICK_BITS) * c->ticks / way;
+    return part < c->ramp ? c->ramp - part : 0;
+}
+
+/* Is its speed even where the next span begins? Else a later one may wait for that, for as long as
+ * the line is straight: where samples are not quite even, acceleration would jump. */
+static bool is_even(const loft_thin *t)
+{
+    rates r;
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        load(t, i, FIRST, FIRST + 2, &r);
+        if (loft_long_abs(r.a[FIRST]) >> FINE > t->period->accel[i] / EVEN)
+            return false;
+    }
+    return true;
+}
+
+/* Begin a cruise of what is left out of the path before the next span, if anything is. */
+static bool begin_cruise(loft_thin *t)
+{
+    const loft_fold *to = &t->point[FIRST].fold;
+    loft_thin_cruise *c = &t->cruise;
+    rates r;
+
+    if (to->ticks == t->fold.ticks || !t->moves)
+        return false;
+    c->waited = (uint16_t)(c->waited + from_to(t, FIRST, FIRST + 1));
+    if (c->waited < WAITS && !is_even(t))
+        return false;
+    c->waited = 0;
+    c->gone  = 0;
+    c->ticks = to->ticks - t->fold.ticks;
+    c->ramp  = (uint16_t)least(t->period->joined * t->period->ticks, c->ticks / 4 + 1);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        load(t, i, FIRST, FIRST + 2, &r);
+        c->v0[i] = velocity_at(t, FIRST, &r) * (1 << (TICK_BITS - FINE)) / t->period->ticks;
+        c->way[i] = (int32_t)((uint32_t)to->axis[i] - (uint32_t)t->fold.axis[i]);
+    }
+    t->fold = *to;
+    int64_t ticks = c->ticks + more_ticks(c);
+    for (int i = 0; i < LOFT_AXES; i++)
+        ticks = ticks > least_ticks(t, i) ? ticks : least_ticks(t, i);
+    c->ticks = (uint32_t)ticks;
+    for (int i = 0; i < LOFT_AXES; i++)
+        c->v[i] = (c->way[i] * LOFT_COORD_GRAIN * (1 << TICK_BITS) - c->v0[i] * c->ramp) /
+                  (ticks - c->ramp);
+    return true;
+}
+
+/* The next span of a cruise, if the next span is one. */
+static bool cruise_on(loft_thin *t, loft_span *out)
+{
+    if (t->cruise.gone == t->cruise.ticks && !begin_cruise(t))
+        return false;
+    set_cruise_span(t, out);
+    return true;
+}
+
+#endif
+
+
 // One by one
 // ----------
 
@@ -459,6 +622,12 @@ void loft_thin_begin(loft_thin *thin, const loft_period *period, loft_vec from)
     thin->from = thin->end = from;
     for (int i = 0; i < LOFT_AXES; i++)
         thin->grains[i] = 0;
+#if LOFT_FOLDS
+    for (int i = 0; i < LOFT_AXES; i++)
+        thin->cruised[i] = 0;
+    thin->fold = (loft_fold){ { 0 }, 0 };
+    thin->cruise.ticks = thin->cruise.gone = thin->cruise.waited = 0;
+#endif
 }
 
 /* Append the last point again, at the next knot. */
@@ -484,6 +653,9 @@ void loft_thin_add(loft_thin *thin, const loft_thin_input *in)
         p->at[i] += loft_coord_sub(in->point.axis[i], thin->last.axis[i]);
     p->feed = in->feed;
     p->number = in->number;
+#if LOFT_FOLDS
+    p->fold = in->fold;
+#endif
     thin->last = in->point;
     thin->sample[p->time % LOFT_THIN_SAMPLES] = in->sample;
 }
@@ -521,6 +693,10 @@ bool loft_thin_next(loft_thin *thin, loft_span *out)
     const bool sure = thin->next >= FIRST + 4u || (thin->ended && !may_try(thin));
     if (!sure || thin->count < FIRST + 4u)
         return false;
+#if LOFT_FOLDS
+    if (cruise_on(thin, out))
+        return true;
+#endif
     set_span(thin, out);
     drop_first(thin);
     return true;

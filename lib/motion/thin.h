@@ -23,7 +23,19 @@ typedef struct {
     loft_coord feed;                /* the speed that is asked for since the knot before */
     uint16_t   time;                /* periods, modulo 2^16 */
     uint16_t   number;              /* curves that are behind the sample there */
+#if LOFT_FOLDS
+    loft_fold  fold;                /* what is left out of the path before it */
+#endif
 } loft_thin_point;
+
+/* What was left out of a line, at the velocity that the motion has before and after it: from v0 it
+ * rises to v in the first span, and in the last one it falls again. Of the axes, units. */
+typedef struct {
+    int64_t  way[LOFT_AXES];        /* all of it, grains; */
+    int64_t  v0[LOFT_AXES], v[LOFT_AXES];   /* in 2^20 ticks */
+    uint32_t ticks, gone;           /* all of them, and those behind the last span */
+    uint16_t ramp, waited;          /* waited: periods, to begin where the speed is even */
+} loft_thin_cruise;
 
 /* Do not rely on the fields. */
 typedef struct {
@@ -37,6 +49,11 @@ typedef struct {
     uint16_t   passed;              /* curves behind the end of the last span */
     int64_t    grains[LOFT_AXES];   /* 2^-16 mm from the start to the end of the last span */
     loft_vec   from, to, end;       /* ends of the chain, of the last span */
+#if LOFT_FOLDS
+    int64_t    cruised[LOFT_AXES];  /* what has been left out of the path, and came back, grains: */
+    loft_fold  fold;                /* the same, modulo 2^32 */
+    loft_thin_cruise cruise;
+#endif
 } loft_thin;
 
 /* Begin a chain. */
@@ -47,6 +64,9 @@ typedef struct {
     loft_position point, sample;
     loft_coord    feed;             /* the speed that is asked for since the one before */
     uint16_t      number;           /* curves behind it */
+#if LOFT_FOLDS
+    loft_fold     fold;             /* what is left out of the path before it */
+#endif
 } loft_thin_input;
 
 /* Append a point; there is room for one after loft_thin_next gave false. The first three are where

@@ -315,6 +315,22 @@ uint32_t loft_arc_next(loft_arc *arc, const loft_cubic *curve, uint32_t from)
     return from + size;
 }
 
+/* It leaves its chord by at most a quarter of c2 and of c3. */
+bool loft_arc_is_straight(const loft_arc *arc, loft_acc within)
+{
+    for (int i = 0; i < LOFT_AXES; i++)
+        if (loft_acc_abs(arc->c[2][i]) + loft_acc_abs(arc->c[3][i]) > within)
+            return false;
+    return true;
+}
+
+void loft_arc_fold(loft_arc *arc, const loft_acc by[LOFT_AXES])
+{
+    straighten(arc);
+    loft_accs_sub(arc->c[1], by);
+    set_pace(arc);
+}
+
 void loft_arc_direction(const loft_arc *arc, unsigned n, loft_vec *out)
 {
     loft_acc v[LOFT_AXES];

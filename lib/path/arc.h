@@ -34,6 +34,12 @@ typedef struct {
  */
 uint32_t loft_arc_next(loft_arc *arc, const loft_cubic *curve, uint32_t from);
 
+/* Does it leave its chord by less than `within`, mm, and is it walked nearly evenly? */
+bool loft_arc_is_straight(const loft_arc *arc, loft_acc within);
+
+/* Make a straight arc its chord, less `by` of it, mm: it stays longer than dust. */
+void loft_arc_fold(loft_arc *arc, const loft_acc by[LOFT_AXES]);
+
 /* The direction (of length 1) at the start, the middle or the end of an arc, n = 0..2, that is not
  * dust.
  *

@@ -1,11 +1,22 @@
 /* lib/path/chain.c
  * SPDX-License-Identifier: MIT
+ *
+ * Where a line is long for its feed the motion cruises on it: the same velocity, for as long as it
+ * is. So the middle of the line can be left out, and the path behind it moved to there: the motion
+ * along this folded path passes the joint at that velocity, and when it does, the cruise is put in
+ * again (thin.c). Its cost does not grow with its duration then. On both sides the line is kept for
+ * as long as a launch to the feed lasts, and the tube needs to be straight again.
  */
 #include "path/chain.h"
 
 #include "geom/normal.h"    /* loft_vec_unit */
 
 #define DUST        4                               /* arcs that are no longer are nothing */
+#define LAUNCH      24                              /* periods, in which the feed is reached */
+#define KEPT        (40 + LAUNCH / 2)               /* of a line that is folded, on both sides */
+#define STRAIGHT    24                              /* of them, where it is straight */
+#define FLAT        64                              /* of the tolerance it may bend */
+#define CORNERS     32                              /* tolerances of corners, along the path */
 
 static loft_move *move_at(const loft_chain *chain, unsigned i)
 {
@@ -22,6 +33,92 @@ static loft_move *move_of(const loft_chain *chain, uint16_t number)
 // Walks
 // -----
 
+#if LOFT_FOLDS
+
+/* Is the feed reached within a launch, at a third of acceleration and jerk? */
+static bool is_slow(const loft_period *p, const int16_t u[], loft_coord feed)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t v = (int64_t)feed * loft_coord_abs(u[i]) / LOFT_CHAIN_UNIT;
+        if (v > p->speed[i] || v > p->accel[i] / 3 * LAUNCH ||
+            v > (int64_t)p->jerk[i] / 3 * (LAUNCH * LAUNCH / 4))
+            return false;
+    }
+    return true;
+}
+
+/* How long a way takes that is left out, at a feed in mm/s. */
+static uint32_t ticks_of(const loft_period *p, loft_coord way, loft_real feed)
+{
+    const uint64_t unit = (uint64_t)loft_raw_from_real(feed) << (LOFT_COORD_BITS - 16);
+    return (uint32_t)(((uint64_t)way * p->tick_hz + unit - 1) / unit);
+}
+
+/* Leave the middle of a long slow line out. */
+static void fold(const loft_period *p, loft_chain_walk *w, loft_real feed)
+{
+    const int64_t corner = p->more > 0 ? ((int64_t)p->tol + p->more) * CORNERS : 0,
+                  side = (int64_t)w->feed * KEPT, kept = 2 * (side > corner ? side : corner);
+    int16_t u[LOFT_AXES];
+    loft_acc by[LOFT_AXES];
+
+    w->left = (loft_fold){ { 0 }, 0 };
+    if (w->length <= kept + kept / 2 ||
+        !loft_arc_is_straight(&w->arc, loft_coord_to_acc(p->tol / FLAT)))
+        return;
+    loft_chain_direction(w, 1, u);
+    if (!is_slow(p, u, w->feed))
+        return;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int64_t leg = loft_coord_of(w->arc.c[1][i] + w->arc.c[2][i] + w->arc.c[3][i]);
+        w->left.axis[i] = (int32_t)(leg * (w->length - kept) / w->length / LOFT_COORD_GRAIN);
+        by[i] = loft_coord_to_acc((int64_t)w->left.axis[i] * LOFT_COORD_GRAIN);
+    }
+    loft_arc_fold(&w->arc, by);
+    const loft_coord length = loft_coord_of(w->arc.length);
+    w->left.ticks = ticks_of(p, w->length - length, feed);
+    w->length = length;
+}
+/* arcs are shorter than 64 mm, 2^30 units */
+
+static int32_t sum_of(int32_t a, int32_t b) { return (int32_t)((uint32_t)a + (uint32_t)b); }
+
+loft_fold loft_chain_fold(const loft_chain_walk *w, int64_t s)
+{
+    loft_fold out = w->fold;
+
+    if (s - w->s <= w->length / 2)
+        return out;
+    for (int i = 0; i < LOFT_AXES; i++)
+        out.axis[i] = sum_of(out.axis[i], w->left.axis[i]);
+    out.ticks += w->left.ticks;
+    return out;
+}
+
+bool loft_chain_is_straight(const loft_chain_walk *w, int64_t s)
+{
+    return w->left.ticks > 0 &&
+           loft_long_abs(s - w->s - w->length / 2) < (int64_t)w->feed * STRAIGHT;
+}
+
+#endif
+
+/* Go on to an arc of this length. */
+static void take_arc(const loft_chain *chain, loft_chain_walk *w, const loft_arc *arc,
+                     loft_coord length)
+{
+#if LOFT_FOLDS
+    w->fold = loft_chain_fold(w, w->s + w->length);
+#endif
+    w->arc = *arc;
+    w->feed = loft_period_speed(chain->period, move_of(chain, w->number)->feed);
+    w->s += w->length;
+    w->length = length;
+#if LOFT_FOLDS
+    fold(chain->period, w, move_of(chain, w->number)->feed);
+#endif
+}
+
 bool loft_chain_advance(const loft_chain *chain, loft_chain_walk *w)
 {
     for (;;) {
@@ -37,10 +134,7 @@ bool loft_chain_advance(const loft_chain *chain, loft_chain_walk *w)
         const loft_coord length = loft_coord_of(arc.length);
         if (arc.dust || length < DUST)
             continue;
-        w->arc = arc;
-        w->feed = loft_period_speed(chain->period, move_of(chain, w->number)->feed);
-        w->s += w->length;
-        w->length = length;
+        take_arc(chain, w, &arc, length);
         return true;
     }
 }
@@ -65,6 +159,10 @@ void loft_chain_place(const loft_chain_walk *w, int64_t s, loft_position *out)
     loft_arc_eval(&w->arc, loft_coord_to_acc(off < w->length ? off : w->length), at);
     for (int i = 0; i < LOFT_AXES; i++)
         out->axis[i] = loft_coord_of(at[i]);
+#if LOFT_FOLDS
+    for (int i = 0; i < LOFT_AXES; i++)
+        out->axis[i] = loft_coord_folded(out->axis[i], w->fold.axis[i]);
+#endif
 }
 
 loft_coord loft_chain_go(const loft_chain *chain, loft_chain_walk *w, int64_t s)
@@ -104,6 +202,9 @@ void loft_chain_begin(const loft_chain *chain, loft_chain_walk *w)
     w->to = 0;
     w->s = 0;
     w->length = w->feed = 0;
+#if LOFT_FOLDS
+    w->fold = w->left = (loft_fold){ { 0 }, 0 };
+#endif
 }
 
 

@@ -43,6 +43,9 @@ typedef struct {
     loft_coord length;           /* of the arc; 0: none yet */
     loft_coord feed;            /* the speed that is asked for, in a period */
     uint16_t number;            /* of the curve, of all that were pushed */
+#if LOFT_FOLDS
+    loft_fold fold, left;       /* what is left out before the arc, and in its middle */
+#endif
 } loft_chain_walk;
 
 /* Start without a curve in the caller's memory; `period` is kept. */
@@ -91,6 +94,12 @@ loft_coord loft_chain_go(const loft_chain *chain, loft_chain_walk *w, int64_t s)
 
 /* The place at the length s, or at the end of the arc. */
 void loft_chain_place(const loft_chain_walk *w, int64_t s, loft_position *out);
+
+/* What is left out of the path before the length s, which is on the arc. */
+loft_fold loft_chain_fold(const loft_chain_walk *w, int64_t s);
+
+/* Is it so near to where a way is left out that the path has to be straight? */
+bool loft_chain_is_straight(const loft_chain_walk *w, int64_t s);
 
 /* The direction of the arc at its start, its middle or its end: n = 0..2. */
 void loft_chain_direction(const loft_chain_walk *w, unsigned n, int16_t out[]);

@@ -23,6 +23,16 @@ typedef struct {
     loft_coord axis[LOFT_AXES];
 } loft_position;
 
+/* Where effort is spent, long slow lines are folded: most of such a line is left out of the path,
+ * and comes back in the motion as a cruise (chain.c, thin.c). What is left out so far: grains, and
+ * the ticks that it takes, modulo 2^32. */
+#define LOFT_FOLDS (LOFT_PLAN_EFFORT > 1)
+
+typedef struct {
+    int32_t  axis[LOFT_AXES];
+    uint32_t ticks;
+} loft_fold;
+
 /* a - b of two coordinates that are less than 2^7 mm apart. */
 static inline loft_coord loft_coord_sub(loft_coord a, loft_coord b)
 {
@@ -32,6 +42,12 @@ static inline loft_coord loft_coord_sub(loft_coord a, loft_coord b)
 static inline loft_coord loft_coord_add(loft_coord a, loft_coord b)
 {
     return (loft_coord)((uint32_t)a + (uint32_t)b);
+}
+
+/* A coordinate of the path without what is left out of it, grains. */
+static inline loft_coord loft_coord_folded(loft_coord x, int32_t left_out)
+{
+    return (loft_coord)((uint32_t)x - (uint32_t)left_out * (uint32_t)LOFT_COORD_GRAIN);
 }
 
 static inline int32_t loft_coord_least(int32_t a, int32_t b) { return a < b ? a : b; }

@@ -89,6 +89,15 @@ static void look_along(loft_path *path)
     path->launch = loft_corner_of(0, path->cap, loft_corner_jerk(p, u, path->cap), false);
 }
 
+static void set_fold(loft_path_place *on, const loft_chain_walk *w, int64_t s)
+{
+#if LOFT_FOLDS
+    on->fold = loft_chain_fold(w, s);
+#else
+    (void)on, (void)w, (void)s;
+#endif
+}
+
 /* The first place, when there is a way. Curves without one are dropped, or they would fill the
  * ring. */
 static enum loft_path_state start(loft_path *path, loft_path_waiting *out)
@@ -109,6 +118,7 @@ static enum loft_path_state start(loft_path *path, loft_path_waiting *out)
     out->on.number = path->walk.number;
     out->on.feed   = path->walk.feed;
     out->on.sharp  = out->on.loose = false;
+    set_fold(&out->on, &path->walk, 0);
     return LOFT_PATH_PLACE;
 }
 
@@ -142,6 +152,17 @@ static bool look_ahead(loft_path *path)
     return loft_corners_end_known(c);
 }
 
+/* Exactly where the last curve ends. */
+static void set_end(const loft_path *path, loft_path_place *on)
+{
+    for (int i = 0; i < LOFT_AXES; i++) {
+        on->at.axis[i] = loft_coord_of(loft_to_acc(path->chain.to.axis[i]));
+#if LOFT_FOLDS
+        on->at.axis[i] = loft_coord_folded(on->at.axis[i], on->fold.axis[i]);
+#endif
+    }
+}
+
 /* Go to s. */
 static void set_place(loft_path *path, int64_t s, bool ends, loft_path_waiting *out)
 {
@@ -153,8 +174,9 @@ static void set_place(loft_path *path, int64_t s, bool ends, loft_path_waiting *
     on->loose = false;
     on->feed  = loft_chain_go(&path->chain, &path->walk, s);
     loft_chain_place(&path->walk, s, &on->at);
-    for (int i = 0; i < LOFT_AXES && ends; i++)
-        on->at.axis[i] = loft_coord_of(loft_to_acc(path->chain.to.axis[i]));
+    set_fold(on, &path->walk, s);
+    if (ends)
+        set_end(path, on);
     on->number = path->walk.number;
     out->s = path->s = s;
     look_along(path);
@@ -362,6 +384,7 @@ static void put(loft_path *path, unsigned k, int64_t s, loft_coord feed)
     q->s = s;
     q->on.feed = feed;
     loft_chain_place(&w, s, &q->on.at);
+    set_fold(&q->on, &w, s);
     q->on.number = w.number;
     q->on.sharp = q->on.loose = false;
 }
@@ -535,6 +558,10 @@ enum loft_path_state loft_path_next(loft_path *path, loft_path_place *out)
     if (path->queued == 2)
         out->skip = 0;
     (void)loft_chain_go(&path->chain, &path->check, path->queue[1].s);
+#if LOFT_FOLDS
+    if (loft_chain_is_straight(&path->check, path->queue[1].s))
+        loft_path_set_skip(out, path->chain.period->tube - LOFT_COORD_GRAIN);
+#endif
     path->queued--;
     path->averaged--;
     path->settled = (uint8_t)(path->settled > 0 ? path->settled - 1 : 0);

@@ -37,7 +37,7 @@ static loft_coord speed_of(const loft_period *period, loft_real speed)
 loft_coord loft_period_speed(const loft_period *period, loft_real speed)
 {
     const loft_coord v = speed_of(period, speed);
-    return v - loft_coord_least(6 * LOFT_COORD_GRAIN, v / 4);
+    return v - loft_coord_least(6 * LOFT_COORD_GRAIN, v / 1024);
 }
 
 /* Sixteenths of a tick that a period may last, and the fewest ticks that it must. */

@@ -18,6 +18,9 @@ typedef struct {
     uint16_t   skip;        /* how far the path is from the cubic through four places
                              * (loft_path_between), from this one to the next, grains */
     uint16_t   room;        /* how far a control point may be moved, grains: tube.h */
+#if LOFT_FOLDS
+    loft_fold  fold;        /* what is left out before it */
+#endif
 } loft_path_place;
 
 static inline loft_coord loft_path_skip(const loft_path_place *p)

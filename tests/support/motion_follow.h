@@ -196,7 +196,7 @@ static inline double part_length(const loft_span *s, double from, double to)
 /* What rounding to 2^-16 mm adds to a feed in span k, where the plan cannot leave room for it. */
 static inline double feed_grains(unsigned k, double feed)
 {
-    return fmax(0, 6 * 0x1p-16 / duration(&spans[k]) - feed / 4);
+    return fmax(0, 6 * 0x1p-16 / duration(&spans[k]) - feed / 1024);
 }
 
 /* Compare the speed in a part of span k with the feed there, piece by piece, since the speed is

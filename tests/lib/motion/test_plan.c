@@ -48,6 +48,59 @@ static void add_line(double length, double feed)
     add_curve(d, e, u, w, feed);
 }
 
+/* A line from here, in any direction, which takes so many seconds. */
+static void arb_slow_line(arb *a, double length, double time)
+{
+    double d[LOFT_AXES], size = 0;
+    const double e[LOFT_AXES] = { 0 }, u[4] = { 0, length / 3, length * 2 / 3, length },
+                 w[4] = { 0 };
+
+    for (int i = 0; i < LOFT_AXES; i++) {
+        d[i] = arb_below(a, 4) ? arb_between(a, -1, 1) : i == 0;
+        size += d[i] * d[i];
+    }
+    for (int i = 0; i < LOFT_AXES; i++)
+        d[i] = size > 0 ? d[i] / sqrt(size) : i == 0;
+    add_curve(d, e, u, w, fmax(length / time, 1 / 60.0));
+}
+
+/* The same with lines that are slow, some of them among faster ones. */
+static void slow_lines_hold_all_limits(arb *a)
+{
+    arb_limits(a);
+    if (arb_below(a, 2))
+        arb_jerk(a);
+    begin_chain();
+    for (unsigned n = 1 + arb_below(a, 4); n > 0; n--)
+        arb_slow_line(a, arb_decades(a, 0.01, 100), arb_decades(a, 0.1, EFFORT(10, 1)));
+    bad = false;
+    check_chain(check_seed, a);
+    CHECK(!bad);
+}
+
+/* However slow a line is: it has a span for each 1023 ticks, and some at its ends; it takes hardly
+ * more time than the exact S-curve. */
+static void a_slow_line_costs_little(arb *a)
+{
+    const double feed = arb_decades(a, 1 / 60.0, 8),
+                 length = arb_value(real_of(arb_decades(a, 6 * feed, 200 * fmin(1, feed)))),
+                 accel = arb_decades(a, 500, 3000), jerk = floor(accel * arb_between(a, 10, 30));
+    const arrival how = { CURVES, (uint16_t)(64 + arb_below(a, 300)), NULL };
+
+    even_limits(500, accel, jerk);
+    begin_chain();
+    arb_slow_line(a, length, length / feed);
+    CHECK(plan_chain(&how) == PLANNED);
+    CHECK(spans_connect());
+    const double asked = arb_value(chain[0].feed), least = scurve_time(length, asked, accel, jerk),
+                 ticks = seconds() * limits.tick_hz;
+    loft_period p;
+    loft_period_init(&p, &limits);
+    CHECK(seconds() >= least * 0.999);
+    CHECK(seconds() <= least * 1.001 + 4.0 * p.ticks / p.tick_hz);
+    CHECK(count <= ticks / LOFT_SPAN_TICKS_MAX + 150 + length / 64 * 100);
+}
+
 /* Lines from rest to rest: within 2 % and a period of the exact S-curve. */
 static void lines_take_little_more_than_an_s_curve(arb *a)
 {
@@ -538,6 +591,9 @@ static void smooth_paths_do_not_stop(arb *a)
 int main(void)
 {
     PROPERTY(random_cases_hold_all_limits, 40);
+    PROPERTY(slow_lines_hold_all_limits, 20);
+    if (LOFT_PLAN_EFFORT > 1)
+        PROPERTY(a_slow_line_costs_little, 20);
     PROPERTY(no_arrival_stalls_it, 50);
     PROPERTY(lines_take_little_more_than_an_s_curve, 20);
     PROPERTY(long_ramps_are_as_steep_as_short_ones, 8);

@@ -36,11 +36,14 @@ static bool find_places(void)
     return state == LOFT_PATH_END;
 }
 
-static bool is_at(const loft_position *p, loft_vec v)
+/* But for what is left out of the path before it. */
+static bool is_at(const loft_path_place *p, loft_vec v)
 {
     bool good = true;
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_coord d = loft_coord_sub(p->axis[i], loft_coord_of(loft_to_acc(v.axis[i])));
+        const loft_coord at = loft_coord_of(loft_to_acc(v.axis[i])),
+                         folded = loft_coord_folded(at, p->fold.axis[i]),
+                         d = loft_coord_sub(p->at.axis[i], folded);
         good = good && loft_coord_abs(d) <= BY_NUM(64, 64, 64);
     }
     return good;
@@ -62,8 +65,8 @@ static void places_lead_from_end_to_end(arb *a)
     CHECK(find_places());
     if (found == 0)
         return;
-    CHECK(is_at(&found_at[0].at, chain[0].curve.p[0]));
-    CHECK(is_at(&found_at[found - 1].at, chain[curves - 1].curve.p[3]));
+    CHECK(is_at(&found_at[0], chain[0].curve.p[0]));
+    CHECK(is_at(&found_at[found - 1], chain[curves - 1].curve.p[3]));
     for (unsigned k = 1; k < found; k++) {
         CHECK(along[k] >= along[k - 1]);
         CHECK((int16_t)(found_at[k].number - found_at[k - 1].number) >= 0);

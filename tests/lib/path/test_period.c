@@ -61,7 +61,7 @@ static void a_speed_is_that_of_a_period(arb *a)
     arb_limits(a);
     loft_period_init(&p, &limits);
     const double want = fmin(v * seconds_of(&p) * LOFT_COORD_MM, 1 << 28);
-    const double less = fmin(6 * GRAIN, want / 4);
+    const double less = fmin(6 * GRAIN, want / 1024);
     CHECK_NEAR(loft_period_speed(&p, real_of(v)), want - less, 2 + want * 1e-6);
 }
 
