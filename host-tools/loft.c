@@ -6,31 +6,18 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/describe.h"   /* describe_all */
+#include "cmd/dispatch.h"
+#include "cmd/describe.h"   /* describe_all */
 #include "base/near.h"       /* near_try */
 #include "base/progress.h"   /* progress_watch */
-#include "base/tool.h"       /* tool_command */
-#include "cmd/commands.h"    /* command_stream .. */
+#include "base/tool.h"       /* tool_error */
 #include "cmd/terminal.h"    /* terminal_host */
-#include "figures/cmd_figures.h" /* command_figures, command_study */
+#include "command_list.h"
 #include "loft.h"            /* LOFT_VERSION */
 
-
-static const tool_command *const commands[] = {
-    &command_stream,   &command_plan,    &command_simulate, &command_monitor, &command_zero,
-    &command_home,    &command_unlock, &command_go,       &command_jog,     &command_probe,
-    &command_pen,     &command_park,   &command_ports,    &command_eval,    &command_sample,
-    &command_fit,     &command_flatten, &command_plot,     &command_measure,  &command_compare,
-    &command_surface, &command_contour, &command_study,    &command_harmonic, &command_export,
-    &command_decide,  &command_make,    &command_mill,     &command_set,      &command_settings,
-    &command_figures
-};
-
-#define COMMANDS (sizeof commands / sizeof commands[0])
-
-static const tool_command *find(const char *name)
+static const command *find(const char *name)
 {
-    for (size_t i = 0; i < COMMANDS; i++)
+    for (size_t i = 0; i < commands_count; i++)
         if (strcmp(commands[i]->name, name) == 0)
             return commands[i];
     return NULL;
@@ -40,7 +27,7 @@ static int help(void)
 {
     printf("loft -- curves from the drawing to the step pulse\n\nusage: loft COMMAND [options] "
            "[FILE|-]\n\n");
-    for (size_t i = 0; i < COMMANDS; i++)
+    for (size_t i = 0; i < commands_count; i++)
         printf("  %-10s %s\n", commands[i]->name, commands[i]->summary);
     printf("\n`loft help COMMAND` tells more. Coordinates are in mm; exit codes are those of "
            "sysexits.h.\n");
@@ -54,21 +41,6 @@ static int flushed(int code)
         return tool_error(EX_IOERR, "standard output: %s: is the disk full? write elsewhere",
                           strerror(errno));
     return code;
-}
-
-/* Those that talk to a machine say themselves what they wait for. */
-static bool waits_for_machine(const tool_command *c)
-{
-    static const tool_command *const those[] = {
-        &command_stream, &command_simulate, &command_monitor, &command_zero,  &command_home,
-        &command_unlock, &command_go,       &command_jog,     &command_probe, &command_pen,
-        &command_park,   &command_ports,    &command_set,     &command_settings
-    };
-
-    for (size_t i = 0; i < sizeof those / sizeof *those; i++)
-        if (c == those[i])
-            return true;
-    return false;
 }
 
 static int unknown_command(const char *name)
@@ -88,7 +60,7 @@ static int unknown_command(const char *name)
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         if (strcmp(others[i][0], name) == 0)
             near = (near_words){ others[i][1], strlen(others[i][1]), { 0 }, { 0 } };
-    for (size_t i = 0; i < COMMANDS; i++)
+    for (size_t i = 0; i < commands_count; i++)
         near_try(&near, commands[i]->name);
     return tool_error(EX_USAGE, "unknown command %s%s: see `loft --help`", name,
                       near_text(&near, "", meant));
@@ -96,16 +68,16 @@ static int unknown_command(const char *name)
 
 static int run(const char *name, int argc, char **argv)
 {
-    const tool_command *c = find(name);
+    const command *c = find(name);
 
     if (c == NULL)
         return unknown_command(name);
-    if (!waits_for_machine(c))
+    if (!c->talks)
         progress_watch(c->name);
-    return flushed(c->run(c, argc, argv));
+    return flushed(dispatch(c, argc, argv));
 }
 
-static int command(int argc, char **argv)
+static int run_line(int argc, char **argv)
 {
     const char *name = argc > 1 ? argv[1] : "";
 
@@ -118,11 +90,13 @@ static int command(int argc, char **argv)
     if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 ||
         (strcmp(name, "help") == 0 && argc == 2))
         return flushed(help());
+    if (strcmp(name, "options") == 0 && argc == 3 && strcmp(argv[2], "--json") == 0)
+        return flushed(describe_all("json", commands, commands_count));
     if (strncmp(name, "--help=", 7) == 0)
-        return flushed(describe_all(name + 7, commands, COMMANDS));
+        return flushed(describe_all(name + 7, commands, commands_count));
     if (strcmp(name, "help") == 0) {
-        char option[] = "--help";
-        char *line[] = { argv[2], option, NULL };
+        char word[] = "--help";
+        char *line[] = { argv[2], word, NULL };
         return run(argv[2], 2, line);
     }
     return run(name, argc - 1, argv + 1);
@@ -134,7 +108,7 @@ int main(int argc, char **argv)
     host h         = terminal_host(&t);
 
     tool_use(&h);
-    const int code = command(argc, argv);
+    const int code = run_line(argc, argv);
     host_close(&h);
     return code;
 }

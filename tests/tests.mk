@@ -232,6 +232,13 @@ build/test/tools/%: tests/tools/test_%.c build/test/tools/libtools.a $(call libs
 	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -Itests -MF $@.d -MT $@ \
 	    $< $(filter %.a,$^) \
 	    $(shell pkg-config --libs libxml-2.0 zlib pangocairo geos) -lm -o $@
+# The tables of all commands; the readers of options are sanitized.
+OPTION_OBJ := $(addprefix host-tools/base/option,.o _line.o _json.o)
+build/test/tools/option: tests/tools/test_option.c $(addprefix build/test/tools/,$(OPTION_OBJ)) \
+        $(filter-out %/host-tools/loft.o $(addprefix %/,$(OPTION_OBJ)),$(TOOL_OBJ)) $(TOOL_LIBS)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -Itests -MF $@.d -MT $@ $(filter %.c %.o %.a,$^) \
+	    $(shell $(PKG_CONFIG) --libs $(TOOL_PKG)) -lm -o $@
 -include $(TOOL_TESTED_OBJ:.o=.d) $(patsubst %,build/test/tools/%.d,$(TOOL_TESTS))
 .PRECIOUS: build/test/tools/%.o
 

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tool.h"
 #include "engine/engine.h"  /* engine_f64: where two pieces meet */
 #include "engine/piece.h"
 #include "arrange/page.h"

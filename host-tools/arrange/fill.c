@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tool.h"
 #include "base/progress.h"
 #include "base/scan.h"          /* scan_number */
 #include "base/source.h"        /* source_name */
@@ -29,7 +30,7 @@ static bool parse_contour(const char *at, fill_options *set)
     return set->spiral || *at == '\0';
 }
 
-bool fill_parse(const char *text, void *out)
+static bool parse_fill(const char *text, void *out)
 {
     fill_options *f  = out;
     const char *at   = text + strcspn(text, ":");
@@ -52,14 +53,19 @@ bool fill_parse(const char *text, void *out)
     good = good && (strcmp(text, "none") == 0 || (set.distance >= 0.02 && set.distance <= 1000));
     if (good)
         *f = set;
-    else
-        (void)tool_error(
-            EX_USAGE,
-            "--fill %s: give hatch:ANGLE,MM or cross:ANGLE,MM, the angle within +-360, contour:MM "
-            "or contour:MM,spiral, lines 0.02 to 1000 mm apart, as hatch:45,0.8; or none",
-            text);
     return good;
 }
+
+const option fill_rows[] = {
+    { "fill", OPTION_IS_PARSED, 0, .value = "HOW", .parse = parse_fill,
+      .remedy = "give hatch:ANGLE,MM or cross:ANGLE,MM, the angle within +-360, contour:MM or "
+                "contour:MM,spiral, lines 0.02 to 1000 mm apart, as hatch:45,0.8; or none",
+      .help = "of SVG: painted shapes, by lines: hatch:ANGLE,MM, cross:ANGLE,MM, contour:MM or "
+              "contour:MM,spiral (none)" },
+    { "outline", OPTION_TEXT(fill_options, outline), .value = "WHICH", .choices = "all|stroke|none",
+      .help = "with --fill: all, stroke (of shapes with a stroke) or none (all)" },
+    { 0 }
+};
 
 typedef struct {
     double level, x;            /* which line, and where on it */
@@ -238,11 +244,8 @@ static bool outline_stays(const fill_options *f, const drawing_curve *c)
     return strcmp(f->outline, "stroke") == 0 && c->fill & DRAWING_STROKED;
 }
 
-static int check_fill(const fill_options *f, const drawing *d, const char *file)
+static int check_fill(const drawing *d, const char *file)
 {
-    if (f->outline != NULL && strcmp(f->outline, "all") != 0 && strcmp(f->outline, "stroke") != 0 &&
-        strcmp(f->outline, "none") != 0)
-        return tool_error(EX_USAGE, "--outline %s: give all, stroke or none", f->outline);
     for (size_t i = 0; i < d->count; i++)
         if (d->curve[i].fill & DRAWING_FILLED)
             return 0;
@@ -256,7 +259,7 @@ int fill_apply(const fill_options *f, drawing *d, const char *file)
 {
     drawing filled = { .width = d->width, .height = d->height };
     filling g      = { .f = f, .to = &filled, .file = source_name(file) };
-    int code       = f->distance > 0 ? check_fill(f, d, file) : 0;
+    int code       = f->distance > 0 ? check_fill(d, file) : 0;
     progress bar;
 
     if (!(f->distance > 0) || code != 0)

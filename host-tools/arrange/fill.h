@@ -8,7 +8,7 @@
 #ifndef LOFT_FILL_H
 #define LOFT_FILL_H
 
-#include "base/tool.h"      /* tool_option */
+#include "base/option.h"    /* option */
 #include "read/drawing.h"
 
 typedef struct {
@@ -18,16 +18,7 @@ typedef struct {
     const char *outline;            /* "all", "stroke", "none"; NULL: all */
 } fill_options;
 
-/* Rows of a table of options. */
-#define FILL_OPTIONS(f)                                                                            \
-    TOOL_PARSED("fill", "HOW", f, fill_parse,                                                      \
-                "of SVG: painted shapes, by lines: hatch:ANGLE,MM, cross:ANGLE,MM, contour:MM or " \
-                "contour:MM,spiral (none)"),                                                       \
-        TOOL_TEXT("outline", "WHICH", &(f)->outline,                                               \
-                  "with --fill: all, stroke (of shapes with a stroke) or none (all)")
-
-/* Of the table above; `out` is a fill_options. It prints its own error. */
-bool fill_parse(const char *text, void *out);
+extern const option fill_rows[];
 
 /* Add the lines behind each shape, and leave out the outlines that are not wanted. Returns 0, or an
  * exit code after printing one line.

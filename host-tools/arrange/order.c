@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/tool.h"
 #include "base/source.h"    /* source_name */
 #include "engine/curve.h"   /* curves_free */
 #include "arrange/order.h"
@@ -432,6 +433,23 @@ static void order_chains(const order_options *o, chains *c, bool corners, const 
     free(s.stroke);
 }
 
+const option order_rows[] = {
+    { "order", OPTION_TEXT(order_options, how), .choices = "file|layer|best", .standard = "file",
+      .help = "of the paths: as in the file, or with the least travel: within each layer of "
+              "Inkscape, or in all. What follows is for these two (file)" },
+    { "order-time", OPTION_NUMBER(order_options, effort), .least = 0, .most = 3600, .unit = "s",
+      .standard = "2",
+      .help = "work of about S seconds. It is counted, so that the same command gives the same "
+              "order" },
+    { "join", OPTION_NUMBER(order_options, join), .least = 0, .most = 10, .unit = "mm",
+      .standard = "0.005", .help = "ends this close are joined by a line" },
+    { "seam", OPTION_TEXT(order_options, seam), .value = "WHERE",
+      .help = "where closed paths begin: any, corner, or X,Y: near to it (any)" },
+    { "doubles", OPTION_FLAG(order_options, doubles),
+      .help = "draw twice what the drawing has twice" },
+    { 0 }
+};
+
 static int seam_of(const order_options *o, bool *corners, double near[2], bool *nearest)
 {
     int length = 0;
@@ -456,8 +474,6 @@ int order_apply(const order_options *o, drawing *d, const double from[2], bool r
 
     if (code != 0 || o->how == NULL || strcmp(o->how, "file") == 0)
         return code;
-    if (strcmp(o->how, "best") != 0 && strcmp(o->how, "layer") != 0)
-        return tool_error(EX_USAGE, "--order %s: give file, layer or best", o->how);
     if (d->program)
         return tool_error(EX_USAGE,
                           "%s: is a program, which says every motion: its order is that of the "

@@ -8,7 +8,7 @@
 #ifndef LOFT_ORDER_H
 #define LOFT_ORDER_H
 
-#include "base/tool.h"      /* tool_option */
+#include "base/option.h"    /* option */
 #include "read/drawing.h"   /* drawing */
 
 typedef struct {
@@ -19,22 +19,7 @@ typedef struct {
     bool doubles;
 } order_options;
 
-#define ORDER_EFFORT 2          /* defaults */
-#define ORDER_JOIN   0.005
-
-/* Rows of a table of options. */
-#define ORDER_OPTIONS(o)                                                                           \
-    TOOL_TEXT("order", "file|layer|best", &(o)->how,                                               \
-              "of the paths: as in the file, or with the least travel: within each layer of "      \
-              "Inkscape, or in all. What follows is for these two (file)"),                        \
-        TOOL_NUMBER("order-time", "S", &(o)->effort, 0, 3600,                                      \
-                    "work of about S seconds. It is counted, so that the same command gives the "  \
-                    "same order (2)"),                                                             \
-        TOOL_NUMBER("join", "MM", &(o)->join, 0, 10,                                               \
-                    "ends this close are joined by a line (0.005)"),                               \
-        TOOL_TEXT("seam", "WHERE", &(o)->seam,                                                     \
-                  "where closed paths begin: any, corner, or X,Y: near to it (any)"),              \
-        TOOL_SWITCH("doubles", &(o)->doubles, "draw twice what the drawing has twice")
+extern const option order_rows[];
 
 /* Put the drawing in order, all of it also with "layer" (tools.h), for a tool that begins at `from`
  * and, if it `returns`, ends there. Returns 0, or an exit code after printing one line. */

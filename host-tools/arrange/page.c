@@ -7,6 +7,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/tool.h"
 #include "base/source.h"    /* source_name */
 #include "engine/curve.h"   /* curves_free */
 #include "arrange/areas.h"     /* areas_apply */
@@ -16,15 +17,6 @@
 
 // Options
 // -------
-
-static bool size_refused(const char *text)
-{
-    (void)tool_error(EX_USAGE,
-                     "--page %s: give A0 to A6, Letter, Legal or Tabloid, with -landscape or "
-                     "without, or WIDTHxHEIGHT in mm, cm or in",
-                     text);
-    return false;
-}
 
 /* "210x297", "21x29.7cm", "8.5x11in" */
 static bool size_in_numbers(const char *text, double size[2])
@@ -52,7 +44,7 @@ static bool size_in_numbers(const char *text, double size[2])
     return false;
 }
 
-bool page_parse_size(const char *text, void *out)
+static bool parse_size(const char *text, void *out)
 {
     static const struct {
         const char *name;
@@ -67,7 +59,7 @@ bool page_parse_size(const char *text, void *out)
                   { "Letter", { 8.5 * 25.4, 11 * 25.4 } },
                   { "Legal", { 8.5 * 25.4, 14 * 25.4 } },
                   { "Tabloid", { 11 * 25.4, 17 * 25.4 } } };
-    page_options *g = out;
+    double *size = out;
 
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
         const size_t length = strlen(known[i].name);
@@ -76,15 +68,15 @@ bool page_parse_size(const char *text, void *out)
             continue;
         const bool lies = strcasecmp(rest, "-landscape") == 0;
         if (*rest != '\0' && !lies)
-            return size_refused(text);
-        g->size[0] = known[i].size[lies];
-        g->size[1] = known[i].size[!lies];
+            return false;
+        size[0] = known[i].size[lies];
+        size[1] = known[i].size[!lies];
         return true;
     }
-    return size_in_numbers(text, g->size) || size_refused(text);
+    return size_in_numbers(text, size);
 }
 
-bool page_parse_turn(const char *text, void *out)
+static bool parse_turn(const char *text, void *out)
 {
     page_options *g = out;
     char *end;
@@ -93,24 +85,59 @@ bool page_parse_turn(const char *text, void *out)
     if (g->upright)
         return true;
     g->degrees = strtod(text, &end);
-    if (end != text && *end == '\0' && fabs(g->degrees) <= 3600)
-        return true;
-    (void)tool_error(EX_USAGE, "--rotate %s: give degrees from -3600 to 3600, or auto", text);
-    return false;
+    return end != text && *end == '\0' && fabs(g->degrees) <= 3600;
 }
 
-bool page_parse_copies(const char *text, void *out)
+static bool parse_copies(const char *text, void *out)
 {
     page_options *g = out;
     int length = 0;
 
-    if (sscanf(text, "%4ux%4u%n", &g->copies[0], &g->copies[1], &length) == 2 &&
-        text[length] == '\0' && g->copies[0] >= 1 && g->copies[1] >= 1 && text[0] != '-')
-        return true;
-    (void)tool_error(EX_USAGE,
-                     "--copies %s: give how many side by side and in how many rows, as 3x2", text);
-    return false;
+    return sscanf(text, "%4ux%4u%n", &g->copies[0], &g->copies[1], &length) == 2 &&
+           text[length] == '\0' && g->copies[0] >= 1 && g->copies[1] >= 1 && text[0] != '-';
 }
+
+const option page_rows[] = {
+    { "layer", OPTION_TEXT(page_options, layers), .value = "NAME,..",
+      .help = "of SVG: draw only these layers of Inkscape, by name or first number (all)" },
+    { "only", OPTION_TEXT(page_options, only), .value = "COLOUR,..",
+      .help = "of SVG: draw only these colours, of strokes or else of fills, as red,#00f (all)" },
+    { "text", OPTION_TEXT(page_options, text), .value = "HOW",
+      .help = "of SVG: outline, line or line:FONT: letters of single lines, as line:rowmans; none "
+              "(outline)" },
+    { "page", OPTION_PARSED(page_options, size), .value = "SIZE", .parse = parse_size,
+      .remedy = "give A0 to A6, Letter, Legal or Tabloid, with -landscape or without, or "
+                "WIDTHxHEIGHT in mm, cm or in",
+      .help = "the page: A4, A4-landscape, Letter .., 210x297 mm, 8.5x11in (the file's)" },
+    { "margin", OPTION_NUMBER(page_options, margin), .least = 0, .most = 8000, .unit = "mm",
+      .standard = "0", .help = "of the page that --fit and --crop leave free" },
+    { "scale", OPTION_LIST(page_options, scale), .least = 1e-6, .most = 1e6, .value = "F[,FY]",
+      .counts = "1|2", .remedy = "give one, or one for x and one for y",
+      .help = "times as large; FY: along y" },
+    { "mirror", OPTION_TEXT(page_options, mirror), .choices = "x|y",
+      .help = "x: left becomes right; y: top becomes bottom" },
+    { "rotate", OPTION_IS_PARSED, 0, .value = "DEG", .unit = "deg", .parse = parse_turn,
+      .remedy = "give degrees from -3600 to 3600, or auto",
+      .help = "counterclockwise; auto: by 90 if the page has more room for it then" },
+    { "fit", OPTION_FLAG(page_options, fit),
+      .help = "as large as the page allows, and in its middle" },
+    { "centre", OPTION_FLAG(page_options, centre), .help = "in the middle of the page" },
+    { "at", OPTION_LIST(page_options, at), .least = -16000, .most = 16000, .value = "X,Y",
+      .counts = "2", .help = "the lower left corner of what is drawn, mm from that of the page" },
+    { "copies", OPTION_IS_PARSED, 0, .value = "NXxNY", .parse = parse_copies,
+      .remedy = "give how many side by side and in how many rows, as 3x2",
+      .help = "NX side by side, in NY rows" },
+    { "gap", OPTION_NUMBER(page_options, gap), .least = 0, .most = 8000, .unit = "mm",
+      .standard = "5", .help = "between copies" },
+    { "crop", OPTION_FLAG(page_options, crop),
+      .help = "draw only what is on the page, without its margin" },
+    OPTION_GROUP(page_options, fill, fill_rows),
+    { "stroke", OPTION_TEXT(page_options, stroke), .value = "HOW", .choices = "line|outline",
+      .standard = "line",
+      .help = "of SVG: line: along its middle, outline: around all that it covers" },
+    OPTION_EXCLUDES("at", "fit|centre", "both say where the drawing lies"),
+    { 0 }
+};
 
 
 // Moving
@@ -332,23 +359,6 @@ static bool is_asked(const page_options *g)
            g->copies[0] > 0;
 }
 
-static int check_options(const page_options *g)
-{
-    if (g->mirror != NULL && strcmp(g->mirror, "x") != 0 && strcmp(g->mirror, "y") != 0)
-        return tool_error(EX_USAGE, "--mirror %s: give x or y", g->mirror);
-    if (g->scale.count > 2)
-        return tool_error(EX_USAGE, "--scale: %zu numbers: give one, or one for x and one for y",
-                          g->scale.count);
-    if (g->at.count == 1 || g->at.count > 2)
-        return tool_error(EX_USAGE, "--at: %zu number%s: give X,Y", g->at.count,
-                          tool_s(g->at.count));
-    if (g->at.count == 2 && (g->fit || g->centre))
-        return tool_error(EX_USAGE,
-                          "--at and %s: give one of them: both say where the drawing lies",
-                          g->fit ? "--fit" : "--centre");
-    return 0;
-}
-
 /* The part of the page within its margin. */
 static int find_room(const page_options *g, const double size[2], const char *file, double room[2])
 {
@@ -404,10 +414,10 @@ static int place(const page_options *g, drawing *d, const char *file)
 {
     const char *name = source_name(file);
     double room[2] = { 0, 0 }, size[2] = { g->size[0], g->size[1] };
-    int code = check_options(g);
+    int code = 0;
 
-    if (code != 0 || !is_asked(g))
-        return code;
+    if (!is_asked(g))
+        return 0;
     if (d->of != NULL)          /* what follows changes cubics, not what they were made of */
         curves_free(d->of);
     free(d->of);
@@ -458,11 +468,7 @@ bool page_is_asked(const page_options *g)
 int page_apply(const page_options *g, drawing *d, const char *file)
 {
     const bool wide = is_wide(g);
-    int code        = 0;
-
-    if (g->stroke != NULL && !wide && strcmp(g->stroke, "line") != 0)
-        return tool_error(EX_USAGE, "--stroke %s: give line or outline", g->stroke);
-    code = areas_apply(wide, g->fill.distance > 0, d, file);
+    int code        = areas_apply(wide, g->fill.distance > 0, d, file);
     if (code == 0)
         code = place(g, d, file);
     if (code == 0)

@@ -7,15 +7,15 @@
 #ifndef LOFT_PAGE_H
 #define LOFT_PAGE_H
 
-#include "base/tool.h"      /* tool_option, tool_list */
 #include "arrange/fill.h"
+#include "base/option.h"    /* option, option_list */
 #include "read/drawing.h"   /* drawing */
 
 typedef struct {
     double size[2];         /* mm; 0: that of the file */
     double degrees;         /* counterclockwise */
     bool upright;           /* turned by 90 degrees if it fits better so */
-    tool_list scale, at;
+    option_list scale, at;
     const char *mirror;     /* "x", "y" or NULL */
     const char *layers, *only, *text;       /* drawing.h */
     bool fit, centre, crop;
@@ -25,41 +25,7 @@ typedef struct {
     const char *stroke;     /* "line" or "outline"; NULL: line */
 } page_options;
 
-/* Rows of a table of options. */
-#define PAGE_OPTIONS(g)                                                                            \
-    TOOL_TEXT("layer", "NAME,..", &(g)->layers,                                                    \
-              "of SVG: draw only these layers of Inkscape, by name or first number (all)"),        \
-        TOOL_TEXT("only", "COLOUR,..", &(g)->only,                                                 \
-                  "of SVG: draw only these colours, of strokes or else of fills, as red,#00f "     \
-                  "(all)"),                                                                        \
-        TOOL_TEXT("text", "HOW", &(g)->text,                                                       \
-              "of SVG: outline, line or line:FONT: letters of single lines, as line:rowmans; "     \
-              "none (outline)"),                                                                   \
-        TOOL_PARSED("page", "SIZE", g, page_parse_size,                                            \
-                "the page: A4, A4-landscape, Letter .., 210x297 mm, 8.5x11in (the file's)"),       \
-        TOOL_NUMBER("margin", "MM", &(g)->margin, 0, 8000,                                         \
-                    "of the page that --fit and --crop leave free (0)"),                           \
-        TOOL_LIST("scale", "F[,FY]", &(g)->scale, 1e-6, 1e6, "times as large; FY: along y"),       \
-        TOOL_TEXT("mirror", "x|y", &(g)->mirror, "x: left becomes right; y: top becomes bottom"),  \
-        TOOL_PARSED("rotate", "DEG", g, page_parse_turn,                                      \
-                    "counterclockwise; auto: by 90 if the page has more room for it then"),        \
-        TOOL_SWITCH("fit", &(g)->fit, "as large as the page allows, and in its middle"),           \
-        TOOL_SWITCH("centre", &(g)->centre, "in the middle of the page"),                          \
-        TOOL_LIST("at", "X,Y", &(g)->at, -16000, 16000,                                            \
-                  "the lower left corner of what is drawn, mm from that of the page"),             \
-        TOOL_PARSED("copies", "NXxNY", g, page_parse_copies, "NX side by side, in NY rows"),       \
-        TOOL_NUMBER("gap", "MM", &(g)->gap, 0, 8000, "between copies (5)"),                        \
-        TOOL_SWITCH("crop", &(g)->crop, "draw only what is on the page, without its margin"),     \
-        FILL_OPTIONS(&(g)->fill),                                                                  \
-        TOOL_TEXT("stroke", "HOW", &(g)->stroke,                                                   \
-                  "of SVG: line: along its middle, outline: around all that it covers (line)")
-
-#define PAGE_GAP 5          /* mm; the default of `gap` */
-
-/* Of the table above; `out` is a page_options. They print their own error. */
-bool page_parse_size(const char *text, void *out);
-bool page_parse_turn(const char *text, void *out);
-bool page_parse_copies(const char *text, void *out);
+extern const option page_rows[];
 
 /* Do the options change the drawing, or look at all of it? */
 bool page_is_asked(const page_options *g);

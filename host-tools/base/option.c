@@ -345,7 +345,8 @@ int option_take_words(option_reading *r, const char *const *word, size_t count)
         } else if (o->kind == OPTION_IS_WORDS && o->most > 0 && at < count) {
             option_words *out = (option_words *)((char *)r->o + r->all[i].offset);
             r->given[i]       = true;
-            *out = (option_words){ word + at, count - at < o->most ? count - at : (size_t)o->most };
+            const size_t most = (size_t)o->most;
+            *out = (option_words){ word + at, count - at < most ? count - at : most };
             at += out->count;
         }
     }

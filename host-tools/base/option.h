@@ -86,9 +86,9 @@ struct option_row {
 #define OPTION_PARSED(s, m)  OPTION_IS_PARSED, offsetof(s, m)
 #define OPTION_GROUP(s, m, rows) { #m, OPTION_IS_GROUP, offsetof(s, m), .group = rows }
 
-/* Rules. A condition is one or more terms with `|` between, each one or more with `&` between: `name`
- * is true if the option was given, and `name=value` if it has that value, by default too. "" is
- * true.
+/* Rules. A condition is one or more terms with `|` between, each one or more with `&` between:
+ * `name` is true if the option was given, and `name=value` if it has that value, by default too.
+ * "" is true.
  *
  *     OPTION_EXCLUDES("record", "trim|trim-uv", "it draws whole surfaces")
  *     OPTION_NEEDS("", "port|dry-run", "name the machine's port, or plan with --dry-run")

@@ -127,6 +127,18 @@ const char *source_name(const char *file)
     return strcmp(file, "-") == 0 ? "standard input" : file;
 }
 
+const option source_rows[] = { { "points", OPTION_TEXT(source_given, points), .value = "POINTS",
+      .help = "the control points themselves: \"0,0 1,2 3,0\"" },
+                               { "file", OPTION_WORD(source_given, file), .value = "FILE",
+                                 .standard = "-" },
+    OPTION_EXCLUDES("points", "file", NULL),
+                               { 0 } };
+
+const char *source_given_name(const source_given *from)
+{
+    return from->points ? "--points" : source_name(from->file);
+}
+
 /* Standard input is read once and kept, since two readers may want it: the one for surfaces, then
  * the one for curves. */
 static char *slurp_input(host *h, size_t *size)

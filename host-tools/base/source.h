@@ -7,6 +7,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/option.h"    /* option */
+
 struct host;                /* base/host.h */
 
 /* Read all of `file` and append a 0. "-" is standard input, which may be read again. A file that is
@@ -48,6 +50,13 @@ source source_text(const char *text, size_t size);
 
 /* The name of the file in messages. */
 const char *source_name(const char *file);
+
+/* Where curves come from: a file, or --points; rows of a table of options. */
+typedef struct {
+    const char *file, *points;
+} source_given;
+extern const option source_rows[];
+const char *source_given_name(const source_given *from);    /* in messages */
 
 /* Does the text start with `<`, after at most a byte order mark and white space, or with the mark
  * of UTF-16? */

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cmd/commands.h"
 #include "geometry/surface_text.h"
 #include "num/status.h"     /* enum loft_status */
 
@@ -15,7 +16,6 @@
 #include "engine/piece.h"
 #include "geometry/reference.h"
 #include "base/source.h"         /* source_name */
-#include "base/tool.h"
 #include "readers.h"
 
 /* The largest error of one way to compute a curve in one number type. */
@@ -23,7 +23,7 @@ typedef struct {
     const reference *exact;         /* of the curve, rounded to the number type */
     const reference *with;          /* of the other one, or NULL                     */
     long double with_from, with_to; /* its part                                      */
-    const tool_list *quadric;
+    const option_list *quadric;
     const engine *against;          /* NULL: exact, in long double                   */
     engine_curve *other;            /* the curve in `against`                        */
     uint32_t n, j;                  /* parameters per piece, parameters visited */
@@ -36,7 +36,7 @@ typedef struct {
     long double from, to;
 } comparison;
 
-double compare_quadric(const tool_list *q, const double p[ENGINE_AXES])
+double compare_quadric(const option_list *q, const double p[ENGINE_AXES])
 {
     const double *a = q->value, x = p[0], y = p[1], z = p[2];
     const double f = a[0] * x * x + a[1] * y * y + a[2] * z * z + a[3] * x * y + a[4] * y * z +
@@ -333,71 +333,78 @@ static void free_content(content *c)
     surfaces_free(&c->surface);
 }
 
-static int check_options(const compare_to *to, const char *than)
-{
-    if (to->than == NULL && strcmp(than, "exact") != 0)
-        return tool_error(EX_USAGE, "--against %s: give exact, q16, f32 or f64", than);
-    if (to->quadric.count > 0 && to->quadric.count != COMPARE_QUADRIC)
-        return tool_error(EX_USAGE, "--quadric: %zu numbers: give 10, of xx yy zz xy yz zx x y z 1",
-                          (size_t)to->quadric.count);
-    if ((to->than != NULL) + (to->other != NULL) + (to->quadric.count > 0) > 1)
-        return tool_error(EX_USAGE, "give one of --against, --with and --quadric");
-    return 0;
-}
+typedef struct {
+    source_given from;
+    const char *types, *with;
+    int against;                /* 0: exact */
+    option_list part, quadric;
+    unsigned n;
+} compare_options;
 
-static int run_compare(const tool_command *self, int argc, char **argv)
+static const option compare_rows[] = {
+    { "num", OPTION_TEXT(compare_options, types), .value = "TYPE,..", .standard = "q16,f32,f64",
+      .help = "number types to measure" },
+    { "against", OPTION_CHOICE(compare_options, against), .choices = "exact|q16|f32|f64",
+      .standard = "exact", .help = "what they are measured against: exact, q16, f32 or f64" },
+    { "with", OPTION_FILE(compare_options, with), .value = "FILE",
+      .help = "or the curves or surfaces of this file, each in turn" },
+    { "part", OPTION_LIST(compare_options, part), .least = -32768, .most = 32767, .value = "T,T,..",
+      .help = "or these parts of its first one: see above" },
+    { "quadric", OPTION_LIST(compare_options, quadric), .least = -1e9, .most = 1e9, .value = "A,..",
+      .counts = "10", .remedy = "give 10, of xx yy zz xy yz zx x y z 1",
+      .help = "or the quadric xx yy zz xy yz zx x y z 1" },
+    { "n", OPTION_INTEGER(compare_options, n), .least = 1, .most = 1e8, .value = "N",
+      .help = "parameters per piece, j/N (1024; of a surface 30)" },
+    OPTION_GROUP(compare_options, from, source_rows),
+    OPTION_EXCLUDES("against=q16|against=f32|against=f64", "with|quadric", NULL),
+    OPTION_EXCLUDES("with", "quadric", NULL),
+    { 0 }
+};
+
+static int run_compare(void *options)
 {
-    const char *types = "q16,f32,f64", *than = "exact", *text = NULL;
+    static const engine *const engines[] = { NULL, &engine_q16, &engine_f32, &engine_f64 };
+    const compare_options *o             = options;
     content all = { 0 }, other = { 0 };
-    compare_to to = { .n = 0 };
-    const char *file;
+    compare_to to = { .than = engines[o->against],
+                      .other = o->with,
+                      .part = o->part,
+                      .quadric = o->quadric,
+                      .n = o->n };
+    int code = read_content(&all, o->from.file, o->from.points);
 
-    const tool_option options[] = {
-        TOOL_TEXT("num", "TYPE,..", &types, "number types to measure (q16,f32,f64)"),
-        TOOL_TEXT("against", "exact|q16|f32|f64", &than,
-                  "what they are measured against: exact, q16, f32 or f64 (exact)"),
-        TOOL_TEXT("with", "FILE", &to.other,
-                  "or the curves or surfaces of this file, each in turn"),
-        TOOL_LIST("part", "T,T,..", &to.part, -32768, 32767,
-                  "or these parts of its first one: see above"),
-        TOOL_LIST("quadric", "A,..", &to.quadric, -1e9, 1e9,
-                  "or the quadric xx yy zz xy yz zx x y z 1"),
-        TOOL_COUNT("n", "N", &to.n, 1, 1e8, "parameters per piece, j/N (1024; of a surface 30)"),
-        TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
-        TOOL_OPTIONS_END
-    };
-    int code = tool_file_options(self, options, argc, argv, &text, &file);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    to.than = engine_find(than);
-    code    = check_options(&to, than);
-    if (code == 0)
-        code = read_content(&all, file, text);
     if (code == 0 && to.other != NULL)
         code = read_content(&other, to.other, NULL);
     if (to.n == 0)
         to.n = all.surface.count > 0 ? 30 : 1024;
     if (code == 0)
-        code = compare_types(types, &to, &all, &other, text ? "--points" : source_name(file));
+        code = compare_types(o->types, &to, &all, &other, source_given_name(&o->from));
     free_content(&all);
     free_content(&other);
     return code;
 }
 
-const tool_command command_compare = {
-    "compare", "[--num TYPE,..] [--with FILE] [FILE|-]",
-    "the error of a number type, in LSB, and where it is worst",
-    "For each curve and each way to compute it (eval: point by point, walk: forward\n"
-    "differences) prints one line: the largest and the mean error in LSB (q16: 2^-16 mm;\n"
-    "floats: of the largest coordinate), the largest in mm, its t and its axis. The input is\n"
-    "rounded to the number type first, so this measures the arithmetic. Walks follow the\n"
-    "Bezier pieces, so the rounding of the pieces counts. Arcs, whose pieces have a\n"
-    "tolerance, are not walked.\n\n"
-    "For each surface the same, on a grid; tensor products, triangles, bicubic and Coons patches\n"
-    "and spheres have a definition, others are compared with f64. With --with each curve or\n"
-    "surface is compared with that of another file at the same parameters. With --part curve k\n"
-    "is the part T[k]..T[k+1] of the first one there; a surface has u,v of its corners (0,0) and\n"
-    "(1,1), a triangle those of its three corners. With --quadric the distance from a conic,\n"
-    "cylinder, sphere or another quadric is measured, to first order.\n",
-    run_compare
+const command command_compare = {
+    .name = "compare",
+    .arguments = "[--num TYPE,..] [--with FILE] [FILE|-]",
+    .summary = "the error of a number type, in LSB, and where it is worst",
+    .detail =
+        "For each curve and each way to compute it (eval: point by point, walk: forward\n"
+        "differences) prints one line: the largest and the mean error in LSB (q16: 2^-16 mm;\n"
+        "floats: of the largest coordinate), the largest in mm, its t and its axis. The input is\n"
+        "rounded to the number type first, so this measures the arithmetic. Walks follow the\n"
+        "Bezier pieces, so the rounding of the pieces counts. Arcs, whose pieces have a\n"
+        "tolerance, are not walked.\n\n"
+        "For each surface the same, on a grid; tensor products, triangles, bicubic and Coons "
+        "patches\n"
+        "and spheres have a definition, others are compared with f64. With --with each curve or\n"
+        "surface is compared with that of another file at the same parameters. With --part curve "
+        "k\n"
+        "is the part T[k]..T[k+1] of the first one there; a surface has u,v of its corners (0,0) "
+        "and\n"
+        "(1,1), a triangle those of its three corners. With --quadric the distance from a conic,\n"
+        "cylinder, sphere or another quadric is measured, to first order.\n",
+    .options = compare_rows,
+    .size = sizeof(compare_options),
+    .run = run_compare,
 };

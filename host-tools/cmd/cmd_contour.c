@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cmd/commands.h"
 #include "geometry/surface_text.h"
 #include "num/status.h"     /* LOFT_ERR_ARG */
 
@@ -14,7 +15,6 @@
 #include "geometry/print.h"   /* print_words */
 #include "base/source.h"    /* source_name */
 #include "engine/surface.h"
-#include "base/tool.h"
 
 #define ROUGH 24        /* cells along each parameter, for the extent of a surface */
 
@@ -24,7 +24,7 @@ typedef struct {
     double tol;
     unsigned n;
     bool rows;
-    tool_list heights;
+    option_list heights;
     size_t surface;             /* the number of the current surface */
     engine_level level;         /* heights, distances or angles */
     double (*point)[ENGINE_AXES];       /* points of the curve that is followed */
@@ -139,7 +139,7 @@ static int find_heights(contouring *c, const surfaces *all, unsigned levels, dou
         extent[1] = fmax(extent[1], m.vertex[i].p[2]);
     }
     if (code == 0 && c->heights.count == 0)
-        c->heights.count = contour_heights(&m, levels, c->heights.value, TOOL_LIST_MAX);
+        c->heights.count = contour_heights(&m, levels, c->heights.value, OPTION_LIST_MAX);
     mesh_free(&m);
     return code;
 }
@@ -170,89 +170,105 @@ static int print_contours(contouring *c, const surfaces *all, unsigned levels)
 }
 
 /* Heights, or what --along and --light ask for. */
-static int take_direction(contouring *c, const tool_list *along, const tool_list *light,
+static int take_direction(contouring *c, const option_list *along, const option_list *light,
                           unsigned *levels)
 {
-    const tool_list *given = along->count ? along : light;
+    const option_list *given = along->count ? along : light;
     double length = 0;
 
     if (along->count == 0 && light->count == 0)
         return 0;
-    if (along->count > 0 && light->count > 0)
-        return tool_error(EX_USAGE, "--along and --light: give one of them");
     for (size_t i = 0; i < given->count && i < ENGINE_AXES; i++) {
         c->level.direction[i] = given->value[i];
         length += fabs(given->value[i]);
     }
-    if (given->count != 3 || !(length > 0))
+    if (!(length > 0))
         return tool_error(EX_USAGE, "--%s: give a direction X,Y,Z that is not 0",
                           along->count ? "along" : "light");
     c->level.of = along->count ? ENGINE_LEVEL_PLANE : ENGINE_LEVEL_ANGLE;
     if (along->count > 0 || c->heights.count > 0)
         return 0;
     const unsigned n = *levels ? *levels : 1;           /* angles within 0..180 */
-    for (unsigned k = 0; k < n && k < TOOL_LIST_MAX; k++)
+    for (unsigned k = 0; k < n && k < OPTION_LIST_MAX; k++)
         c->heights.value[c->heights.count++] = 180.0 * (k + 1) / (n + 1);
     *levels = 0;
     return 0;
 }
 
-static int run_contour(const tool_command *self, int argc, char **argv)
-{
-    contouring c    = { .p = { &engine_q16, true }, .tol = 0.001, .n = 128 };
-    unsigned levels = 0;
-    bool flat       = false;
-    tool_list along = { .count = 0 }, light = { .count = 0 };
-    surfaces all    = { 0 };
-    int first;
+typedef struct {
+    const char *file;
+    unsigned levels, n;         /* levels 0: not given */
+    option_list heights, along, light;
+    double tol;
+    bool csv, flat;
+    const engine *e;
+} contour_options;
 
-    const tool_option options[] = {
-        TOOL_COUNT("levels", "N", &levels, 1, 200, "about N of them, at round heights (10)"),
-        TOOL_LIST("heights", "Z,..", &c.heights, -1e5, 1e5, "at these heights"),
-        TOOL_LIST("along", "X,Y,Z", &along, -32768, 32767,
-                  "sections by planes at a right angle to this direction, not to z; heights are "
-                  "distances along it"),
-        TOOL_LIST("light", "X,Y,Z", &light, -32768, 32767,
-                  "isophotes of this direction: heights are angles between it and the normal, in "
-                  "degrees (90: the silhouette)"),
-        TOOL_COUNT("n", "N", &c.n, 3, 1024,
-                   "cells along each parameter in which they are looked for (128)"),
-        TOOL_NUMBER("tol", "MM", &c.tol, 0, 1000,
-                    "of the height; of the cosine of an angle (0.001)"),
-        TOOL_SWITCH("csv", &c.rows, "rows surface,height,curve,x,y,z, instead of .loft"),
-        TOOL_SWITCH("flat", &flat, "without z: a map, which `loft stream` draws"),
-        ENGINE_OPTION(&c.p.e, "number type (q16)"),
-        TOOL_OPTIONS_END
-    };
-    int code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (argc - first != 1)
-        return tool_error(EX_USAGE, "contour: give one file: see `loft contour --help`");
-    if (levels > 0 && c.heights.count > 0)
-        return tool_error(EX_USAGE, "--levels and --heights: give one of them");
-    code = take_direction(&c, &along, &light, &levels);
-    if (code != 0)
-        return code;
-    c.file    = source_name(argv[first]);
-    c.p.solid = !flat;
-    code = surfaces_read_only(tool_host(), &all, argv[first]);
+static const option contour_rows[] = {
+    { "levels", OPTION_INTEGER(contour_options, levels), .least = 1, .most = 200, .value = "N",
+      .help = "about N of them, at round heights (10)" },
+    { "heights", OPTION_LIST(contour_options, heights), .least = -1e5, .most = 1e5, .value = "Z,..",
+      .help = "at these heights" },
+    { "along", OPTION_LIST(contour_options, along), .least = -32768, .most = 32767,
+      .value = "X,Y,Z", .counts = "3", .remedy = "give a direction X,Y,Z that is not 0",
+      .help = "sections by planes at a right angle to this direction, not to z; heights are "
+              "distances along it" },
+    { "light", OPTION_LIST(contour_options, light), .least = -32768, .most = 32767,
+      .value = "X,Y,Z", .counts = "3", .remedy = "give a direction X,Y,Z that is not 0",
+      .help = "isophotes of this direction: heights are angles between it and the normal, in "
+              "degrees (90: the silhouette)" },
+    { "n", OPTION_INTEGER(contour_options, n), .least = 3, .most = 1024, .value = "N",
+      .standard = "128", .help = "cells along each parameter in which they are looked for" },
+    { "tol", OPTION_NUMBER(contour_options, tol), .least = 0, .most = 1000, .unit = "mm",
+      .standard = "0.001", .help = "of the height; of the cosine of an angle" },
+    { "csv", OPTION_FLAG(contour_options, csv),
+      .help = "rows surface,height,curve,x,y,z, instead of .loft" },
+    { "flat", OPTION_FLAG(contour_options, flat),
+      .help = "without z: a map, which `loft stream` draws" },
+    ENGINE_ROW(contour_options, e, "q16", "number type"),
+    { "file", OPTION_WORD(contour_options, file), .least = 1, .value = "FILE",
+      .remedy = "give one file" },
+    OPTION_EXCLUDES("levels", "heights", NULL),
+    OPTION_EXCLUDES("along", "light", NULL),
+    { 0 }
+};
+
+static int run_contour(void *options)
+{
+    const contour_options *o = options;
+    contouring c    = { .p = { o->e, !o->flat },
+                        .file = source_name(o->file),
+                        .tol = o->tol,
+                        .n = o->n,
+                        .rows = o->csv,
+                        .heights = o->heights };
+    unsigned levels = o->levels;
+    surfaces all    = { 0 };
+    int code        = take_direction(&c, &o->along, &o->light, &levels);
+
+    if (code == 0)
+        code = surfaces_read_only(tool_host(), &all, o->file);
     if (code == 0)
         code = print_contours(&c, &all, levels ? levels : 10);
     surfaces_free(&all);
     return code;
 }
 
-const tool_command command_contour = {
-    "contour", "[--levels N|--heights Z,..] [--along X,Y,Z|--light X,Y,Z] FILE|-",
-    "waterlines, plane sections, isophotes, silhouettes of surfaces",
-    "FILE has surfaces of any kind in the format of host-tools/LOFT.md. The curves of a\n"
-    "height are found on a grid of N by N cells, and their points on the surface itself, in\n"
-    "the number type. Prints a `line` in .loft for each curve, which all commands read. A\n"
-    "closed curve ends in its first point. Seen from above, with u to the right and v upward,\n"
-    "the higher side is to the left. For heights and planes the grid is made finer, up to 1024\n"
-    "cells, until no line is missing or joined otherwise; where that is not certain a warning\n"
-    "says so. Of angles a ring between the corners of a cell is not found. `loft\n"
-    "contour --flat FILE | loft stream -` draws a map.\n",
-    run_contour
+const command command_contour = {
+    .name = "contour",
+    .arguments = "[--levels N|--heights Z,..] [--along X,Y,Z|--light X,Y,Z] FILE|-",
+    .summary = "waterlines, plane sections, isophotes, silhouettes of surfaces",
+    .detail =
+        "FILE has surfaces of any kind in the format of host-tools/LOFT.md. The curves of a\n"
+        "height are found on a grid of N by N cells, and their points on the surface itself, in\n"
+        "the number type. Prints a `line` in .loft for each curve, which all commands read. A\n"
+        "closed curve ends in its first point. Seen from above, with u to the right and v upward,\n"
+        "the higher side is to the left. For heights and planes the grid is made finer, up to "
+        "1024\n"
+        "cells, until no line is missing or joined otherwise; where that is not certain a warning\n"
+        "says so. Of angles a ring between the corners of a cell is not found. `loft\n"
+        "contour --flat FILE | loft stream -` draws a map.\n",
+    .options = contour_rows,
+    .size = sizeof(contour_options),
+    .run = run_contour,
 };

@@ -3,6 +3,7 @@
  */
 #include <stdio.h>
 
+#include "cmd/commands.h"
 #include "geometry/surface_text.h"
 #include "num/status.h"     /* LOFT_SINGULAR */
 
@@ -11,12 +12,11 @@
 #include "engine/sided.h"   /* sided_has */
 #include "base/source.h"    /* source_name */
 #include "engine/surface.h"
-#include "base/tool.h"
 #include "readers.h"
 
 typedef struct {
     print_options p;
-    const tool_list *t;
+    const option_list *t;
     const char *file;
     size_t number;          /* the number of the curve */
     bool deriv, normal, curvature, frame;   /* what stands behind each point */
@@ -265,7 +265,7 @@ static int every_surface(const evaluation *v, const surfaces *all)
     return code;
 }
 
-static int eval_surfaces(const surfaces *all, const evaluation *asked, const tool_list *uv,
+static int eval_surfaces(const surfaces *all, const evaluation *asked, const option_list *uv,
                          bool of_curves)
 {
     evaluation v = *asked;
@@ -274,22 +274,18 @@ static int eval_surfaces(const surfaces *all, const evaluation *asked, const too
         return tool_error(EX_USAGE,
                           "%s: holds surfaces: --t and --shape are for curves, give --uv U,V,..",
                           v.file);
-    if (uv->count % 2 != 0)
-        return tool_error(EX_USAGE, "--uv: %zu numbers: give pairs, U,V,U,V,..", uv->count);
     v.t = uv;
     v.p.solid = true;
     return every_surface(&v, all);
 }
 
 /* Points of tetrahedra. */
-static int eval_solids(const char *file, const engine *e, const tool_list *uvw)
+static int eval_solids(const char *file, const engine *e, const option_list *uvw)
 {
     const print_options p = { e, true };
     surfaces all = { .solids = true };
     int code = surfaces_read_only(tool_host(), &all, file);
 
-    if (code == 0 && uvw->count % 3 != 0)
-        code = tool_error(EX_USAGE, "--uvw: %zu numbers: give triples, V,W,X,..", uvw->count);
     for (size_t i = 0; i < all.count && code == 0; i++) {
         const surface *s = &all.surface[i];
         if (s->kind != SURFACE_TETRA)
@@ -314,79 +310,91 @@ static int eval_solids(const char *file, const engine *e, const tool_list *uvw)
     return code;
 }
 
-static int run_eval(const tool_command *self, int argc, char **argv)
-{
-    const engine *e  = &engine_q16;
-    const char *text = NULL;
-    tool_list t = { .count = 0 }, uv = { .count = 0 }, uvw = { .count = 0 };
-    curves all       = { 0 };
-    surfaces patches = { 0 };
-    evaluation v     = { .t = &t };
-    bool shape = false;
-    const char *file;
+typedef struct {
+    source_given from;
+    option_list t, uv, uvw;
+    bool deriv, normal, curvature, frame, shape;
+    const engine *e;
+} eval_options;
 
-    const tool_option options[] = {
-        TOOL_LIST("t", "T,..", &t, -1e6, 1e6, "parameters, 0..1 on a Bezier curve (the middle)"),
-        TOOL_LIST("uv", "U,V,..", &uv, -32768, 32767,
-                  "pairs of parameters on a surface (the middle)"),
-        TOOL_LIST("uvw", "V,W,X,..", &uvw, 0, 1, "shares of T2, T3, T4 in a tetrahedron"),
-        TOOL_SWITCH("deriv", &v.deriv,
-                    "behind each point its derivatives: first to third, of an arc those of cubics; "
-                    "of a surface by u, v, uu, uv, vv"),
-        TOOL_SWITCH("normal", &v.normal,
-                    "the principal normal; of a surface its normal, Gaussian and mean curvature"),
-        TOOL_SWITCH("curvature", &v.curvature,
-                    "curvature and, in space, torsion; of a surface the principal curvatures"),
-        TOOL_SWITCH("frame", &v.frame,
-                    "Frenet's frame: tangent, normal, binormal; of a surface the directions of its "
-                    "principal curvatures"),
-        TOOL_SWITCH("shape", &shape,
-                    "not points, but the shape of each piece: its type, inflections, box"),
-        TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
-        ENGINE_OPTION(&e, "number type (q16)"),
-        TOOL_OPTIONS_END
-    };
-    int code = tool_file_options(self, options, argc, argv, &text, &file);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (shape && t.count > 0)
-        return tool_error(EX_USAGE,
-                          "--shape and --t: give one of them: a shape is that of the whole curve");
-    if (uvw.count > 0)
-        return eval_solids(text ? "-" : file, e, &uvw);
-    v.p.e  = e;
-    v.file = text ? "--points" : source_name(file);
-    if (text == NULL)
-        code = surfaces_read(tool_host(), &patches, file);
-    if (code == 0 && patches.count > 0) {
-        code = eval_surfaces(&patches, &v, &uv, shape || t.count > 0);
-        surfaces_free(&patches);
-        return code;
-    }
-    surfaces_free(&patches);
-    if (code == 0 && uv.count > 0)
-        code = tool_error(EX_USAGE, "--uv: is for surfaces: curves have one parameter, --t");
-    if (code == 0)
-        code = curves_read(tool_host(), &all, file, text);
-    if (code == 0) {
-        v.p.solid = all.solid;
-        code = every_curve(&v, &all, shape);
-    }
+static const option eval_rows[] = {
+    { "t", OPTION_LIST(eval_options, t), .least = -1e6, .most = 1e6, .value = "T,..",
+      .help = "parameters, 0..1 on a Bezier curve (the middle)" },
+    { "uv", OPTION_LIST(eval_options, uv), .least = -32768, .most = 32767, .value = "U,V,..",
+      .counts = "2n", .remedy = "give pairs, U,V,U,V,..",
+      .help = "pairs of parameters on a surface (the middle)" },
+    { "uvw", OPTION_LIST(eval_options, uvw), .least = 0, .most = 1, .value = "V,W,X,..",
+      .counts = "3n", .remedy = "give triples, V,W,X,..",
+      .help = "shares of T2, T3, T4 in a tetrahedron" },
+    { "deriv", OPTION_FLAG(eval_options, deriv),
+      .help = "behind each point its derivatives: first to third, of an arc those of cubics; of a "
+              "surface by u, v, uu, uv, vv" },
+    { "normal", OPTION_FLAG(eval_options, normal),
+      .help = "the principal normal; of a surface its normal, Gaussian and mean curvature" },
+    { "curvature", OPTION_FLAG(eval_options, curvature),
+      .help = "curvature and, in space, torsion; of a surface the principal curvatures" },
+    { "frame", OPTION_FLAG(eval_options, frame),
+      .help = "Frenet's frame: tangent, normal, binormal; of a surface the directions of its "
+              "principal curvatures" },
+    { "shape", OPTION_FLAG(eval_options, shape),
+      .help = "not points, but the shape of each piece: its type, inflections, box" },
+    OPTION_GROUP(eval_options, from, source_rows),
+    ENGINE_ROW(eval_options, e, "q16", "number type"),
+    OPTION_EXCLUDES("shape", "t", "a shape is that of the whole curve"),
+    { 0 }
+};
+
+static int eval_curves(const eval_options *o, evaluation *v)
+{
+    curves all = { 0 };
+
+    if (o->uv.count > 0)
+        return tool_error(EX_USAGE, "--uv: is for surfaces: curves have one parameter, --t");
+    const int code = curves_read(tool_host(), &all, o->from.file, o->from.points);
+    v->p.solid     = all.solid;
+    const int done = code == 0 ? every_curve(v, &all, o->shape) : code;
     curves_free(&all);
+    return done;
+}
+
+static int run_eval(void *options)
+{
+    const eval_options *o = options;
+    surfaces patches      = { 0 };
+    evaluation v          = { .p = { .e = o->e },
+                              .t = &o->t,
+                              .file = source_given_name(&o->from),
+                              .deriv = o->deriv,
+                              .normal = o->normal,
+                              .curvature = o->curvature,
+                              .frame = o->frame };
+
+    if (o->uvw.count > 0)
+        return eval_solids(o->from.file, o->e, &o->uvw);
+    int code = o->from.points ? 0 : surfaces_read(tool_host(), &patches, o->from.file);
+    if (code == 0)
+        code = patches.count > 0 ? eval_surfaces(&patches, &v, &o->uv, o->shape || o->t.count > 0)
+                                 : eval_curves(o, &v);
+    surfaces_free(&patches);
     return code;
 }
 
-const tool_command command_eval = { "eval", "[--t T,..|--uv U,V,..] [FILE|-]",
-                                    "points of a curve or a surface, or what a curve looks like",
-                                    "FILE has one control point per line, `x y` or `x y z` (an "
-                                    "empty line ends a curve), or curves of any kind in the\n"
-                                    "format of host-tools/LOFT.md. Prints one point per parameter. "
-                                    "A parameter is the curve's own: 0..1 for Bezier\n"
-                                    "curves, 0..n over the n pieces of a spline, the knots of a "
-                                    "B-spline. With --shape prints one line per piece: its\n"
-                                    "number and kind, what it is as a cubic in the plane of x and "
-                                    "y (decided exactly) and where, the smallest box around\n"
-                                    "it, or, if it has weights, around its control points. Of "
-                                    "surfaces (the same format) prints one point per pair --uv, of "
-                                    "tetra per triple --uvw.\n",
-                                    run_eval };
+const command command_eval = {
+    .name = "eval",
+    .arguments = "[--t T,..|--uv U,V,..] [FILE|-]",
+    .summary = "points of a curve or a surface, or what a curve looks like",
+    .detail = "FILE has one control point per line, `x y` or `x y z` (an "
+        "empty line ends a curve), or curves of any kind in the\n"
+        "format of host-tools/LOFT.md. Prints one point per parameter. "
+        "A parameter is the curve's own: 0..1 for Bezier\n"
+        "curves, 0..n over the n pieces of a spline, the knots of a "
+        "B-spline. With --shape prints one line per piece: its\n"
+        "number and kind, what it is as a cubic in the plane of x and "
+        "y (decided exactly) and where, the smallest box around\n"
+        "it, or, if it has weights, around its control points. Of "
+        "surfaces (the same format) prints one point per pair --uv, of "
+        "tetra per triple --uvw.\n",
+    .options = eval_rows,
+    .size = sizeof(eval_options),
+    .run = run_eval,
+};

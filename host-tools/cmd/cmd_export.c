@@ -10,12 +10,12 @@
 #include <string.h>
 #include <strings.h>
 
+#include "cmd/commands.h"
 #include "base/create.h"      /* create_refused */
 #include "base/c_name.h"
 #include "base/say.h"
 #include "base/source.h"        /* source_name */
 #include "base/spool.h"         /* spool_passed */
-#include "base/tool.h"
 #include "draw/export.h"
 #include "plan/planning.h"
 #include "read/drawing.h"
@@ -143,34 +143,21 @@ static void write_table(const drawing *d, const char *output, FILE *out)
 
 typedef struct {
     planning p;
-    const char *output, *as, *curves, *file;
+    const char *output, *as, *file;
+    int curves;                 /* enum gcode_curves */
     drawing_names layers;       /* of an SVG */
 } export_wishes;
-
-static bool curves_of(const export_wishes *w, enum gcode_curves *out)
-{
-    static const char *const names[] = {
-        [GCODE_ARCS] = "arcs", [GCODE_G5] = "g5", [GCODE_CHORDS] = "lines"
-    };
-
-    for (int i = 0; i < 3; i++)
-        if (strcmp(w->curves, names[i]) == 0) {
-            *out = (enum gcode_curves)i;
-            return true;
-        }
-    return false;
-}
 
 /* From 0, 0, 0. Travels are G0. */
 static int write_gcode(const export_wishes *w, const drawing *d, FILE *out)
 {
     const toolpath_options how = planning_path(&w->p);
-    gcode_options as = { .tol = (w->p.tol - w->p.smoothed) / 2, .rapids = true };
+    const gcode_options as = { .tol = (w->p.tol - w->p.smoothed) / 2,
+                               .curves = (enum gcode_curves)w->curves,
+                               .rapids = true };
     toolpath path;
     gcode lines;
 
-    if (!curves_of(w, &as.curves))
-        return tool_error(EX_USAGE, "--curves %s: give arcs, g5 or lines", w->curves);
     toolpath_make(&path, d, &how);
     gcode_make(&lines, &path, &as);
     for (size_t i = 0; i < lines.count; spool_passed(i++))
@@ -237,39 +224,66 @@ static int write_file(const export_wishes *w, enum form form, const drawing *d,
     return code;
 }
 
-static int run(const tool_command *self, int argc, char **argv)
-{
-    export_wishes w = { .curves = "arcs" };
-    drawing d       = { .named = &w.layers }, smooth = { 0 };
-    int code        = planning_start(&w.p, argc, argv);
+typedef struct {
+    const char *file, *output, *as;
+    int curves;                 /* enum gcode_curves */
+    double tol, smooth, feed, lift;
+    page_options sheet;
+    order_options order;
+    gcode_choice program;
+} export_command;
 
-    if (code != 0)
-        return code;
-    const tool_option options[] = {
-        TOOL_TEXT("output", "FILE", &w.output,
-                  "or -o: .h .nc .ngc .gcode .svg .csv .loft .hpgl or .plt (standard output)"),
-        TOOL_TEXT("as", "END", &w.as, "the form, as nc, whatever the name of the file (h)"),
-        TOOL_TEXT("curves", "arcs|g5|lines", &w.curves, "of G-code (arcs)"),
-        TOOL_NUMBER("tol", "MM", &w.p.tol, 0.0005, 1, "how far arcs and chords may be off (0.005)"),
-        TOOL_NUMBER("smooth", "MM", &w.p.smooth, 0, 1,
-                    "of this tolerance, for chains of short lines to become curves, in G-code (a "
-                    "fifth)"),
-        TOOL_SPEED("feed", &w.p.feed, 0.016, 1000, "of G-code, pen down (30)"),
-        TOOL_NUMBER("lift", "MM", &w.p.lift, 0, 100, "of G-code: height while travelling (1)"),
-        PAGE_OPTIONS(&w.p.sheet),
-        ORDER_OPTIONS(&w.p.order),
-        GCODE_OPTIONS(&w.p.dialect, &w.p.from_line),
-        TOOL_OPTIONS_END
-    };
-    code = tool_file_options(self, options, argc, argv, NULL, &w.file);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
+static const option export_rows[] = {
+    { "output", OPTION_FILE(export_command, output), .value = "FILE",
+      .help = "or -o: .h .nc .ngc .gcode .svg .csv .loft .hpgl or .plt (standard output)" },
+    { "as", OPTION_TEXT(export_command, as), .value = "END",
+      .help = "the form, as nc, whatever the name of the file (h)" },
+    { "curves", OPTION_CHOICE(export_command, curves), .choices = "arcs|g5|lines",
+      .standard = "arcs", .help = "of G-code" },
+    { "tol", OPTION_NUMBER(export_command, tol), .least = 0.0005, .most = 1, .unit = "mm",
+      .standard = "0.005", .help = "how far arcs and chords may be off" },
+    { "smooth", OPTION_NUMBER(export_command, smooth), .least = 0, .most = 1, .unit = "mm",
+      .unset = -1,
+      .help =
+          "of this tolerance, for chains of short lines to become curves, in G-code (a fifth)" },
+    { "feed", OPTION_NUMBER(export_command, feed), .least = 0.016, .most = 1000, .unit = "mm/s",
+      .standard = "30", .help = "of G-code, pen down" },
+    { "lift", OPTION_NUMBER(export_command, lift), .least = 0, .most = 100, .unit = "mm",
+      .standard = "1", .help = "of G-code: height while travelling" },
+    OPTION_GROUP(export_command, sheet, page_rows),
+    OPTION_GROUP(export_command, order, order_rows),
+    OPTION_GROUP(export_command, program, gcode_rows),
+    { "file", OPTION_WORD(export_command, file), .value = "DRAWING", .standard = "-" },
+    { 0 }
+};
+
+static export_wishes wishes_of(const export_command *o)
+{
+    export_wishes w = { .output = o->output, .as = o->as, .file = o->file, .curves = o->curves };
+
+    (void)planning_usual(&w.p, NULL);
+    w.p.e       = &engine_f64;
+    w.p.tol     = o->tol;
+    w.p.smooth  = o->smooth;
+    w.p.feed    = o->feed;
+    w.p.lift    = o->lift;
+    w.p.sheet   = o->sheet;
+    w.p.order   = o->order;
+    w.p.program = o->program;
+    return w;
+}
+
+static int run_export(void *options)
+{
+    const export_command *o = options;
+    export_wishes w         = wishes_of(o);
+    drawing d = { .named = &w.layers }, smooth = { 0 };
+
     const enum form form = form_of(&w);
     if (form == FORMS)
         return tool_error(EX_USAGE, "%s %s: give h, nc, svg, csv, loft or hpgl as its end",
                           w.as ? "--as" : "-o", w.as ? w.as : w.output);
-    w.p.e = &engine_f64;
-    code  = planning_read(&w.p, &d, &smooth, w.file);
+    int code = planning_read(&w.p, &d, &smooth, w.file);
     if (code == 0)
         code = write_file(&w, form, &d, &smooth);
     drawing_names_free(&w.layers);
@@ -278,12 +292,19 @@ static int run(const tool_command *self, int argc, char **argv)
     return code;
 }
 
-const tool_command command_export = {
-    "export", "[-o FILE] [DRAWING|-]", "a drawing as G-code, HP-GL, SVG, numbers or a table in C",
-    "The end of FILE tells the form. .nc: arcs, G5 or lines within the tolerance, at feeds and\n"
-    "heights. .svg, .csv, .loft: the curves themselves, .svg in the layers of Inkscape in which\n"
-    "they were. .hpgl, .plt: chords. .h: a table for the flash of a chip with the name of the\n"
-    "file, which lib/curve/drawing.h reads curve by curve:\n"
-    "12 bytes a curve, 4 a line; coordinates have 16 bits.\n",
-    run
+const command command_export = {
+    .name = "export",
+    .arguments = "[-o FILE] [DRAWING|-]",
+    .summary = "a drawing as G-code, HP-GL, SVG, numbers or a table in C",
+    .detail =
+        "The end of FILE tells the form. .nc: arcs, G5 or lines within the tolerance, at feeds "
+        "and\n"
+        "heights. .svg, .csv, .loft: the curves themselves, .svg in the layers of Inkscape in "
+        "which\n"
+        "they were. .hpgl, .plt: chords. .h: a table for the flash of a chip with the name of the\n"
+        "file, which lib/curve/drawing.h reads curve by curve:\n"
+        "12 bytes a curve, 4 a line; coordinates have 16 bits.\n",
+    .options = export_rows,
+    .size = sizeof(export_command),
+    .run = run_export,
 };

@@ -6,12 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cmd/commands.h"
 #include "num/status.h"         /* LOFT_SINGULAR */
 
 #include "base/scan.h"          /* scan_numbers */
 #include "base/source.h"        /* source_read */
 #include "base/space.h"         /* space_distance */
-#include "base/tool.h"
 #include "engine/engine.h"
 #include "geometry/print.h"       /* print_point */
 #include "fit/grid_fit.h"
@@ -284,43 +284,48 @@ static int fit_text(fitting *x, const char *text)
     return code;
 }
 
-static int run_fit(const tool_command *self, int argc, char **argv)
-{
-    const engine *e = &engine_f64;
-    double tol = 0.01, corner = 50;
-    unsigned degree = 3;
-    bool close = false, surface = false;
+typedef struct {
     const char *file;
+    double tol, corner;         /* mm, degrees */
+    unsigned degree;
+    bool surface, closed;
+    const engine *e;
+} fit_options;
+
+static const option fit_rows[] = {
+    { "tol", OPTION_NUMBER(fit_options, tol), .least = 1e-6, .most = TOL_MOST, .unit = "mm",
+      .standard = "0.01", .help = "no point is farther from its curve" },
+    { "degree", OPTION_INTEGER(fit_options, degree), .least = 1, .most = 9, .value = "N",
+      .standard = "3", .help = "of the curves" },
+    { "corner", OPTION_NUMBER(fit_options, corner), .least = 0, .most = 181, .value = "DEGREES",
+      .unit = "deg", .standard = "50",
+      .help = "points that turn by more stay corners; 181: none does" },
+    { "surface", OPTION_FLAG(fit_options, surface),
+      .help = "rows of equal length are a grid, one row is points in no order: the surface near "
+              "them" },
+    { "closed", OPTION_FLAG(fit_options, closed), .help = "each row goes on to its first point" },
+    ENGINE_ROW(fit_options, e, "f64", "number type"),
+    { "file", OPTION_WORD(fit_options, file), .value = "FILE", .standard = "-" },
+    { 0 }
+};
+
+static int run_fit(void *options)
+{
+    const fit_options *o = options;
     size_t size;
     int code;
 
-    const tool_option options[] = {
-        TOOL_NUMBER("tol", "MM", &tol, 1e-6, TOL_MOST, "no point is farther from its curve (0.01)"),
-        TOOL_COUNT("degree", "N", &degree, 1, 9, "of the curves (3)"),
-        TOOL_NUMBER("corner", "DEGREES", &corner, 0, 181,
-                    "points that turn by more stay corners; 181: none does (50)"),
-        TOOL_SWITCH(
-            "surface", &surface,
-            "rows of equal length are a grid, one row is points in no order: the surface near "
-            "them"),
-        TOOL_SWITCH("closed", &close, "each row goes on to its first point"),
-        ENGINE_OPTION(&e, "number type (f64)"),
-        TOOL_OPTIONS_END
-    };
-    code = tool_file_options(self, options, argc, argv, NULL, &file);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    char *text = source_read(tool_host(), file, &size, &code);
+    char *text = source_read(tool_host(), o->file, &size, &code);
     if (text == NULL)
         return code;
-    fitting x = { .o = { tol, corner / 180 * acos(-1), degree },
-                  .p = { e, false },
-                  .f = { .e = e },
-                  .file = source_name(file),
-                  .close = close,
-                  .surface = surface };
+    fitting x = { .o = { o->tol, o->corner / 180 * acos(-1), o->degree },
+                  .p = { o->e, false },
+                  .f = { .e = o->e },
+                  .file = source_name(o->file),
+                  .close = o->closed,
+                  .surface = o->surface };
     code = fit_text(&x, text);
-    if (code == 0 && surface)
+    if (code == 0 && o->surface)
         code = fit_surface(&x);
     grid_fit_free(&x.grid);
     spline_fit_free(&x.f);
@@ -329,15 +334,26 @@ static int run_fit(const tool_command *self, int argc, char **argv)
     return code;
 }
 
-const tool_command command_fit = {
-    "fit", "[--tol MM] [FILE|-]", "curves and surfaces near measured points",
-    "FILE has one point per line: x,y or x,y,z, also with blanks or semicolons; a first line of\n"
-    "names and what follows # do not count. An empty line ends a row of points; a row whose last\n"
-    "point is its first one is closed. Prints B-splines in the format of host-tools/LOFT.md, in\n"
-    "the order of the points: by least squares, with as many knots as the tolerance takes. Points\n"
-    "that are noisier than --tol, or too few, are refused with a --tol that suffices. The curves\n"
-    "begin and end in points and corners; closed rows without a corner have a smooth seam.\n"
-    "With --surface the rows are a grid, v along them: prints the nurbs-surface near it. One row\n"
-    "alone is points in no order, 4 to 20000, of a surface that a plane shows without folds.\n",
-    run_fit
+const command command_fit = {
+    .name = "fit",
+    .arguments = "[--tol MM] [FILE|-]",
+    .summary = "curves and surfaces near measured points",
+    .detail =
+        "FILE has one point per line: x,y or x,y,z, also with blanks or semicolons; a first line "
+        "of\n"
+        "names and what follows # do not count. An empty line ends a row of points; a row whose "
+        "last\n"
+        "point is its first one is closed. Prints B-splines in the format of host-tools/LOFT.md, "
+        "in\n"
+        "the order of the points: by least squares, with as many knots as the tolerance takes. "
+        "Points\n"
+        "that are noisier than --tol, or too few, are refused with a --tol that suffices. The "
+        "curves\n"
+        "begin and end in points and corners; closed rows without a corner have a smooth seam.\n"
+        "With --surface the rows are a grid, v along them: prints the nurbs-surface near it. One "
+        "row\n"
+        "alone is points in no order, 4 to 20000, of a surface that a plane shows without folds.\n",
+    .options = fit_rows,
+    .size = sizeof(fit_options),
+    .run = run_fit,
 };

@@ -4,12 +4,12 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "cmd/commands.h"
 #include "num/status.h"     /* LOFT_ERR_RANGE */
 
 #include "engine/piece.h"
 #include "geometry/print.h"
-#include "base/source.h"         /* source_name */
-#include "base/tool.h"
+#include "base/source.h"         /* source_given */
 #include "readers.h"
 
 typedef struct {
@@ -51,39 +51,45 @@ static int flatten(void *context, const curve *c, engine_curve *held)
     return f->status;
 }
 
-static int run_flatten(const tool_command *self, int argc, char **argv)
+typedef struct {
+    source_given from;
+    double tol;         /* mm */
+    const engine *e;
+} flatten_options;
+
+static const option flatten_rows[] = {
+    { "tol", OPTION_NUMBER(flatten_options, tol), .least = 1e-6, .most = 1000, .unit = "mm",
+      .standard = "0.01", .help = "largest distance of a chord from its curve, rounding included" },
+    OPTION_GROUP(flatten_options, from, source_rows),
+    ENGINE_ROW(flatten_options, e, "q16", "number type"),
+    { 0 }
+};
+
+static int run_flatten(void *options)
 {
-    const engine *e  = &engine_q16;
-    const char *text = NULL;
-    double tol       = 0.01;
-    curves all       = { 0 };
-    const char *file;
+    const flatten_options *o = options;
+    curves all               = { 0 };
+    int code                 = curves_read(tool_host(), &all, o->from.file, o->from.points);
 
-    const tool_option options[] = {
-        TOOL_NUMBER("tol", "MM", &tol, 1e-6, 1000,
-                    "largest distance of a chord from its curve, rounding included (0.01)"),
-        TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
-        ENGINE_OPTION(&e, "number type (q16)"), TOOL_OPTIONS_END
-    };
-    int code = tool_file_options(self, options, argc, argv, &text, &file);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-
-    code = curves_read(tool_host(), &all, file, text);
     if (code == 0) {
-        flattening f = { .p = { e, all.solid }, .tol = tol };
+        flattening f = { .p = { o->e, all.solid }, .tol = o->tol };
         char words[40];
-        snprintf(words, sizeof words, ", --tol %g", tol);
-        code = print_chain(&f.p, &all, text ? "--points" : source_name(file), words, flatten, &f);
+        snprintf(words, sizeof words, ", --tol %g", o->tol);
+        code = print_chain(&f.p, &all, source_given_name(&o->from), words, flatten, &f);
     }
     curves_free(&all);
     return code;
 }
 
-const tool_command command_flatten = {
-    "flatten", "[--tol MM] [DRAWING|-]", "chords that stay within a tolerance of the curve",
-    "DRAWING is an SVG file, curves of any kind (host-tools/LOFT.md), lines of eight numbers (a "
-    "cubic each), or control\n"
-    "points, one per line. Prints one point per line, an empty line between paths.\n",
-    run_flatten
+const command command_flatten = {
+    .name = "flatten",
+    .arguments = "[--tol MM] [DRAWING|-]",
+    .summary = "chords that stay within a tolerance of the curve",
+    .detail = "DRAWING is an SVG file, curves of any kind (host-tools/LOFT.md), lines of eight "
+              "numbers (a "
+        "cubic each), or control\n"
+        "points, one per line. Prints one point per line, an empty line between paths.\n",
+    .options = flatten_rows,
+    .size = sizeof(flatten_options),
+    .run = run_flatten,
 };

@@ -5,11 +5,13 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "cmd/commands.h"
 #include "base/scan.h"           /* scan_number */
-#include "base/tool.h"
 #include "send/mover.h"
 
-#define FEED "mm/s, or as 1200mm/min (100)"
+#define FEED_ROW(s)                                                                                \
+    { "feed", OPTION_NUMBER(s, feed), .least = 0.016, .most = 1000, .unit = "mm/s",                \
+      .standard = "100", .help = "mm/s, or as 1200mm/min" }
 
 /* `10,20`, `,,5`: an axis without a number stays. */
 static int take_place(const char *text, double to[ENGINE_AXES])
@@ -28,134 +30,145 @@ static int take_place(const char *text, double to[ENGINE_AXES])
     return tool_error(EX_USAGE, "%s: give a place in mm as X,Y or X,Y,Z: ,,5 moves z alone", text);
 }
 
-/* A place that begins with a minus is no option; it comes first. */
-static const char *negative_place(int *argc, char ***argv)
-{
-    char **at = *argv;
+typedef struct {
+    mover_options move;
+    const char *place;
+    double feed;                /* mm/s */
+    bool by;
+} go_options;
 
-    if (*argc < 2 || at[1][0] != '-' || at[1][1] == '\0' || !strchr("0123456789.", at[1][1]))
-        return NULL;
-    const char *place = at[1];
-    at[1] = at[0];
-    (*argc)--;
-    (*argv)++;
-    return place;
-}
+static const option go_rows[] = { { "place", OPTION_WORD(go_options, place), .least = 1,
+                                    .value = "X,Y[,Z]", .remedy = "name one place, as 10,20" },
+    OPTION_GROUP(go_options, move, mover_rows),
+    FEED_ROW(go_options),
+                                  { "by", OPTION_FLAG(go_options, by),
+                                    .help = "by so much from where the tool is" },
+                                  { 0 } };
 
-static int run_go(const tool_command *self, int argc, char **argv)
+static int run_go(void *options)
 {
-    const char *place = negative_place(&argc, &argv);
+    const go_options *o = options;
     double to[ENGINE_AXES];
-    bool by = false;
-    mover v;
-    int first, code = mover_start(&v, argc, argv);
+    mover v  = { .at = { 0 } };
+    int code = take_place(o->place, to);
 
-    if (code != 0)
-        return code;
-    const tool_option options[] = { MOVER_OPTIONS(v),
-        TOOL_SPEED("feed", &v.p.travel, 0.016, 1000, FEED),
-        TOOL_SWITCH("by", &by, "by so much from where the tool is"),
-                                    TOOL_OPTIONS_END };
-    code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if ((place == NULL) != (first + 1 == argc))
-        return tool_error(EX_USAGE, "name one place, as 10,20: see `loft go --help`");
-    code = take_place(place ? place : argv[first], to);
     if (code == 0)
-        code = mover_open(&v);
+        code = mover_open(&v, &o->move, false);
     for (int i = 0; i < ENGINE_AXES; i++)
-        to[i] = isnan(to[i]) ? v.at[i] : to[i] + (by ? v.at[i] : 0);
+        to[i] = isnan(to[i]) ? v.at[i] : to[i] + (o->by ? v.at[i] : 0);
     if (code == 0)
-        code = mover_told(&v, mover_to(&v, to, v.p.travel));
+        code = mover_told(&v, mover_to(&v, to, o->feed));
     mover_close(&v);
     return code;
 }
 
-const tool_command command_go = {
-    "go", "X,Y[,Z] --port PORT", "move the tool straight to a place",
-    "Places are in mm, as of the drawing; an axis without a number stays: ,,5 moves z alone. A\n"
-    "place that begins with a minus comes first: loft go -5,3 --port PORT. Nothing lifts the pen:\n"
-    "see `loft pen up`. A place beyond the table of the machine file is refused, and so is a move\n"
-    "that does not lead away from a closed limit switch.\n",
-    run_go
+const command command_go = {
+    .name = "go",
+    .arguments = "X,Y[,Z] --port PORT",
+    .summary = "move the tool straight to a place",
+    .detail = "Places are in mm, as of the drawing; an axis without a number stays: ,,5 moves z "
+              "alone. A\n"
+              "place that begins with a minus comes first: loft go -5,3 --port PORT. Nothing lifts "
+              "the pen:\n"
+              "see `loft pen up`. A place beyond the table of the machine file is refused, and so "
+              "is a move\n"
+        "that does not lead away from a closed limit switch.\n",
+    .options = go_rows,
+    .size = sizeof(go_options),
+    .run = run_go,
+    .talks = true,
 };
 
 
 // Pen and park
 // ------------
 
-static int lift_pen(mover *v, double z)
+typedef struct {
+    mover_options move;
+    const char *way;            /* "up", "down" */
+    double feed;                /* mm/s */
+} pen_options;
+
+static const option pen_rows[] = { { "way", OPTION_WORD(pen_options, way), .least = 1,
+                                     .value = "up|down", .choices = "up|down",
+      .remedy = "give up or down" },
+    OPTION_GROUP(pen_options, move, mover_rows),
+    FEED_ROW(pen_options),
+                                   { 0 } };
+
+static int lift_pen(mover *v, double z, double feed)
 {
     const double to[ENGINE_AXES] = { v->at[0], v->at[1], z };
 
-    return mover_to(v, to, v->p.travel);
+    return mover_to(v, to, feed);
 }
 
-/* Read the options of a command that moves z or parks: argv[*first] is what follows them. */
-static int begin(const tool_command *self, int argc, char **argv, mover *v, int *first)
+static int run_pen(void *options)
 {
-    const int code              = mover_start(v, argc, argv);
-    const tool_option options[] = { MOVER_OPTIONS(*v),
-                                    TOOL_SPEED("feed", &v->p.travel, 0.016, 1000, FEED),
-                                    TOOL_OPTIONS_END };
+    const pen_options *o = options;
+    mover v              = { .at = { 0 } };
+    int code             = mover_open(&v, &o->move, false);
+    const double z       = strcmp(o->way, "up") == 0 ? v.p.machine.pen_up : v.p.machine.pen_down;
 
-    return code ? code : tool_options(self, options, argc, argv, first);
-}
-
-static int run_pen(const tool_command *self, int argc, char **argv)
-{
-    mover v;
-    int first, code = begin(self, argc, argv, &v, &first);
-
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    const bool up = first + 1 == argc && strcmp(argv[first], "up") == 0;
-    if (!up && (first + 1 != argc || strcmp(argv[first], "down") != 0))
-        return tool_error(EX_USAGE, "give up or down: see `loft pen --help`");
-    code = mover_open(&v);
     if (code == 0)
-        code = mover_told(&v, lift_pen(&v, up ? v.p.machine.pen_up : v.p.machine.pen_down));
+        code = mover_told(&v, lift_pen(&v, z, o->feed));
     mover_close(&v);
     return code;
 }
 
-const tool_command command_pen = {
-    "pen", "up|down --port PORT", "lift the pen, or put it down",
-    "It moves z to pen_up or pen_down of the machine file: 1 and 0 mm without one.\n", run_pen
+const command command_pen = {
+    .name = "pen",
+    .arguments = "up|down --port PORT",
+    .summary = "lift the pen, or put it down",
+    .detail = "It moves z to pen_up or pen_down of the machine file: 1 and 0 mm without one.\n",
+    .options = pen_rows,
+    .size = sizeof(pen_options),
+    .run = run_pen,
+    .talks = true,
 };
 
-static int park(mover *v)
+static int park(mover *v, double feed)
 {
     const machine_file *m        = &v->p.machine;
     const double to[ENGINE_AXES] = { m->park[0], m->park[1], fmax(v->at[2], m->pen_up) };
-    const int code               = lift_pen(v, to[2]);
+    const int code               = lift_pen(v, to[2], feed);
 
-    return code ? code : mover_to(v, to, v->p.travel);
+    return code ? code : mover_to(v, to, feed);
 }
 
-static int run_park(const tool_command *self, int argc, char **argv)
-{
-    mover v;
-    int first, code = begin(self, argc, argv, &v, &first);
+typedef struct {
+    mover_options move;
+    double feed;                /* mm/s */
+} park_options;
 
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (first < argc)
-        return tool_error(EX_USAGE,
-                          "%s: park takes no place: give x.park and y.park in the machine "
-                          "file",
-                          argv[first]);
-    code = mover_open(&v);
+static const option park_rows[] = {
+    OPTION_GROUP(park_options, move, mover_rows),
+    FEED_ROW(park_options),
+    OPTION_NO_WORDS("park takes no place: give x.park and y.park in the machine file"),
+    { 0 }
+};
+
+static int run_park(void *options)
+{
+    const park_options *o = options;
+    mover v               = { .at = { 0 } };
+    int code              = mover_open(&v, &o->move, false);
+
     if (code == 0)
-        code = mover_told(&v, park(&v));
+        code = mover_told(&v, park(&v, o->feed));
     mover_close(&v);
     return code;
 }
 
-const tool_command command_park = {
-    "park", "--port PORT", "lift the pen and go to the place for resting",
-    "First z goes up to pen_up, if it is below; then x and y go to x.park and y.park of the\n"
-    "machine file: 0,0 without one.\n",
-    run_park
+const command command_park = {
+    .name = "park",
+    .arguments = "--port PORT",
+    .summary = "lift the pen and go to the place for resting",
+    .detail =
+        "First z goes up to pen_up, if it is below; then x and y go to x.park and y.park of the\n"
+        "machine file: 0,0 without one.\n",
+    .options = park_rows,
+    .size = sizeof(park_options),
+    .run = run_park,
+    .talks = true,
 };

@@ -8,12 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cmd/commands.h"
 #include "engine/engine_harmonic.h"    /* harmonic_solve; the domain that judges polygons */
 #include "base/create.h"      /* create_refused */
 #include "base/c_name.h"
 #include "base/lines.h"
 #include "base/source.h"
-#include "base/tool.h"
 
 typedef struct {
     lines at;
@@ -175,69 +175,87 @@ static int write_table(const harmonic_series *s, const engine *e, const char *ou
                : tool_error(EX_IOERR, "%s: cannot be written: is the disk full?", output);
 }
 
-static int run(const tool_command *self, int argc, char **argv)
+typedef struct {
+    const char *file, *output;
+    option_list at;
+    const engine *e;
+} harmonic_options;
+
+static const option harmonic_rows[] = {
+    { "output", OPTION_FILE(harmonic_options, output), .value = "FILE",
+      .help = "or -o: where the table goes, .h (C, for the number type) or .csv" },
+    { "at", OPTION_LIST(harmonic_options, at), .least = -32768, .most = 32767, .value = "X,Y",
+      .counts = "2", .help = "print the coordinates of this point, inside or on the boundary" },
+    ENGINE_ROW(harmonic_options, e, "q16", "number type of the table"),
+    { "file", OPTION_WORD(harmonic_options, file), .value = "POLYGON", .standard = "-" },
+    { 0 }
+};
+
+/* What is known of the table, or the coordinates of a point. */
+static void print_series(const harmonic_options *o, const harmonic_series *s, long double error)
 {
-    const engine *e    = &engine_q16;
-    const char *output = NULL;
-    tool_list at       = { .count = 0 };
-    harmonic_series s;
-    reading r          = { .n = 0 };
-    const char *file;
+    long double phi[HARMONIC_SIDES];
 
-    const tool_option options[] = {
-        TOOL_TEXT("output", "FILE", &output,
-                  "or -o: where the table goes, .h (C, for the number type) or .csv"),
-        TOOL_LIST("at", "X,Y", &at, -32768, 32767,
-                  "print the coordinates of this point, inside or on the boundary"),
-        ENGINE_OPTION(&e, "number type of the table (q16)"), TOOL_OPTIONS_END
-    };
-    int code = tool_file_options(self, options, argc, argv, NULL, &file);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (at.count != 0 && at.count != 2)
-        return tool_error(EX_USAGE, "--at: %zu numbers: give X,Y", at.count);
-    if ((code = create_check(tool_host(), output)) != 0)
-        return code;
-    code = read_polygon(&r, file);
-    round_vertices(&r, e);
-    if (code == 0)
-        code = judge(&r, source_name(file));
-    if (code != 0)
-        return code;
-
-    const harmonic_target target = e == &engine_q16   ? HARMONIC_TARGET_Q16
-                                   : e == &engine_f32 ? HARMONIC_TARGET_F32
-                                                      : HARMONIC_TARGET_F64;
-    harmonic_solve(r.v, r.n, target, &s);
-    const long double error = s.bound + s.weight * HARMONIC_ROUNDING;
-    if (at.count == 2) {
-        long double phi[HARMONIC_SIDES];
-        harmonic_at(&s, at.value, phi);
-        for (unsigned i = 0; i < s.sides; i++)
-            printf("%s%.15Lg", i ? "," : "", phi[i]);
-        printf("\n");
-    } else {
+    if (o->at.count == 0) {
         printf("error at most %.2Lg, proved on the whole boundary from %u points; %u terms "
                "(polynomial of degree %u, %u poles), table of %u bytes\n",
-               error, s.points, s.terms, s.degree, s.pole_count,
-               s.terms * s.sides * 8 + s.pole_count * 24);
+               error, s->points, s->terms, s->degree, s->pole_count,
+               s->terms * s->sides * 8 + s->pole_count * 24);
+        return;
     }
-    if (output != NULL)
-        code = write_table(&s, e, output);
+    harmonic_at(s, o->at.value, phi);
+    for (unsigned i = 0; i < s->sides; i++)
+        printf("%s%.15Lg", i ? "," : "", phi[i]);
+    printf("\n");
+}
+
+static int solve(const harmonic_options *o, reading *r)
+{
+    const harmonic_target target = o->e == &engine_q16   ? HARMONIC_TARGET_Q16
+                                   : o->e == &engine_f32 ? HARMONIC_TARGET_F32
+                                                         : HARMONIC_TARGET_F64;
+    harmonic_series s;
+    int code = 0;
+
+    harmonic_solve(r->v, r->n, target, &s);
+    const long double error = s.bound + s.weight * HARMONIC_ROUNDING;
+    print_series(o, &s, error);
+    if (o->output != NULL)
+        code = write_table(&s, o->e, o->output);
     harmonic_free(&s);
     if (code == 0 && error > 1e-6L)
         return tool_error(EX_DATAERR,
                           "%s: the error is above 1e-6, %.2g: the polygon is too narrow "
                           "somewhere: widen it there, or cut it in two",
-                          source_name(file), (double)error);
+                          source_name(o->file), (double)error);
     return code;
 }
 
-const tool_command command_harmonic = {
-    "harmonic", "POLYGON|- [-o TABLE.h|.csv]",
-    "harmonic coordinates of a polygon as a table for lib/polygon/harmonic.h",
-    "POLYGON has one vertex per line, x and y, counterclockwise, 3 to 8 of them; it need not be "
-    "convex. Solves Laplace's equation on it and\n"
-    "prints a bound of the error, which holds on the whole polygon, and the size of the table.\n",
-    run
+static int run_harmonic(void *options)
+{
+    const harmonic_options *o = options;
+    reading r                 = { .n = 0 };
+    int code                  = create_check(tool_host(), o->output);
+
+    if (code != 0)
+        return code;
+    code = read_polygon(&r, o->file);
+    round_vertices(&r, o->e);
+    if (code == 0)
+        code = judge(&r, source_name(o->file));
+    return code == 0 ? solve(o, &r) : code;
+}
+
+const command command_harmonic = {
+    .name = "harmonic",
+    .arguments = "POLYGON|- [-o TABLE.h|.csv]",
+    .summary = "harmonic coordinates of a polygon as a table for lib/polygon/harmonic.h",
+    .detail = "POLYGON has one vertex per line, x and y, counterclockwise, 3 to 8 of them; it need "
+              "not be "
+        "convex. Solves Laplace's equation on it and\n"
+              "prints a bound of the error, which holds on the whole polygon, and the size of the "
+              "table.\n",
+    .options = harmonic_rows,
+    .size = sizeof(harmonic_options),
+    .run = run_harmonic,
 };

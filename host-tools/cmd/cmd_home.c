@@ -7,9 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"
+#include "cmd/commands.h"
 #include "send/mover.h"
 
+#define WAYS "x-|x+|y-|y+|z-|z+"
 #define FILTER 10               /* ms: longer than contacts bounce */
 #define AGAIN  2                /* how far to touch again, in home_back */
 #define FREE   4                /* how far to back off from a closed switch, in home_back */
@@ -143,7 +144,7 @@ static int stop_motors(const homing *h, mover_outcome *out)
     if (!(h->v->t.sender.machine.kinds & LOFT_TAKES_TABLE))
         return tool_error(EX_CONFIG,
                           "%s: this machine cannot square an axis: give it a newer firmware",
-                          h->v->port);
+                          h->v->o.line.port);
     int code = move_axis(h, AGAIN * back_of(h), m->home_touch[h->axis], &square, out);
     if (code == 0 && out->how == MOVER_ARRIVED)
         code = tool_error(
@@ -320,7 +321,7 @@ static int check_machine(const mover *v)
     if (!(v->t.sender.machine.kinds & LOFT_TAKES_GUARDS))
         return tool_error(EX_CONFIG,
                           "%s: this machine cannot look for a switch: give it a newer firmware",
-                          v->port);
+                          v->o.line.port);
     return 0;
 }
 
@@ -350,34 +351,35 @@ static int choose_axes(const mover *v, bool axis[ENGINE_AXES])
                                        "x.home_order = 2 .. in the machine file");
 }
 
-static int run_home(const tool_command *self, int argc, char **argv)
-{
-    bool axis[ENGINE_AXES] = { false };
-    unsigned touches       = 2;
-    char text[96];
-    mover v;
-    int first, code = mover_start(&v, argc, argv);
+typedef struct {
+    mover_options move;
+    const char *axes;           /* NULL: those with a place in the order */
+    unsigned touches;
+} home_options;
 
-    if (code != 0)
-        return code;
-    const tool_option options[] = { MOVER_OPTIONS(v),
-                                    TOOL_COUNT("touches", "N", &touches, 1, 20,
-                                               "how often each switch is touched slowly (2)"),
-                                    TOOL_OPTIONS_END };
-    code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (first + 1 < argc)
-        return tool_error(EX_USAGE, "%s: name the axes in one word, as xy", argv[first + 1]);
-    if (first < argc)
-        code = mover_axes(argv[first], axis);
+static const option home_rows[] = { { "axes", OPTION_WORD(home_options, axes), .value = "AXES",
+      .remedy = "name the axes in one word, as xy" },
+    OPTION_GROUP(home_options, move, mover_rows),
+                                    { "touches", OPTION_INTEGER(home_options, touches), .least = 1,
+                                      .most = 20, .value = "N", .standard = "2",
+                                      .help = "how often each switch is touched slowly" },
+                                    { 0 } };
+
+static int run_home(void *options)
+{
+    const home_options *o  = options;
+    bool axis[ENGINE_AXES] = { false };
+    char text[96];
+    mover v  = { .at = { 0 } };
+    int code = o->axes ? mover_axes(o->axes, axis) : 0;
+
     if (code == 0)
-        code = mover_open(&v);
-    if (code == 0 && first == argc)
+        code = mover_open(&v, &o->move, false);
+    if (code == 0 && o->axes == NULL)
         code = choose_axes(&v, axis);
     if (code == 0)
-        code = by_motors(&v) ? home_motors(&v, axis, touches) : home_axes(&v, axis, touches);
-    if (code == 0 && first == argc)
+        code = by_motors(&v) ? home_motors(&v, axis, o->touches) : home_axes(&v, axis, o->touches);
+    if (code == 0 && o->axes == NULL)
         talk_placed(&v.t, ~0u);         /* also those that find no switch, as a servo */
     if (code == 0)
         printf("homed: the tool is at %s\n", mover_text(v.at, text));
@@ -385,12 +387,19 @@ static int run_home(const tool_command *self, int argc, char **argv)
     return code;
 }
 
-const tool_command command_home = {
-    "home", "[AXES] --port PORT", "find the switches of the axes, and know where the tool is",
-    "AXES are letters, as xy or z; without them those with a home_order in the machine file, in\n"
-    "this order. Each axis seeks its switch, backs off, touches it slowly, and is then home_back\n"
-    "before it. Guard the first run with a hand at the power switch.\n",
-    run_home
+const command command_home = {
+    .name = "home",
+    .arguments = "[AXES] --port PORT",
+    .summary = "find the switches of the axes, and know where the tool is",
+    .detail = "AXES are letters, as xy or z; without them those with a home_order in the machine "
+              "file, in\n"
+              "this order. Each axis seeks its switch, backs off, touches it slowly, and is then "
+              "home_back\n"
+        "before it. Guard the first run with a hand at the power switch.\n",
+    .options = home_rows,
+    .size = sizeof(home_options),
+    .run = run_home,
+    .talks = true,
 };
 
 
@@ -423,7 +432,8 @@ static int unlock_axes(mover *v, int axis, double sign)
         return 0;
     }
     if (code == 0 && v->t.sender.closed & LOFT_INPUT_STOP)
-        return tool_error(EX_UNAVAILABLE, "%s: the emergency stop is closed: open it", v->port);
+        return tool_error(EX_UNAVAILABLE, "%s: the emergency stop is closed: open it",
+                          v->o.line.port);
     for (int i = 0; i < ENGINE_AXES && code == 0; i++) {
         const uint16_t ends = v->t.sender.closed & LOFT_INPUT_ENDS(i);
         if (ends == 0)
@@ -432,47 +442,49 @@ static int unlock_axes(mover *v, int axis, double sign)
             return tool_error(EX_UNAVAILABLE,
                               "%s: %s is closed, at which end is not known: name the way out, as "
                               "`loft unlock %c+`",
-                              v->port, talk_inputs(ends, text), "xyz"[i]);
+                              v->o.line.port, talk_inputs(ends, text), "xyz"[i]);
         code = unlock_axis(v, i, axis == i ? sign : ends == LOFT_INPUT_LOW(i) ? 1 : -1);
     }
     if (code == 0 && v->t.sender.closed & LOFT_INPUT_ENDING)
-        return tool_error(EX_UNAVAILABLE, "%s: %s is still closed", v->port,
+        return tool_error(EX_UNAVAILABLE, "%s: %s is still closed", v->o.line.port,
                           talk_inputs(v->t.sender.closed, text));
     if (code == 0)
         printf("free: the tool is at %s\n", mover_text(v->at, at));
     return code;
 }
 
-static int run_unlock(const tool_command *self, int argc, char **argv)
-{
-    mover v;
-    int first, axis = -1, code = mover_start(&v, argc, argv);
-    double sign = 1;
+typedef struct {
+    mover_options move;
+    const char *way;            /* "x+", or NULL */
+} unlock_options;
 
-    if (code != 0)
-        return code;
-    const tool_option options[] = { MOVER_OPTIONS(v), TOOL_OPTIONS_END };
-    code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (first < argc) {
-        const char *word = argv[first], *known = strchr("xyz", word[0]);
-        if (first + 1 < argc || word[0] == '\0' || known == NULL || strlen(word) != 2 ||
-            (word[1] != '+' && word[1] != '-'))
-            return tool_error(EX_USAGE, "%s: name one way out, as x+ or y-", word);
-        axis = (int)(known - "xyz");
-        sign = word[1] == '+' ? 1 : -1;
-    }
-    code = mover_open(&v);
+static const option unlock_rows[] = { { "way", OPTION_WORD(unlock_options, way), .value = "AXIS+",
+                                        .choices = WAYS,
+      .remedy = "name one way out, as x+ or y-" },
+    OPTION_GROUP(unlock_options, move, mover_rows),
+                                      { 0 } };
+
+static int run_unlock(void *options)
+{
+    const unlock_options *o = options;
+    mover v                 = { .at = { 0 } };
+    int code                = mover_open(&v, &o->move, false);
+
     if (code == 0)
-        code = unlock_axes(&v, axis, sign);
+        code = unlock_axes(&v, o->way ? o->way[0] - 'x' : -1, o->way && o->way[1] == '-' ? -1 : 1);
     mover_close(&v);
     return code;
 }
 
-const tool_command command_unlock = {
-    "unlock", "[AXIS+|AXIS-] --port PORT", "lead the tool away from a closed limit switch",
-    "Where one switch serves both ends of its axis, name the way out, as x+. It moves slowly, at\n"
-    "most four times home_back, and ends where the switch has opened.\n",
-    run_unlock
+const command command_unlock = {
+    .name = "unlock",
+    .arguments = "[AXIS+|AXIS-] --port PORT",
+    .summary = "lead the tool away from a closed limit switch",
+    .detail = "Where one switch serves both ends of its axis, name the way out, as x+. It moves "
+              "slowly, at\n"
+        "most four times home_back, and ends where the switch has opened.\n",
+    .options = unlock_rows,
+    .size = sizeof(unlock_options),
+    .run = run_unlock,
+    .talks = true,
 };

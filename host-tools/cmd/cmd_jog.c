@@ -12,10 +12,10 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "cmd/commands.h"
 #include "cmd/keys.h"           /* keys_next */
 #include "base/say.h"
 #include "base/scan.h"           /* scan_number */
-#include "base/tool.h"
 #include "plan/table.h"          /* table_ends */
 #include "send/mover.h"
 
@@ -29,6 +29,7 @@ static const double sizes[] = { 0.01, 0.1, 1, 10 };
 /* Keys that move: +-(axis + 1). */
 typedef struct {
     mover v;
+    double feed;                /* mm/s */
     int size;                   /* of sizes[] */
     int escape;                 /* bytes of an arrow key that have come */
     int key, other;             /* the key that moves; another one that came meanwhile */
@@ -199,7 +200,7 @@ static int move_by_line(jog *g, const double by[ENGINE_AXES])
 
     for (int i = 0; i < ENGINE_AXES; i++)
         to[i] = v->at[i] + by[i];
-    return code ? code : mover_told(v, mover_to(v, to, v->p.feed));
+    return code ? code : mover_told(v, mover_to(v, to, g->feed));
 }
 
 static int jog_by_lines(jog *g)
@@ -218,30 +219,29 @@ static int jog_by_lines(jog *g)
     return code;
 }
 
-static int run_jog(const tool_command *self, int argc, char **argv)
-{
-    jog g = { .size = 2 };
-    int first, code = mover_start(&g.v, argc, argv);
+typedef struct {
+    mover_options move;
+    double feed;                /* mm/s */
+} jog_options;
 
-    if (code != 0)
-        return code;
-    const tool_option options[] = { MOVER_OPTIONS(g.v),
-                                    TOOL_SPEED("feed", &g.v.p.feed, 0.016, 1000,
-                                               "mm/s, or as 1200mm/min (30)"),
-                                    TOOL_OPTIONS_END };
-    code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (first < argc)
-        return tool_error(EX_USAGE,
-                          "%s: jog takes keys, or lines as x10 on standard input: `loft "
-                          "go %s --by` is one move",
-                          argv[first], argv[first]);
-    if (g.v.port != NULL && strcmp(g.v.port, "-") == 0)
-        return tool_error(EX_USAGE, "both the moves and the port are standard input: name a port");
-    g.v.keys = isatty(STDIN_FILENO);
-    code = mover_open(&g.v);
-    if (code == 0 && g.v.keys) {
+static const option jog_rows[] = {
+    OPTION_GROUP(jog_options, move, mover_rows),
+    { "feed", OPTION_NUMBER(jog_options, feed), .least = 0.016, .most = 1000, .unit = "mm/s",
+      .standard = "30", .help = "mm/s, or as 1200mm/min" },
+    OPTION_NO_WORDS("jog takes keys, or lines as x10 on standard input: `loft go X,Y --by` is one "
+                    "move"),
+    OPTION_EXCLUDES("port=-", "", "both the moves and the port are standard input: name a port"),
+    { 0 }
+};
+
+static int run_jog(void *options)
+{
+    const jog_options *o = options;
+    jog g                = { .size = 2, .feed = o->feed };
+    const bool keys      = isatty(STDIN_FILENO);
+    int code             = mover_open(&g.v, &o->move, keys);
+
+    if (code == 0 && keys) {
         code = jog_by_keys(&g);
         (void)mover_told(&g.v, 0);
     } else if (code == 0) {
@@ -251,13 +251,21 @@ static int run_jog(const tool_command *self, int argc, char **argv)
     return code;
 }
 
-const tool_command command_jog = {
-    "jog", "--port PORT", "move the tool by keys, or by lines as x10",
-    "On a terminal: arrows, or a d s w, move x and y; page up and down, or r f, move z; 1 to 4\n"
-    "choose steps of 0.01, 0.1, 1 and 10 mm; q ends. A held key moves the tool on; when it is\n"
-    "released, the tool slows down on its way and stops. Any other key stops it as well. "
-    "Otherwise\n"
-    "lines on standard input are moves: x10 y-2.5, in mm from where the tool is. The table of the\n"
-    "machine file is not left.\n",
-    run_jog
+const command command_jog = {
+    .name = "jog",
+    .arguments = "--port PORT",
+    .summary = "move the tool by keys, or by lines as x10",
+    .detail =
+        "On a terminal: arrows, or a d s w, move x and y; page up and down, or r f, move z; 1 to "
+        "4\n"
+        "choose steps of 0.01, 0.1, 1 and 10 mm; q ends. A held key moves the tool on; when it is\n"
+        "released, the tool slows down on its way and stops. Any other key stops it as well. "
+        "Otherwise\n"
+        "lines on standard input are moves: x10 y-2.5, in mm from where the tool is. The table of "
+        "the\n"
+        "machine file is not left.\n",
+    .options = jog_rows,
+    .size = sizeof(jog_options),
+    .run = run_jog,
+    .talks = true,
 };

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cmd/commands.h"
 #include "num/status.h"     /* LOFT_SINGULAR */
 
 #include "base/say.h"
@@ -17,7 +18,6 @@
 #include "geometry/print.h"   /* print_words */
 #include "geometry/stretches.h"
 #include "base/source.h"    /* source_name */
-#include "base/tool.h"
 #include "cmd/measure_surface.h"
 #include "readers.h"
 
@@ -383,74 +383,77 @@ static int print_offset(const measuring *m)
 // The command
 // -----------
 
-static int read_files(measuring *m, curves all[], int argc, char **argv, const char *text)
+static int read_files(measuring *m, curves all[], const char *const *file, size_t count,
+                      const char *points)
 {
-    char *none[] = { "-" };
+    static const char *const none[] = { "-" };
     int code = 0;
 
-    if (argc == 0 || text != NULL) {
-        argv = none;
-        argc = 1;
+    if (count == 0) {
+        file  = none;
+        count = 1;
     }
-    for (int i = 0; i < argc && code == 0; i++) {
-        code = curves_read(tool_host(), &all[i], argv[i], text);
+    for (size_t i = 0; i < count && code == 0; i++) {
+        code = curves_read(tool_host(), &all[i], file[i], points);
         if (code == 0)
-            code = elements_add(&m->list, m->p.e, &all[i], text ? "--points" : source_name(argv[i]),
-                                m->tol);
+            code = elements_add(&m->list, m->p.e, &all[i],
+                                points ? "--points" : source_name(file[i]), m->tol);
     }
     m->p.solid = m->list.solid;
     return code;
 }
 
-static int run_measure(const tool_command *self, int argc, char **argv)
+typedef struct {
+    option_words files;
+    const char *points;
+    option_list nearest;
+    bool intersect, joins;
+    double offset, tol;
+    const engine *e;
+} measure_options;
+
+static const option measure_rows[] = {
+    { "nearest", OPTION_LIST(measure_options, nearest), .least = -1e6, .most = 1e6,
+      .value = "X,Y[,Z]", .counts = "2|3", .remedy = "give x,y or x,y,z",
+      .help = "the point of each curve that is nearest to this one" },
+    { "intersect", OPTION_FLAG(measure_options, intersect),
+      .help = "where the curves meet, each with each" },
+    { "joins", OPTION_FLAG(measure_options, joins),
+      .help = "how smoothly each curve continues the one before" },
+    { "offset", OPTION_NUMBER(measure_options, offset), .least = -1e4, .most = 1e4, .unit = "mm",
+      .help = "the path at this distance to the left (< 0: right), as .loft" },
+    { "tol", OPTION_NUMBER(measure_options, tol), .least = 1e-9, .most = 1000, .unit = "mm",
+      .standard = "0.001", .help = "within which all of it is" },
+    { "points", OPTION_TEXT(measure_options, points), .value = "POINTS",
+      .help = "the control points themselves: \"0,0 1,2 3,0\"" },
+    ENGINE_ROW(measure_options, e, "q16", "number type"),
+    { "files", OPTION_WORDS(measure_options, files), .most = 1e6, .value = "FILE" },
+    OPTION_EXCLUDES("points", "files", NULL),
+    OPTION_EXCLUDES("nearest", "intersect|joins|offset", "each has rows of its own"),
+    OPTION_EXCLUDES("intersect", "joins|offset", "each has rows of its own"),
+    OPTION_EXCLUDES("joins", "offset", "each has rows of its own"),
+    { 0 }
+};
+
+static int print_measured(const measure_options *o, const measuring *m)
 {
-    const engine *e    = &engine_q16;
-    const char *text   = NULL;
-    tool_list at       = { .count = 0 };
-    bool meets = false, joins = false;
-    double distance = 0, tol = 0.001;
-    int first;
+    return o->nearest.count                   ? print_nearest(m)
+           : o->intersect                     ? print_meetings(m)
+           : o->joins                         ? print_joins(m)
+           : o->offset < 0 || o->offset > 0   ? print_offset(m)
+                                            : print_sizes(m);
+}
 
-    const tool_option options[] = {
-        TOOL_LIST("nearest", "X,Y[,Z]", &at, -1e6, 1e6,
-                  "the point of each curve that is nearest to this one"),
-        TOOL_SWITCH("intersect", &meets, "where the curves meet, each with each"),
-        TOOL_SWITCH("joins", &joins, "how smoothly each curve continues the one before"),
-        TOOL_NUMBER("offset", "MM", &distance, -1e4, 1e4,
-                    "the path at this distance to the left (< 0: right), as .loft"),
-        TOOL_NUMBER("tol", "MM", &tol, 1e-9, 1000, "within which all of it is (0.001)"),
-        TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
-        ENGINE_OPTION(&e, "number type (q16)"),
-        TOOL_OPTIONS_END
-    };
-    int code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if ((at.count > 0) + meets + joins + (distance < 0 || distance > 0) > 1)
-        return tool_error(EX_USAGE, "--nearest, --intersect, --joins, --offset: give one of them: "
-                                    "each has rows of its own");
-    if (at.count == 1 || at.count > ENGINE_AXES)
-        return tool_error(EX_USAGE, "--nearest: %zu numbers: give x,y or x,y,z", at.count);
+static int measure_curves(const measure_options *o)
+{
+    measuring m = { .p = { o->e, false }, .tol = o->tol, .distance = o->offset };
+    const size_t files = o->files.count + 1;
+    curves *all        = memset(tool_grow(NULL, files * sizeof *all), 0, files * sizeof *all);
 
-    if (argc - first == 1 && text == NULL) {
-        const bool path = meets || joins || distance < 0 || distance > 0;
-        bool done;
-        code = measure_surfaces(argv[first], e, &at, tol, path, &done);
-        if (code != 0 || done)
-            return code;
-    }
-    measuring m = { .p = { e, false }, .tol = tol, .distance = distance };
-    memcpy(m.at, at.value, at.count * sizeof m.at[0]);
-    const size_t files = (size_t)(argc - first) + 1;
-    curves *all = tool_grow(NULL, files * sizeof *all);
-    memset(all, 0, files * sizeof *all);
-    code = read_files(&m, all, argc - first, argv + first, text);
+    memcpy(m.at, o->nearest.value, o->nearest.count * sizeof m.at[0]);
+    int code = read_files(&m, all, o->files.word, o->files.count, o->points);
     if (code == 0)
-        code = at.count                       ? print_nearest(&m)
-               : meets                        ? print_meetings(&m)
-               : joins                        ? print_joins(&m)
-               : distance < 0 || distance > 0 ? print_offset(&m)
-                                              : print_sizes(&m);
+        code = print_measured(o, &m);
     elements_free(&m.list);
     for (size_t i = 0; i < files; i++)
         curves_free(&all[i]);
@@ -458,27 +461,44 @@ static int run_measure(const tool_command *self, int argc, char **argv)
     return code;
 }
 
-const tool_command command_measure = {
-    "measure", "[--nearest X,Y | --intersect | --joins | --offset MM] [FILE..|-]",
-    "lengths, boxes, nearest points, crossings, joins, offsets",
-    "A FILE is a drawing in SVG, curves of any kind (host-tools/LOFT.md), lines of eight\n"
-    "numbers (a cubic each), or control points, one per line. Prints rows of fields that are\n"
-    "separated by tabs; the first line, which starts with #, names them. A curve is called\n"
-    "FILE:LINE, and its parameter is that of `loft eval`. Lengths and coordinates are in mm.\n\n"
-    "Without an option: length and smallest box of each curve, and of all. --nearest: the\n"
-    "point of each curve that is nearest to X,Y. Its distance is within the tolerance of the\n"
-    "smallest distance, and there the distance has a minimum along the curve (for the centre\n"
-    "of a circle any point is right). --intersect: where any two curves come within the\n"
-    "tolerance: begin, closest place and end, on both curves, a row for each stretch; how:\n"
-    "meet, or overlap if the curves stay together until one of them ends.\n"
-    "--joins: 1 or 0 for C0 C1 C2 (derivatives, each last or first piece over 0..1) and G0 G1\n"
-    "G2 (position, tangent, curvature) of each curve and the next; alpha and eta of G2.\n"
-    "--offset: the path of a tool's centre beside the curves, in the plane of x and y, as\n"
-    "cubics in .loft, which all commands read. Parts that would cut into the curve are left\n"
-    "out; corners between curves are not joined. Curves with weights (for length and offset\n"
-    "also curves above degree 3) are first converted to cubics within a hundredth of the\n"
-    "tolerance, or within what the number type can hold.\n\n"
-    "Of one FILE of surfaces with nets: the area of each within --tol mm^2, or with --nearest\n"
-    "X,Y,Z the point, as `loft decide area` and `nearest` print them.\n",
-    run_measure
+static int run_measure(void *options)
+{
+    const measure_options *o = options;
+    const bool path          = o->intersect || o->joins || o->offset < 0 || o->offset > 0;
+    bool done                = false;
+    int code                 = 0;
+
+    if (o->files.count == 1)
+        code = measure_surfaces(o->files.word[0], o->e, &o->nearest, o->tol, path, &done);
+    return code != 0 || done ? code : measure_curves(o);
+}
+
+const command command_measure = {
+    .name = "measure",
+    .arguments = "[--nearest X,Y | --intersect | --joins | --offset MM] [FILE..|-]",
+    .summary = "lengths, boxes, nearest points, crossings, joins, offsets",
+    .detail =
+        "A FILE is a drawing in SVG, curves of any kind (host-tools/LOFT.md), lines of eight\n"
+        "numbers (a cubic each), or control points, one per line. Prints rows of fields that are\n"
+        "separated by tabs; the first line, which starts with #, names them. A curve is called\n"
+        "FILE:LINE, and its parameter is that of `loft eval`. Lengths and coordinates are in "
+        "mm.\n\n"
+        "Without an option: length and smallest box of each curve, and of all. --nearest: the\n"
+        "point of each curve that is nearest to X,Y. Its distance is within the tolerance of the\n"
+        "smallest distance, and there the distance has a minimum along the curve (for the centre\n"
+        "of a circle any point is right). --intersect: where any two curves come within the\n"
+        "tolerance: begin, closest place and end, on both curves, a row for each stretch; how:\n"
+        "meet, or overlap if the curves stay together until one of them ends.\n"
+        "--joins: 1 or 0 for C0 C1 C2 (derivatives, each last or first piece over 0..1) and G0 G1\n"
+        "G2 (position, tangent, curvature) of each curve and the next; alpha and eta of G2.\n"
+        "--offset: the path of a tool's centre beside the curves, in the plane of x and y, as\n"
+        "cubics in .loft, which all commands read. Parts that would cut into the curve are left\n"
+        "out; corners between curves are not joined. Curves with weights (for length and offset\n"
+        "also curves above degree 3) are first converted to cubics within a hundredth of the\n"
+        "tolerance, or within what the number type can hold.\n\n"
+        "Of one FILE of surfaces with nets: the area of each within --tol mm^2, or with --nearest\n"
+        "X,Y,Z the point, as `loft decide area` and `nearest` print them.\n",
+    .options = measure_rows,
+    .size = sizeof(measure_options),
+    .run = run_measure,
 };

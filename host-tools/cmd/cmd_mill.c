@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cmd/commands.h"
 #include "base/create.h"      /* create_check */
 #include "base/progress.h"
 #include "base/say.h"
 #include "base/source.h"        /* source_name */
-#include "base/tool.h"
 #include "cmd/mill_chip.h"      /* mill_chip_run */
 #include "geometry/surface_text.h"
 #include "mill/left.h"
@@ -50,10 +50,6 @@ static bool parse_tool(const char *text, void *out)
         w->name = text;
         return true;
     }
-    (void)tool_error(EX_USAGE,
-                     "--tool %s: give ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER, with a "
-                     "diameter of 0.05 to 250 mm",
-                     text);
     return false;
 }
 
@@ -61,11 +57,13 @@ static bool parse_tool(const char *text, void *out)
 static bool parse_step(const char *text, void *out)
 {
     mill_order *o = &((tool_wish *)out)->o;
+    const bool cusp = strncmp(text, "cusp:", 5) == 0;
+    char *end;
 
     o->cusp = o->step = 0;
-    if (strncmp(text, "cusp:", 5) == 0)
-        return tool_number("step cusp:", text + 5, 0.0005, 60, &o->cusp);
-    return tool_number("step", text, 0.001, 1000, &o->step);
+    return (cusp ? option_number_at(text + 5, 0.0005, 60, &o->cusp, &end)
+                 : option_number_at(text, 0.001, 1000, &o->step, &end)) &&
+           *end == '\0';
 }
 
 /* straight, ramp:5, helix:2, helix:2:5 */
@@ -79,22 +77,16 @@ static bool parse_entry(const char *text, void *out)
         w->o.entry = MILL_STRAIGHT;
         return true;
     }
-    const bool ramp = sscanf(text, "ramp:%lf%c", &angle, &rest) == 1;
-    if (ramp || (strncmp(text, "helix:", 6) == 0 &&
-                 (sscanf(text, "helix:%lf%c", &radius, &rest) == 1 ||
-                  sscanf(text, "helix:%lf:%lf%c", &radius, &angle, &rest) == 2)))
-        if (angle >= 0.5 && angle <= 45 && radius >= 0.05 && radius <= 125) {
-            w->o.entry = ramp ? MILL_RAMP : MILL_HELIX;
-            w->o.slope = tan(angle * acos(-1) / 180);
-            w->o.around = radius;
-            return true;
-        }
-    (void)tool_error(
-        EX_USAGE,
-        "--entry %s: give straight, ramp:DEGREES or helix:MM[:DEGREES], with 0.5 to 45 "
-        "degrees and a radius of 0.05 to 125 mm",
-        text);
-    return false;
+    const bool ramp  = sscanf(text, "ramp:%lf%c", &angle, &rest) == 1,
+               helix = strncmp(text, "helix:", 6) == 0 &&
+                       (sscanf(text, "helix:%lf%c", &radius, &rest) == 1 ||
+                        sscanf(text, "helix:%lf:%lf%c", &radius, &angle, &rest) == 2);
+    if (!(ramp || helix) || !(angle >= 0.5 && angle <= 45 && radius >= 0.05 && radius <= 125))
+        return false;
+    w->o.entry  = ramp ? MILL_RAMP : MILL_HELIX;
+    w->o.slope  = tan(angle * acos(-1) / 180);
+    w->o.around = radius;
+    return true;
 }
 
 static void show(void *context, double share)
@@ -256,220 +248,248 @@ static int plot_left(tool_wish *w, const char *file, const char *record_file, co
     return code;
 }
 
-/* trim: in u and v, in x and y. */
-static int mill_trimmed(const engine *e, tool_wish *w, const char *const trim[2], const char *file)
-{
-    int code = 0;
 
-    if (trim[0] && trim[1])
-        return tool_error(EX_USAGE, "--trim and --trim-uv: give one of them");
-    w->o.trim.plane = trim[1] != NULL;
-    w->o.trim.tol = trim[1] ? w->o.tol / 10 : 1e-4;
-    if (trim[0] || trim[1])
-        code = mill_trim_read(tool_host(), &w->o.trim, trim[1] ? trim[1] : trim[0]);
+// The command
+// -----------
+
+typedef struct {
+    const char *file, *trim, *trim_uv, *record, *output;
+    tool_wish w;
+    int along, where;           /* of x|y|u|v, -1: not given; of host|chip */
+    option_list area, lowest;
+    mill_chip_options chip;
+    const engine *e;
+} mill_options;
+
+enum { ALONG_X, ALONG_Y, ALONG_U, ALONG_V };
+
+static const option mill_rows[] = {
+    { "tool", OPTION_PARSED(mill_options, w), .value = "KIND:MM[:MM]", .parse = parse_tool,
+      .standard = "ball:6",
+      .remedy = "give ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER, with a diameter of "
+                "0.05 to 250 mm",
+      .help = "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER" },
+    { "step", OPTION_PARSED(mill_options, w), .value = "MM|cusp:MM", .parse = parse_step,
+      .remedy = "give a number from 0.001 to 1000, or cusp: and one from 0.0005 to 60",
+      .help = "distance of lines or heights; cusp: as far apart as leaves cusps of a ball at most "
+              "so high (cusp:0.02)" },
+    { "stock", OPTION_PARSED(mill_options, w.block), .value = "WxDxH", .parse = stock_parse,
+      .remedy = "give WIDTHxDEPTHxHEIGHT, or that with @X,Y,Z of its lowest corner, in mm to 4096",
+      .help = "the block, mm, its middle under that of the surfaces and its top at their highest "
+              "point; or WxDxH@X,Y,Z with its lowest corner (no end of material)" },
+    { "pattern", OPTION_CHOICE(mill_options, w.o.pattern), .value = "KIND",
+      .choices = "raster|spiral|waterline|pencil", .standard = "raster",
+      .help = "raster: there and back; spiral: around and inward; waterline: at even heights; "
+              "pencil: along valleys where a ball touches twice" },
+    { "along", OPTION_CHOICE(mill_options, along), .choices = "x|y|u|v", .unset = -1,
+      .help = "direction of a raster's lines; u, v: over lines of the surface on which the other "
+              "parameter is constant, with --step of it, 0.001 to 1 (x)" },
+    { "one-way", OPTION_FLAG(mill_options, w.o.one_way),
+      .help = "all lines of a raster along x or y in one direction, with ways back above" },
+    { "tol", OPTION_NUMBER(mill_options, w.o.tol), .least = 0.001, .most = 10, .unit = "mm",
+      .standard = "0.01", .help = "how much higher than necessary the path may be" },
+    { "area", OPTION_LIST(mill_options, area), .least = -4096, .most = 4096, .value = "X,Y,X,Y",
+      .counts = "4", .remedy = "give X,Y,X,Y: two corners",
+      .help = "where the axis of the tool may be: two corners (0.7 radius around the surfaces, as "
+              "far as touches a steeper border; 1.25 with waterlines)" },
+    { "trim", OPTION_FILE(mill_options, trim), .value = "DRAWING",
+      .help = "closed paths in x and y, mm: what is outside of the surfaces is not there" },
+    { "trim-uv", OPTION_FILE(mill_options, trim_uv), .value = "DRAWING",
+      .help = "the same in the parameters u and v, 0 to 1, of each surface" },
+    { "floor", OPTION_LIST(mill_options, lowest), .least = -4096, .most = 4096, .value = "Z",
+      .counts = "1", .remedy = "give one height",
+      .help = "lowest height of the tip (so low that it touches all borders of the surfaces; of "
+              "pencils, and along u or v, that of the surfaces)" },
+    { "safe", OPTION_NUMBER(mill_options, w.o.safe), .least = 0, .most = 1000, .unit = "mm",
+      .standard = "5",
+      .help = "height above the surfaces and the block where the path begins and ends" },
+    { "entry", OPTION_PARSED(mill_options, w), .value = "KIND", .parse = parse_entry,
+      .standard = "straight",
+      .remedy = "give straight, ramp:DEGREES or helix:MM[:DEGREES], with 0.5 to 45 degrees and a "
+                "radius of 0.05 to 125 mm",
+      .help = "how the tool goes down to a line: straight, ramp:DEGREES along it, "
+              "helix:MM[:DEGREES] around" },
+    { "record", OPTION_FILE(mill_options, record), .value = "FILE",
+      .help = "no path, but a picture of what is left, by pulses of `loft simulate --record`; with "
+              "--stock as the path says it, of the block too" },
+    { "output", OPTION_FILE(mill_options, output), .value = "FILE",
+      .help = "or -o: that picture, .png .svg or .pdf (left.png)" },
+    { "plan", OPTION_CHOICE(mill_options, where), .choices = "host|chip", .standard = "host",
+      .help = "host: print the path; chip: send patches, which the machine cuts by itself" },
+    OPTION_GROUP(mill_options, chip, mill_chip_rows),
+    ENGINE_ROW(mill_options, e, "f64", "number type"),
+    { "file", OPTION_WORD(mill_options, file), .least = 1, .value = "FILE",
+      .remedy = "give one file" },
+    OPTION_NEEDS("port|dry-run|log", "plan=chip",
+                 "without it the path is printed, for `loft stream`"),
+    OPTION_EXCLUDES("plan=chip", "record", "--record draws what a machine has left"),
+    OPTION_NEEDS("output", "record",
+                 "it is that picture; the path goes to the standard output: > FILE.loft"),
+    OPTION_EXCLUDES("record", "trim|trim-uv", "--record draws whole surfaces"),
+    OPTION_EXCLUDES("trim", "trim-uv", NULL),
+    OPTION_EXCLUDES("plan=chip", "pattern=spiral|pattern=waterline|pattern=pencil|along=x|along=y",
+                    "a machine cuts by lines along u or v by itself"),
+    OPTION_EXCLUDES("plan=chip", "trim|trim-uv|area|floor|stock",
+                    "a machine cuts the whole surface"),
+    OPTION_NEEDS("plan=chip", "port|dry-run", "name the machine's port, or plan with --dry-run"),
+    OPTION_EXCLUDES("plan=chip&port=-", "", "standard output has the summary: name another port"),
+    OPTION_EXCLUDES("along=u|along=v", "pattern=spiral|pattern=waterline|pattern=pencil",
+                    "these lines are a raster"),
+    OPTION_EXCLUDES("one-way", "pattern=spiral|pattern=waterline|pattern=pencil|along=u|along=v",
+                    "it is of a raster along x or y"),
+    { 0 }
+};
+
+static int mill_trimmed(mill_options *o)
+{
+    mill_trim *trim = &o->w.o.trim;
+    int code        = 0;
+
+    trim->plane = o->trim != NULL;
+    trim->tol   = o->trim ? o->w.o.tol / 10 : 1e-4;
+    if (o->trim || o->trim_uv)
+        code = mill_trim_read(tool_host(), trim, o->trim ? o->trim : o->trim_uv);
     if (code == 0)
-        code = mill_surfaces(e, w, file);
-    mill_trim_free(&w->o.trim);
+        code = mill_surfaces(o->e, &o->w, o->file);
+    mill_trim_free(trim);
     return code;
 }
 
 /* Patches for the machine: what the options mean for them. */
-static int mill_on_chip(mill_chip *c, const tool_wish *w, const char *along, const char *pattern,
-                        const char *file)
+static int mill_on_chip(const mill_options *w)
 {
-    const mill_order *o = &w->o;
+    const mill_order *o = &w->w.o;
     const double cusp   = o->cusp > 0 ? o->cusp : fmin(0.02, o->radius / 8);
+    mill_chip c         = { .a = w->chip };
 
     if (o->corner < o->radius || o->radius > 64)
         return tool_error(EX_USAGE, "--plan chip: a machine cuts with a ball of at most 128 mm by "
                                     "itself: give --tool ball:DIAMETER");
-    if (strcmp(pattern, "raster") != 0 || (along != NULL && strchr("uv", along[0]) == NULL))
-        return tool_error(EX_USAGE, "--plan chip: a machine cuts by lines along u or v by itself: "
-                                    "give --along u or v, and no --pattern");
-    if (o->trim.count > 0 || o->bounded || o->floored || o->entry != MILL_STRAIGHT ||
-        w->block.given)
+    if (o->entry != MILL_STRAIGHT)
         return tool_error(EX_USAGE, "--plan chip: a machine cuts the whole surface: leave out "
-                                    "--trim, --area, --floor, --entry and --stock");
+                                    "--entry");
     if (o->tol > 1)
         return tool_error(EX_USAGE, "--tol %g: give at most 1 with --plan chip", o->tol);
-    c->o.radius  = o->radius;
-    c->o.step    = o->step > 0 ? o->step : 2 * sqrt(2 * o->radius * cusp - cusp * cusp);
-    c->o.tol     = o->tol;
-    c->o.above   = o->safe;
-    c->o.axis    = along != NULL && along[0] == 'u' ? 0 : 1;
-    c->o.one_way = o->one_way;
-    return mill_chip_run(c, file);
+    c.o.radius  = o->radius;
+    c.o.step    = o->step > 0 ? o->step : 2 * sqrt(2 * o->radius * cusp - cusp * cusp);
+    c.o.tol     = o->tol;
+    c.o.above   = o->safe;
+    c.o.axis    = w->along != ALONG_U;
+    c.o.one_way = o->one_way;
+    return mill_chip_run(&c, w->file);
 }
 
-static int run_mill(const tool_command *self, int argc, char **argv)
+/* Only a ball leaves cusps of a known height. */
+static int check_tool(const mill_options *o)
 {
-    const engine *e = &engine_f64;
-    tool_wish w = { .o = { .radius = 3, .corner = 3, .tol = 0.01, .safe = 5 }, .name = "ball:6" };
-    tool_list area = { .count = 0 }, lowest = { .count = 0 };
-    const char *along = NULL, *pattern = "raster", *record_file = NULL, *output = NULL,
-               *trim[2] = { NULL, NULL }, *where = "host";
-    mill_chip chip;
-    int first, code = mill_chip_start(&chip, argc, argv);
+    const mill_order *m = &o->w.o;
+    const bool ball     = m->corner == m->radius;
+
+    if (m->cusp > 0 && !ball)
+        return tool_error(EX_USAGE, "--step cusp: is for a ball: give --step MM for %s", o->w.name);
+    if (m->cusp >= m->radius / 2)
+        return tool_error(EX_USAGE, "--step cusp:%g: give less than a quarter of the diameter",
+                          m->cusp);
+    if (m->pattern == MILL_PENCIL && !ball)
+        return tool_error(EX_USAGE, "--pattern pencil: is for a ball: give --tool ball:DIAMETER");
+    return 0;
+}
+
+/* Where the tool may be. */
+static int take_area(const option_list *area, mill_order *o)
+{
+    o->bounded = area->count == 4;
+    for (int k = 0; k < 2 && o->bounded; k++) {
+        o->area[0][k] = fmin(area->value[k], area->value[k + 2]);
+        o->area[1][k] = fmax(area->value[k], area->value[k + 2]);
+        if (!(o->area[0][k] < o->area[1][k]))
+            return tool_error(EX_USAGE, "--area: is empty: give two corners apart");
+    }
+    return 0;
+}
+
+/* The path, or the picture of what it left. */
+static int mill_here(mill_options *o)
+{
+    mill_order *m   = &o->w.o;
+    const bool ball = m->corner == m->radius;
+    const char *to  = o->output ? o->output : "left.png";
+
+    m->parametric = o->along >= ALONG_U;
+    m->axis       = o->along == ALONG_Y || o->along == ALONG_V;
+    if (m->parametric && !(m->step > 0 && m->step <= 1))
+        return tool_error(EX_USAGE,
+                          "--along %c: is for --pattern raster and --step 0.001 to 1, of "
+                          "%c",
+                          "xyuv"[o->along], o->along == ALONG_U ? 'v' : 'u');
+    if (m->cusp == 0 && m->step == 0)
+        *(ball ? &m->cusp : &m->step) = ball ? fmin(0.02, m->radius / 8) : m->radius;
+    m->floored = o->lowest.count == 1;
+    m->lowest  = o->lowest.value[0];
+    int code   = take_area(&o->area, m);
+    if (code == 0 && o->record == NULL)
+        return mill_trimmed(o);
+    if (code == 0)
+        code = create_check(tool_host(), to);
+    return code == 0 ? plot_left(&o->w, o->file, o->record, to) : code;
+}
+
+static int run_mill(void *options)
+{
+    mill_options *o = options;
+    const int code  = check_tool(o);
 
     if (code != 0)
         return code;
-
-    const tool_option options[] = {
-        TOOL_PARSED("tool", "KIND:MM[:MM]", &w, parse_tool,
-                    "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER (ball:6)"),
-        TOOL_PARSED("step", "MM|cusp:MM", &w, parse_step,
-                    "distance of lines or heights; cusp: as far apart as leaves cusps of a ball at "
-                    "most so high (cusp:0.02)"),
-        TOOL_PARSED("stock", "WxDxH", &w.block, stock_parse,
-                    "the block, mm, its middle under that of the surfaces and its top at their "
-                    "highest point; or WxDxH@X,Y,Z with its lowest corner (no end of material)"),
-        TOOL_TEXT("pattern", "KIND", &pattern,
-                  "raster: there and back; spiral: around and inward; waterline: at even heights; "
-                  "pencil: along valleys where a ball touches twice (raster)"),
-        TOOL_TEXT("along", "x|y|u|v", &along,
-                  "direction of a raster's lines; u, v: over lines of the surface on which the "
-                  "other parameter is constant, with --step of it, 0.001 to 1 (x)"),
-        TOOL_SWITCH("one-way", &w.o.one_way,
-                    "all lines of a raster along x or y in one direction, with ways back above"),
-        TOOL_NUMBER("tol", "MM", &w.o.tol, 0.001, 10,
-                    "how much higher than necessary the path may be (0.01)"),
-        TOOL_LIST(
-            "area", "X,Y,X,Y", &area, -4096, 4096,
-            "where the axis of the tool may be: two corners (0.7 radius around the surfaces, as "
-            "far as touches a steeper border; 1.25 with waterlines)"),
-        TOOL_TEXT("trim", "DRAWING", &trim[1],
-                  "closed paths in x and y, mm: what is outside of the surfaces is not there"),
-        TOOL_TEXT("trim-uv", "DRAWING", &trim[0],
-                  "the same in the parameters u and v, 0 to 1, of each surface"),
-        TOOL_LIST(
-            "floor", "Z", &lowest, -4096, 4096,
-            "lowest height of the tip (so low that it touches all borders of the surfaces; of "
-            "pencils, and along u or v, that of the surfaces)"),
-        TOOL_NUMBER("safe", "MM", &w.o.safe, 0, 1000,
-                    "height above the surfaces and the block where the path begins and ends (5)"),
-        TOOL_PARSED("entry", "KIND", &w, parse_entry,
-                    "how the tool goes down to a line: straight, ramp:DEGREES along it, "
-                    "helix:MM[:DEGREES] around (straight)"),
-        TOOL_TEXT("record", "FILE", &record_file,
-                  "no path, but a picture of what is left, by pulses of `loft simulate --record`; "
-                  "with --stock as the path says it, of the block too"),
-        TOOL_TEXT("output", "FILE", &output, "or -o: that picture, .png .svg or .pdf (left.png)"),
-        TOOL_TEXT("plan", "host|chip", &where,
-                  "host: print the path; chip: send patches, which the machine cuts by itself "
-                  "(host)"),
-        MILL_CHIP_OPTIONS(chip),
-        ENGINE_OPTION(&e, "number type (f64)"),
-        TOOL_OPTIONS_END
-    };
-    code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (argc - first != 1)
-        return tool_error(EX_USAGE, "mill: give one file: see `loft mill --help`");
-    const bool on_chip = strcmp(where, "chip") == 0;
-    if (!on_chip && strcmp(where, "host") != 0)
-        return tool_error(EX_USAGE, "--plan %s: give host or chip", where);
-    if (!on_chip && (chip.port != NULL || chip.dry || chip.log != NULL))
-        return tool_error(EX_USAGE, "--port, --dry-run, --log: are for --plan chip: without it the "
-                                    "path is printed, for `loft stream`");
-    if (on_chip && record_file != NULL)
-        return tool_error(EX_USAGE, "--record: draws what a machine has left: leave out --plan");
-    if (record_file == NULL && output != NULL)
-        return tool_error(EX_USAGE,
-                          "--output %s: is the picture of --record; the path goes to the "
-                          "standard output: > FILE.loft",
-                          output);
-    if (record_file != NULL && (trim[0] || trim[1]))
-        return tool_error(EX_USAGE, "--record: draws whole surfaces: leave out --trim");
-    const bool ball = w.o.corner == w.o.radius;
-    if (w.o.cusp > 0 && !ball)
-        return tool_error(EX_USAGE, "--step cusp: is for a ball: give --step MM for %s", w.name);
-    if (w.o.cusp >= w.o.radius / 2)
-        return tool_error(EX_USAGE, "--step cusp:%g: give less than a quarter of the diameter",
-                          w.o.cusp);
-    if (along != NULL && (strlen(along) != 1 || strchr("xyuv", along[0]) == NULL))
-        return tool_error(EX_USAGE, "--along %s: give x, y, u or v", along);
-    if (on_chip) {
-        w.o.trim.count = trim[0] || trim[1];
-        w.o.bounded    = area.count > 0;
-        w.o.floored    = lowest.count > 0;
-        return mill_on_chip(&chip, &w, along, pattern, argv[first]);
-    }
-    if (along == NULL)
-        along = "x";
-    if (strcmp(along, "u") == 0 || strcmp(along, "v") == 0) {
-        w.o.parametric = true;
-        if (!(w.o.step > 0 && w.o.step <= 1) || strcmp(pattern, "raster") != 0)
-            return tool_error(EX_USAGE,
-                              "--along %s: is for --pattern raster and --step 0.001 to 1, of %s",
-                              along, along[0] == 'u' ? "v" : "u");
-    }
-    if (w.o.one_way && (w.o.parametric || strcmp(pattern, "raster") != 0))
-        return tool_error(EX_USAGE, "--one-way: is for --pattern raster along x or y");
-    if (w.o.cusp == 0 && w.o.step == 0)
-        *(ball ? &w.o.cusp : &w.o.step) = ball ? fmin(0.02, w.o.radius / 8) : w.o.radius;
-    w.o.axis = along[0] == 'y' || along[0] == 'v';
-    static const char *const patterns[] = { "raster", "spiral", "waterline", "pencil" };
-    int kind = 0;
-    while (kind < 4 && strcmp(pattern, patterns[kind]) != 0)
-        kind++;
-    if (kind == 4)
-        return tool_error(EX_USAGE, "--pattern %s: give raster, spiral, waterline or pencil",
-                          pattern);
-    if (kind == MILL_PENCIL && !ball)
-        return tool_error(EX_USAGE, "--pattern pencil: is for a ball: give --tool ball:DIAMETER");
-    w.o.pattern = (enum mill_pattern)kind;
-    if (lowest.count > 1 || (area.count != 0 && area.count != 4))
-        return tool_error(EX_USAGE, lowest.count > 1 ? "--floor: give one height"
-                                                     : "--area: give X,Y,X,Y: two corners");
-    w.o.floored = lowest.count == 1;
-    w.o.lowest = w.o.floored ? lowest.value[0] : 0;
-    w.o.bounded = area.count == 4;
-    for (int k = 0; k < 2 && w.o.bounded; k++) {
-        w.o.area[0][k] = fmin(area.value[k], area.value[k + 2]);
-        w.o.area[1][k] = fmax(area.value[k], area.value[k + 2]);
-        if (!(w.o.area[0][k] < w.o.area[1][k]))
-            return tool_error(EX_USAGE, "--area: is empty: give two corners apart");
-    }
-    if (record_file != NULL) {
-        output = output ? output : "left.png";
-        const int refused = create_check(tool_host(), output);
-        return refused ? refused : plot_left(&w, argv[first], record_file, output);
-    }
-    return mill_trimmed(e, &w, trim, argv[first]);
+    return o->where == 1 ? mill_on_chip(o) : mill_here(o);
 }
 
-const tool_command command_mill = {
-    "mill", "[--tool ball:6] [--step MM|cusp:MM] [--stock WxDxH] [--plan chip --port PORT] FILE|-",
-    "the path of a mill's tool over surfaces, as a curve in space",
-    "FILE has surfaces in the format of host-tools/LOFT.md: tensor, bicubic, coons, triangle,\n"
-    "pn, octant, toric, basepoint, ring, and spatch, gb with Wachspress coordinates. Prints\n"
-    "the path of the tip as one `line` in .loft, which `loft stream` mills with z: lines there\n"
-    "and back, their distance from the cusps that a ball leaves, in chords within --tol. Each\n"
-    "chord is proved not to cut below any surface; beside walls the path goes up and down on\n"
-    "the spot. --pattern spiral goes around the area and inward without a lift, one side to\n"
-    "the left. --pattern waterline goes around what is steep, from above down, the surface to\n"
-    "the right; with --step cusp: the distance of heights is that on an upright wall; each hill "
-    "is\n"
-    "finished before the next one. --pattern pencil goes along valleys, where a ball touches\n"
-    "in two places that are half its radius apart: what a raster leaves there. --entry leads\n"
-    "the tool into the material along the line or around, proved as all chords are; a helix\n"
-    "without room becomes a ramp. --trim leaves of the surfaces what is inside of closed\n"
-    "paths; loops in loops are holes. The first lines of the output say what is proved and\n"
-    "measured: also what is left on the surfaces at most, and in hollows tighter than the\n"
-    "tool. Surfaces are seen from above. With --record the surfaces are drawn instead,\n"
-    "coloured by what a machine left on them or cut off them.\n"
-    "\n"
-    "--stock is the block that is cut: surfaces or lines that leave it, or are below its bottom,\n"
-    "are refused; the path begins and ends above it, as do the ways between lines. There is no\n"
-    "roughing: the one pass goes through all of the material, so choose the feed for that. The\n"
-    "first lines of the path say where the block is, in the form that --record --stock takes: its\n"
-    "picture then begins with the block, its top and its sides.\n"
-    "\n"
-    "With --plan chip nothing is printed but a summary: each tensor or bicubic patch of degrees\n"
-    "up to 3 x 3 goes to the machine at --port as its control net, about 200 bytes, and the\n"
-    "machine cuts it with a ball by lines along v, or --along u, from where it stands and back.\n"
-    "Lines are at most --step apart along the surface, or as far as leaves such cusps where it is\n"
-    "flat. What no machine can prove is refused here, with the remedy. Keys as of `loft stream`.\n",
-    run_mill
+const command command_mill = {
+    .name = "mill",
+    .arguments =
+        "[--tool ball:6] [--step MM|cusp:MM] [--stock WxDxH] [--plan chip --port PORT] FILE|-",
+    .summary = "the path of a mill's tool over surfaces, as a curve in space",
+    .detail =
+        "FILE has surfaces in the format of host-tools/LOFT.md: tensor, bicubic, coons, triangle,\n"
+        "pn, octant, toric, basepoint, ring, and spatch, gb with Wachspress coordinates. Prints\n"
+        "the path of the tip as one `line` in .loft, which `loft stream` mills with z: lines "
+        "there\n"
+        "and back, their distance from the cusps that a ball leaves, in chords within --tol. Each\n"
+        "chord is proved not to cut below any surface; beside walls the path goes up and down on\n"
+        "the spot. --pattern spiral goes around the area and inward without a lift, one side to\n"
+        "the left. --pattern waterline goes around what is steep, from above down, the surface to\n"
+        "the right; with --step cusp: the distance of heights is that on an upright wall; each "
+        "hill "
+        "is\n"
+        "finished before the next one. --pattern pencil goes along valleys, where a ball touches\n"
+        "in two places that are half its radius apart: what a raster leaves there. --entry leads\n"
+        "the tool into the material along the line or around, proved as all chords are; a helix\n"
+        "without room becomes a ramp. --trim leaves of the surfaces what is inside of closed\n"
+        "paths; loops in loops are holes. The first lines of the output say what is proved and\n"
+        "measured: also what is left on the surfaces at most, and in hollows tighter than the\n"
+        "tool. Surfaces are seen from above. With --record the surfaces are drawn instead,\n"
+        "coloured by what a machine left on them or cut off them.\n"
+        "\n"
+        "--stock is the block that is cut: surfaces or lines that leave it, or are below its "
+        "bottom,\n"
+        "are refused; the path begins and ends above it, as do the ways between lines. There is "
+        "no\n"
+        "roughing: the one pass goes through all of the material, so choose the feed for that. "
+        "The\n"
+        "first lines of the path say where the block is, in the form that --record --stock takes: "
+        "its\n"
+        "picture then begins with the block, its top and its sides.\n"
+        "\n"
+        "With --plan chip nothing is printed but a summary: each tensor or bicubic patch of "
+        "degrees\n"
+        "up to 3 x 3 goes to the machine at --port as its control net, about 200 bytes, and the\n"
+        "machine cuts it with a ball by lines along v, or --along u, from where it stands and "
+        "back.\n"
+        "Lines are at most --step apart along the surface, or as far as leaves such cusps where it "
+        "is\n"
+        "flat. What no machine can prove is refused here, with the remedy. Keys as of `loft "
+        "stream`.\n",
+    .options = mill_rows,
+    .size = sizeof(mill_options),
+    .run = run_mill,
 };

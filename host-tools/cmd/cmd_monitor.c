@@ -6,9 +6,9 @@
 #include <signal.h>
 #include <string.h>
 
+#include "cmd/commands.h"
 #include "host/line.h"  /* host_line: the sender's side */
 #include "cmd/keys.h"  /* keys_interrupted */
-#include "base/tool.h"
 #include "send/transport.h"
 #include "send/wire_text.h"
 
@@ -65,30 +65,33 @@ static void print_sum(const wire_text *w)
     printf("%c %llu bytes, %llu frames, %llu damaged\n", w->arrow, w->bytes, w->frames, w->damaged);
 }
 
-static int run_monitor(const tool_command *self, int argc, char **argv)
-{
-    const char *port = NULL, *link = NULL;
-    unsigned baud = 115200;
-    const tool_option options[] = {
-        TOOL_TEXT(
-            "port", "PORT", &port,
-            "the machine: /dev/ttyUSB0, a pty, unix:PATH, tcp:HOST:PORT (`loft ports` lists)"),
-        TOOL_COUNT("baud", "RATE", &baud, 300, 4000000, "of a serial port (115200)"),
-        TOOL_TEXT("link", "PATH", &link, "make PATH a symbolic link to the sender's end"),
-        TOOL_OPTIONS_END
-    };
-    monitor m = { .began = tool_clock() };
-    int first, code = tool_options(self, options, argc, argv, &first);
+typedef struct {
+    const char *port, *link;
+    unsigned baud;
+} monitor_options;
 
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (port == NULL || first < argc)
-        return tool_error(EX_USAGE,
-                          "no --port: name the machine's port; see `loft monitor --help`");
+static const option monitor_rows[] = {
+    { "port", OPTION_FILE(monitor_options, port), .value = "PORT",
+      .help = "the machine: /dev/ttyUSB0, a pty, unix:PATH, tcp:HOST:PORT (`loft ports` lists)" },
+    { "baud", OPTION_INTEGER(monitor_options, baud), .least = 300, .most = 4000000, .value = "RATE",
+      .standard = "115200", .help = "of a serial port" },
+    { "link", OPTION_FILE(monitor_options, link), .value = "PATH",
+      .help = "make PATH a symbolic link to the sender's end" },
+    OPTION_NO_WORDS("monitor takes no file"),
+    OPTION_NEEDS("", "port", "name the machine's port; see `loft monitor --help`"),
+    { 0 }
+};
+
+static int run_monitor(void *options)
+{
+    const monitor_options *o = options;
+    monitor m                = { .began = tool_clock() };
+    int code;
+
     keys_start(false);
-    if ((code = transport_open(&m.machine, port, baud)) != 0)
+    if ((code = transport_open(&m.machine, o->port, o->baud)) != 0)
         return code;
-    if ((code = host_line_open(&m.sender, link, 0)) == 0) {
+    if ((code = host_line_open(&m.sender, o->link, 0)) == 0) {
         wire_text_init(&m.down, '>');
         wire_text_init(&m.up, '<');
         printf("machine: %s\n", m.sender.name);
@@ -102,10 +105,16 @@ static int run_monitor(const tool_command *self, int argc, char **argv)
     return code;
 }
 
-const tool_command command_monitor = {
-    "monitor", "--port PORT [--link PATH]", "between a sender and its machine: the line in words",
-    "Makes a pseudo terminal, prints its name and passes all bytes between it and PORT. Give\n"
-    "its name, or PATH, to `loft stream --port`. Prints each frame as a line: seconds, > to\n"
-    "the machine or < from it, kind, fields. ^C ends it.\n",
-    run_monitor
+const command command_monitor = {
+    .name = "monitor",
+    .arguments = "--port PORT [--link PATH]",
+    .summary = "between a sender and its machine: the line in words",
+    .detail =
+        "Makes a pseudo terminal, prints its name and passes all bytes between it and PORT. Give\n"
+        "its name, or PATH, to `loft stream --port`. Prints each frame as a line: seconds, > to\n"
+        "the machine or < from it, kind, fields. ^C ends it.\n",
+    .options = monitor_rows,
+    .size = sizeof(monitor_options),
+    .run = run_monitor,
+    .talks = true,
 };

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "cmd/commands.h"
 #include "base/create.h"      /* create_refused */
 #include "base/say.h"
 #include "base/source.h"         /* source_name */
@@ -290,89 +291,84 @@ static int plan_drawing(const plan_options *o, const drawing *d, const drawing *
     return code;
 }
 
-/* Do the options fit together? Returns 0, or an exit code after printing one line. */
-static int check_options(const plan_options *o)
+static const option plan_rows[] = {
+    OPTION_GROUP(plan_options, p, planning_rows),
+    { "csv", OPTION_NUMBER(plan_options, rate), .least = 0.001, .most = 1e6, .value = "RATE",
+      .unit = "Hz",
+      .help = "rows t,x,y,z,vx,vy,vz,ax,ay,az at RATE Hz, in place of the table, or with -o FILE "
+              "beside it" },
+    { "spans", OPTION_FLAG(plan_options, spans),
+      .help = "the spans, in place of the table: start_s,duration_s and the Bezier values of each "
+              "motor, exactly" },
+    { "certify", OPTION_FLAG(plan_options, certify),
+      .help = "judge the plan, in place of the table: the worst of each limit at any instant, and "
+              "of the distances between motion and drawing, as parts of --tol or --corner; exit "
+              "code 70 if one is beyond its bound" },
+    { "output", OPTION_FILE(plan_options, output), .value = "FILE",
+      .help = "or -o: where the rows go (standard output)" },
+    { "plot", OPTION_FILE(plan_options, picture), .value = "FILE",
+      .help = "a picture, .png .svg or .pdf: the path by speed; speed, acceleration and jerk over "
+              "time" },
+    { "size", OPTION_NUMBER(plan_options, size), .least = 100, .most = 20000, .value = "WIDTH",
+      .standard = "1600", .help = "px of a PNG, points of the others" },
+    { "total", OPTION_FLAG(plan_options, total), .help = "only the sums, not every curve" },
+    { "file", OPTION_WORD(plan_options, file), .least = 1, .value = "DRAWING",
+      .remedy = "name one, an SVG, CSV or .loft file, or -" },
+    OPTION_EXCLUDES("spans", "csv", "both are rows"),
+    OPTION_NEEDS("output", "csv|spans", "it is for rows; --plot is for a picture"),
+    OPTION_NEEDS("certify&csv|certify&spans", "output", "--certify prints a table"),
+    { 0 }
+};
+
+/* Can that be drawn, and judged? Returns 0, or an exit code after printing one line. */
+static int check_plan(const plan_options *o)
 {
     const enum engine_kinematics kind = o->p.machine.k.kind;
     bool png;
 
-    if (o->spans && o->rate > 0)
-        return tool_error(EX_USAGE, "--spans --csv: are both rows: give one of them");
-    if (o->output != NULL && !(o->rate > 0) && !o->spans)
-        return tool_error(EX_USAGE,
-                          "-o %s: is for rows: give --csv RATE or --spans as well, or --plot FILE "
-                          "for a picture",
-                          o->output);
     if (o->picture != NULL && !plot_known(o->picture, &png))
         return tool_error(EX_USAGE, "--plot %s: give a name that ends with .png, .svg or .pdf",
                           o->picture);
-    if (o->certify && (o->rate > 0 || o->spans) && o->output == NULL)
-        return tool_error(EX_USAGE, "--certify: prints a table: give -o FILE for the rows");
     if (o->certify && kind != ENGINE_CARTESIAN && kind != ENGINE_COREXY)
         return tool_error(EX_USAGE,
                           "--certify: the tool of a %s machine does not move on cubics: give the "
                           "limits to a cartesian one",
                           kinematics_name(&o->p.machine.k));
-    return 0;
+    const int code = create_check(tool_host(), o->picture);
+    return code ? code : create_check(tool_host(), o->output);
 }
 
-static int run_plan(const tool_command *self, int argc, char **argv)
+static int run_plan(void *options)
 {
-    plan_options o = { .size = 1600 };
+    plan_options *o = options;
     drawing d = { .count = 0 }, smooth = { .count = 0 };
-    int first, code = planning_start(&o.p, argc, argv);
+    int code = planning_start(&o->p);
 
-    if (code != 0)
-        return code;
-    const tool_option options[] = {
-        PLANNING_OPTIONS(&o.p),
-        TOOL_NUMBER("csv", "RATE", &o.rate, 0.001, 1e6,
-                    "rows t,x,y,z,vx,vy,vz,ax,ay,az at RATE Hz, in place of the table, or with -o "
-                    "FILE beside it"),
-        TOOL_SWITCH("spans", &o.spans,
-                    "the spans, in place of the table: start_s,duration_s and the Bezier values of "
-                    "each motor, exactly"),
-        TOOL_SWITCH("certify", &o.certify,
-                    "judge the plan, in place of the table: the worst of each limit at any "
-                    "instant, and of the distances between motion and drawing, as parts of --tol "
-                    "or --corner; exit code 70 if one is beyond its bound"),
-        TOOL_TEXT("output", "FILE", &o.output, "or -o: where the rows go (standard output)"),
-        TOOL_TEXT("plot", "FILE", &o.picture,
-                  "a picture, .png .svg or .pdf: the path by speed; speed, acceleration and jerk "
-                  "over time"),
-        TOOL_NUMBER("size", "WIDTH", &o.size, 100, 20000,
-                    "px of a PNG, points of the others (1600)"),
-        TOOL_SWITCH("total", &o.total, "only the sums, not every curve"),
-        TOOL_OPTIONS_END
-    };
-    code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (first + 1 != argc)
-        return tool_error(EX_USAGE, "%s: see `loft plan --help`",
-                          first < argc ? "more than one drawing"
-                                       : "no drawing: name an SVG, CSV or .loft file, or -");
-    if ((code = check_options(&o)) != 0 || (code = create_check(tool_host(), o.picture)) != 0 ||
-        (code = create_check(tool_host(), o.output)) != 0)
-        return code;
-    o.file = argv[first];
-    o.p.passes = !o.certify;
-    o.p.levels = true;
-    code = planning_read(&o.p, &d, &smooth, o.file);
     if (code == 0)
-        code = plan_drawing(&o, &smooth, &d);
+        code = check_plan(o);
+    if (code != 0)
+        return code;
+    o->p.passes = !o->certify;
+    o->p.levels = true;
+    code = planning_read(&o->p, &d, &smooth, o->file);
+    if (code == 0)
+        code = plan_drawing(o, &smooth, &d);
     drawing_free(&smooth);
     drawing_free(&d);
     return code;
 }
 
-const tool_command command_plan = {
-    "plan", "FILE [--machine FILE] [--csv RATE | --spans [-o FILE]] [--certify] [--plot FILE]",
-    "how fast a drawing can be drawn, and what limits it",
-    "Plans like `loft stream` and analyses the result: for every curve and travel, and in\n"
-    "total, the length, time, top speed, and the causes that limit it, with their shares of\n"
-    "the time: the feed; speed, acceleration or jerk of an axis; acceleration across the path\n"
-    "(curvature); corners; stops. Where no limit is used up, the cause is the previous or the\n"
-    "next one, whichever is closer in time.\n",
-    run_plan
+const command command_plan = {
+    .name = "plan",
+    .arguments = "FILE [--machine FILE] [--csv RATE | --spans [-o FILE]] [--certify] [--plot FILE]",
+    .summary = "how fast a drawing can be drawn, and what limits it",
+    .detail =
+        "Plans like `loft stream` and analyses the result: for every curve and travel, and in\n"
+        "total, the length, time, top speed, and the causes that limit it, with their shares of\n"
+        "the time: the feed; speed, acceleration or jerk of an axis; acceleration across the path\n"
+        "(curvature); corners; stops. Where no limit is used up, the cause is the previous or the\n"
+        "next one, whichever is closer in time.\n",
+    .options = plan_rows,
+    .size = sizeof(plan_options),
+    .run = run_plan,
 };

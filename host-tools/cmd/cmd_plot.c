@@ -6,13 +6,13 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "cmd/commands.h"
 #include "base/say.h"
 #include "engine/curve.h"
 #include "draw/plot.h"
 #include "draw/surface_plot.h"
 #include "arrange/page.h"
 #include "base/create.h"      /* create_check */
-#include "base/tool.h"
 #include "readers.h"
 #include "geometry/surface_text.h"
 
@@ -66,42 +66,46 @@ static int plot_files(plot_options *o, const page_options *sheet, const char *re
 // --------
 
 typedef struct {
-    tool_list view;
-    tool_list heights;
+    option_list view;
+    option_list heights;
     unsigned contours;
-    const char *map;            /* NULL: none */
+    int map;                    /* enum surface_map, less 1; -1: none */
     bool wire;
 } surface_wishes;
 
 static bool wishes_given(const surface_wishes *w)
 {
-    return w->view.count + w->heights.count + w->contours > 0 || w->map != NULL || w->wire;
+    return w->view.count + w->heights.count + w->contours > 0 || w->map >= 0 || w->wire;
 }
 
-static bool map_of(const char *name, enum surface_map *out)
-{
-    static const char *const names[] = {
-        [MAP_NONE] = "", [MAP_GAUSS] = "gauss", [MAP_MEAN] = "mean", [MAP_LARGEST] = "largest"
-    };
+#define VIEW                                                                                       \
+    "give AROUND,UP in degrees, UP from -90 to 90, and for perspective a distance in diameters"
 
-    *out = MAP_NONE;
-    if (name == NULL)
-        return true;
-    for (int k = MAP_GAUSS; k <= MAP_LARGEST; k++)
-        if (strcmp(name, names[k]) == 0)
-            *out = (enum surface_map)k;
-    return *out != MAP_NONE;
+/* From where a surface is seen. */
+static int take_view(const option_list *view, surface_options *o)
+{
+    if (view->count == 0)
+        return 0;
+    o->azimuth   = view->value[0];
+    o->elevation = view->value[1];
+    o->distance  = view->count == 3 ? view->value[2] : 0;
+    if (fabs(o->elevation) > 90)
+        return tool_error(EX_USAGE, "--view: " VIEW);
+    if (view->count == 3 && (o->distance < 0.8 || o->distance > 1000))
+        return tool_error(EX_USAGE, "--view: a distance of %g diameters: give 0.8 to 1000",
+                          o->distance);
+    return 0;
 }
 
 static int plot_surfaces(const plot_options *p, const surface_wishes *w, const surfaces *all)
 {
-    const double *view = w->view.value;
     surface_options o = { .all = all,
                           .name = p->name,
                           .output = p->output,
                           .e = &engine_f64,
                           .control = p->control,
                           .wire = w->wire,
+                          .map = (enum surface_map)(w->map + 1),
                           .contours = w->contours,
                           .height = w->heights.value,
                           .heights = w->heights.count,
@@ -109,23 +113,9 @@ static int plot_surfaces(const plot_options *p, const surface_wishes *w, const s
                           .elevation = 28,
                           .size = p->size };
 
-    if (!map_of(w->map, &o.map))
-        return tool_error(EX_USAGE, "--curvature %s: give gauss, mean or largest", w->map);
-    if (w->view.count == 1 || w->view.count > 3 || (w->view.count > 1 && fabs(view[1]) > 90))
-        return tool_error(EX_USAGE, "--view: give AROUND,UP in degrees, UP from -90 to 90, and for "
-                                    "perspective a distance in diameters");
-    if (w->view.count == 3 && (view[2] < 0.8 || view[2] > 1000))
-        return tool_error(EX_USAGE, "--view: a distance of %g diameters: give 0.8 to 1000",
-                          view[2]);
-    if (w->view.count > 1) {
-        o.azimuth   = view[0];
-        o.elevation = view[1];
-        o.distance  = w->view.count == 3 ? view[2] : 0;
-    }
-    if (o.wire && o.map != MAP_NONE)
-        return tool_error(EX_USAGE,
-                          "--wire and --curvature: give one of them: a wire has no colour");
-    const int code = surface_plot(&o);
+    int code = take_view(&w->view, &o);
+    if (code == 0)
+        code = surface_plot(&o);
     return code                                                                           ? code
            : say(stdout, "%s: %zu surface%s\n", p->output, all->count, tool_s(all->count)) < 0
                ? EX_IOERR
@@ -154,78 +144,90 @@ static int plot_file(plot_options *o, const page_options *sheet, const char *rec
     return code;
 }
 
-static int run_plot(const tool_command *self, int argc, char **argv)
+typedef struct {
+    const char *file, *output, *record;
+    bool control;
+    double comb, error, tol, size;
+    option_list part;
+    surface_wishes of;
+    page_options sheet;
+} plot_command;
+
+static const option plot_rows[] = {
+    { "output", OPTION_FILE(plot_command, output), .value = "FILE", .standard = "plot.png",
+      .help = "or -o: picture to write, .png .svg or .pdf" },
+    { "record", OPTION_FILE(plot_command, record), .value = "FILE",
+      .help = "pulses written by `loft simulate --record`: what was really drawn" },
+    { "control", OPTION_FLAG(plot_command, control),
+      .help = "draw the control polygons or nets, and the knots of splines" },
+    { "comb", OPTION_MAYBE(plot_command, comb), .least = 1e-6, .most = 1e9, .value = "SCALE",
+      .unset = PLOT_NO_COMB,
+      .help = "draw curvature combs, SCALE mm for 1/mm (chosen automatically)" },
+    { "error", OPTION_NUMBER(plot_command, error), .least = 0, .most = 1e9, .value = "N",
+      .unset = PLOT_NO_ERROR,
+      .help = "magnify errors N times, and colour by them (0: chosen automatically)" },
+    { "tol", OPTION_NUMBER(plot_command, tol), .least = 1e-6, .most = 100, .unit = "mm",
+      .help = "with --record: an inset shows a corner and the band of this tolerance" },
+    { "part", OPTION_LIST(plot_command, part), .least = -1e5, .most = 1e5, .value = "X,Y,W,H",
+      .counts = "4", .remedy = "give x,y,width,height in mm",
+      .help = "show this part only, in mm from the lower left corner" },
+    { "view", OPTION_LIST(plot_command, of.view), .least = -1000, .most = 1000,
+      .value = "AROUND,UP", .counts = "2|3", .remedy = VIEW,
+      .help = "see a surface from there, in degrees (-55,28); a third number: perspective" },
+    { "curvature", OPTION_CHOICE(plot_command, of.map), .choices = "gauss|mean|largest",
+      .unset = -1, .help = "colour a surface by its curvature: gauss, mean or largest" },
+    { "contours", OPTION_INTEGER(plot_command, of.contours), .least = 1, .most = 100, .value = "N",
+      .help = "draw lines of equal height on a surface, about N, at round heights" },
+    { "heights", OPTION_LIST(plot_command, of.heights), .least = -1e5, .most = 1e5, .value = "Z,..",
+      .help = "draw lines of these heights on a surface" },
+    { "wire", OPTION_FLAG(plot_command, of.wire),
+      .help = "draw only the lines of a surface, nothing hidden" },
+    { "size", OPTION_NUMBER(plot_command, size), .least = 10, .most = 30000, .value = "WIDTH",
+      .help = "px of a PNG (1600), mm of the others (true to scale)" },
+    OPTION_GROUP(plot_command, sheet, page_rows),
+    { "file", OPTION_WORD(plot_command, file), .least = 1, .value = "DRAWING",
+      .remedy = "give one drawing" },
+    OPTION_EXCLUDES("wire", "curvature", "a wire has no colour"),
+    OPTION_NEEDS("error", "record", "errors are those of a machine"),
+    OPTION_NEEDS("tol", "record", "it shows what was drawn"),
+    { 0 }
+};
+
+static int run_plot(void *options)
 {
-    const char *record_file = NULL;
-    tool_list part = { .count = 0 };
-    plot_options o = { .error = PLOT_NO_ERROR, .comb = PLOT_NO_COMB, .output = "plot.png" };
-    surface_wishes w = { .map = NULL };
-    page_options sheet = { .gap = PAGE_GAP };
-    int first;
+    const plot_command *c = options;
+    const double *part    = c->part.value;
+    plot_options o        = { .name = c->file,
+                              .output = c->output,
+                              .control = c->control,
+                              .comb = c->comb,
+                              .error = c->error,
+                              .tol = c->tol,
+                              .size = c->size };
 
-    const tool_option options[] = {
-        TOOL_TEXT("output", "FILE", &o.output,
-                  "or -o: picture to write, .png .svg or .pdf (plot.png)"),
-        TOOL_TEXT("record", "FILE", &record_file,
-                  "pulses written by `loft simulate --record`: what was really drawn"),
-        TOOL_SWITCH("control", &o.control,
-                    "draw the control polygons or nets, and the knots of splines"),
-        TOOL_MAYBE("comb", "SCALE", &o.comb, 1e-6, 1e9,
-                   "draw curvature combs, SCALE mm for 1/mm (chosen automatically)"),
-        TOOL_NUMBER("error", "N", &o.error, 0, 1e9,
-                    "magnify errors N times, and colour by them (0: chosen automatically)"),
-        TOOL_NUMBER("tol", "MM", &o.tol, 1e-6, 100,
-                    "with --record: an inset shows a corner and the band of this tolerance"),
-        TOOL_LIST("part", "X,Y,W,H", &part, -1e5, 1e5,
-                  "show this part only, in mm from the lower left corner"),
-        TOOL_LIST("view", "AROUND,UP", &w.view, -1000, 1000,
-                  "see a surface from there, in degrees (-55,28); a third number: perspective"),
-        TOOL_TEXT("curvature", "gauss|mean|largest", &w.map,
-                  "colour a surface by its curvature: gauss, mean or largest"),
-        TOOL_COUNT("contours", "N", &w.contours, 1, 100,
-                   "draw lines of equal height on a surface, about N, at round heights"),
-        TOOL_LIST("heights", "Z,..", &w.heights, -1e5, 1e5,
-                  "draw lines of these heights on a surface"),
-        TOOL_SWITCH("wire", &w.wire, "draw only the lines of a surface, nothing hidden"),
-        TOOL_NUMBER("size", "WIDTH", &o.size, 10, 30000,
-                    "px of a PNG (1600), mm of the others (true to scale)"),
-        PAGE_OPTIONS(&sheet),
-        TOOL_OPTIONS_END
-    };
-    int code = tool_options(self, options, argc, argv, &first);
-
-    if (code == TOOL_HELP)
-        code = EX_OK;
-    else if (code == 0 && argc - first != 1)
-        code = tool_error(EX_USAGE, "plot: give one drawing: see `loft plot --help`");
-    else if (code == 0 && part.count != 0 &&
-             (part.count != 4 || part.value[2] <= 0 || part.value[3] <= 0))
-        code = tool_error(EX_USAGE, "--part: give x,y,width,height in mm");
-    else if (code == 0 && o.error >= 0 && record_file == NULL)
-        code = tool_error(EX_USAGE,
-                          "--error: give --record FILE as well: errors are those of a machine");
-    else if (code == 0 && o.tol > 0 && record_file == NULL)
-        code = tool_error(EX_USAGE, "--tol: give --record FILE as well: it shows what was drawn");
-    else if (code == 0 && (code = create_check(tool_host(), o.output)) == 0) {
-        if (part.count == 4)
-            memcpy(o.part, part.value, sizeof o.part);
-        o.name = argv[first];
-        code = plot_file(&o, &sheet, record_file, &w,
-                         record_file != NULL || o.error >= 0 || o.comb >= 0 || part.count > 0);
-    }
-    return code;
+    if (c->part.count > 0 && !(part[2] > 0 && part[3] > 0))
+        return tool_error(EX_USAGE, "--part: give x,y,width,height in mm");
+    memcpy(o.part, part, sizeof o.part);
+    const int code = create_check(tool_host(), o.output);
+    return code ? code
+                : plot_file(&o, &c->sheet, c->record, &c->of,
+                            c->record != NULL || o.error >= 0 || o.comb >= 0 || c->part.count > 0);
 }
 
-const tool_command command_plot = {
-    "plot", "[-o FILE] [--record FILE [--error N]] DRAWING|-",
-    "a picture of a drawing and of what the machine drew, or of surfaces",
-    "Curves are drawn as curves, not as chords. With --record the machine's own positions are\n"
-    "drawn over them; travel is dashed. With --error each position moves away from the\n"
-    "drawing by N times its distance, and the colour shows the distance. A file of surfaces\n"
-    "(host-tools/LOFT.md) is drawn shaded, with its parameter lines, or as a map of its\n"
-    "curvature: of the two principal curvatures the product (gauss), half the sum (mean) or\n"
-    "the larger absolute value, whose reciprocal is the radius of the tool that fits.\n"
-    "--contours and --heights draw its sections with level planes; --view -90,90 shows it\n"
-    "from above.\n",
-    run_plot
+const command command_plot = {
+    .name = "plot",
+    .arguments = "[-o FILE] [--record FILE [--error N]] DRAWING|-",
+    .summary = "a picture of a drawing and of what the machine drew, or of surfaces",
+    .detail =
+        "Curves are drawn as curves, not as chords. With --record the machine's own positions are\n"
+        "drawn over them; travel is dashed. With --error each position moves away from the\n"
+        "drawing by N times its distance, and the colour shows the distance. A file of surfaces\n"
+        "(host-tools/LOFT.md) is drawn shaded, with its parameter lines, or as a map of its\n"
+        "curvature: of the two principal curvatures the product (gauss), half the sum (mean) or\n"
+        "the larger absolute value, whose reciprocal is the radius of the tool that fits.\n"
+        "--contours and --heights draw its sections with level planes; --view -90,90 shows it\n"
+        "from above.\n",
+    .options = plot_rows,
+    .size = sizeof(plot_command),
+    .run = run_plot,
 };

@@ -3,10 +3,10 @@
  */
 #include <stdio.h>
 
+#include "cmd/commands.h"
 #include "base/say.h"
 #include "send/talk.h"           /* talk_open */
 #include "send/transport.h"      /* transport_ports */
-#include "base/tool.h"
 
 static const char *state_words(const loft_ack *a)
 {
@@ -21,7 +21,7 @@ static int ask_port(const char *name, unsigned baud)
 {
     char closed[256];
     talk t;
-    const int code = talk_open(&t, name, baud, 2.5, NULL);
+    const int code = talk_open(&t, &(talk_options){ .port = name, .baud = baud, .wait = 2.5 });
 
     if (code != 0)
         return code;
@@ -66,27 +66,33 @@ static void print_port(void *context, const transport_port *port)
         put_row(port);
 }
 
-static int run_ports(const tool_command *self, int argc, char **argv)
-{
-    asking a = { .who = false, .baud = 115200 };
-    const tool_option options[] = {
-        TOOL_SWITCH("ask", &a.who,
-                    "ask at each port, or at the ports that are named, who answers: moves nothing"),
-        TOOL_COUNT("baud", "RATE", &a.baud, 300, 4000000, "to ask with (115200)"), TOOL_OPTIONS_END
-    };
-    int first;
-    int code = tool_options(self, options, argc, argv, &first);
+typedef struct {
+    bool ask;
+    unsigned baud;
+    option_words ports;
+} ports_options;
 
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (first < argc) {
-        int worst = 0;
-        for (int i = first; i < argc; i++) {
-            const int failed = ask_port(argv[i], a.baud);
-            worst = failed != 0 ? failed : worst;
-        }
-        return worst;
+static const option ports_rows[] = {
+    { "ask", OPTION_FLAG(ports_options, ask),
+      .help = "ask at each port, or at the ports that are named, who answers: moves nothing" },
+    { "baud", OPTION_INTEGER(ports_options, baud), .least = 300, .most = 4000000, .value = "RATE",
+      .standard = "115200", .help = "to ask with" },
+    { "ports", OPTION_WORDS(ports_options, ports), .most = 1e6, .value = "PORT" },
+    { 0 }
+};
+
+static int run_ports(void *options)
+{
+    const ports_options *o = options;
+    asking a               = { .who = o->ask, .baud = o->baud };
+    int code               = 0;
+
+    for (size_t i = 0; i < o->ports.count; i++) {
+        const int failed = ask_port(o->ports.word[i], o->baud);
+        code             = failed != 0 ? failed : code;
     }
+    if (o->ports.count > 0)
+        return code;
     code = transport_ports(print_port, &a);
     if (code == 0 && a.count == 0)
         (void)tool_error(
@@ -95,12 +101,19 @@ static int run_ports(const tool_command *self, int argc, char **argv)
     return code;
 }
 
-const tool_command command_ports = {
-    "ports", "[--ask] [PORT ..]", "the serial ports of this computer, and who answers there",
-    "Prints name and description, and for USB the identity, separated by tabs. Pseudo terminals "
-    "and sockets are not\n"
-    "listed, but can be named, here and to --port. Asks the ports that are named, or all with "
-    "--ask: the machine's axes,\n"
-    "ticks, slots, queue and gearing. Opening the port resets some boards.\n",
-    run_ports
+const command command_ports = {
+    .name = "ports",
+    .arguments = "[--ask] [PORT ..]",
+    .summary = "the serial ports of this computer, and who answers there",
+    .detail =
+        "Prints name and description, and for USB the identity, separated by tabs. Pseudo "
+        "terminals "
+        "and sockets are not\n"
+        "listed, but can be named, here and to --port. Asks the ports that are named, or all with "
+        "--ask: the machine's axes,\n"
+        "ticks, slots, queue and gearing. Opening the port resets some boards.\n",
+    .options = ports_rows,
+    .size = sizeof(ports_options),
+    .run = run_ports,
+    .talks = true,
 };

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/tool.h"
+#include "cmd/commands.h"
 #include "send/mover.h"
 
 #define FILTER 10               /* ms: longer than contacts bounce */
@@ -37,11 +37,11 @@ static int probe_it(probing *p)
 
     if (!(v->t.sender.machine.kinds & LOFT_TAKES_GUARDS))
         return tool_error(EX_CONFIG, "%s: this machine cannot probe: give it a newer firmware",
-                          v->port);
+                          v->o.line.port);
     if (v->t.sender.closed & LOFT_INPUT_PROBE)
         return tool_error(EX_UNAVAILABLE,
                           "%s: the probe touches already: move it away, or look at its wire",
-                          v->port);
+                          v->o.line.port);
     memcpy(m.to, v->at, sizeof m.to);
     m.to[p->axis] += p->sign * p->within;
     m.guard = touch;
@@ -52,7 +52,7 @@ static int probe_it(probing *p)
         code = tool_error(EX_UNAVAILABLE,
                           "%s: the probe has touched nothing within %g mm; the tool is at %s: give "
                           "more --within, or look at its wire",
-                          v->port, p->within, mover_text(v->at, text));
+                          v->o.line.port, p->within, mover_text(v->at, text));
     if (code == 0 && !isnan(p->at)) {
         double now[ENGINE_AXES];
         const double by = p->at - out.latched[p->axis];
@@ -68,45 +68,56 @@ static int probe_it(probing *p)
     return mover_told(v, code);
 }
 
-static int run_probe(const tool_command *self, int argc, char **argv)
-{
-    probing p = { .axis = 2, .sign = -1, .within = 10, .feed = 2, .back = 2, .at = NAN };
-    int first, code = mover_start(&p.v, argc, argv);
+typedef struct {
+    mover_options move;
+    const char *way;
+    double within, feed, back, at;      /* at NAN: it only says where */
+} probe_options;
 
-    if (code != 0)
-        return code;
-    const tool_option options[] = {
-        MOVER_OPTIONS(p.v),
-        TOOL_NUMBER("within", "MM", &p.within, 0.01, 16383, "how far to look (10)"),
-        TOOL_SPEED("feed", &p.feed, 0.016, 1000, "mm/s, or as 60mm/min (2)"),
-        TOOL_NUMBER("back", "MM", &p.back, 0, 1000, "to leave the surface again (2)"),
-        TOOL_NUMBER("at", "MM", &p.at, -16383, 16383,
-                    "the axis is there where it touches: tell the machine (it only says where)"),
-        TOOL_OPTIONS_END
-    };
-    code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (first < argc) {
-        const char *known = argv[first][0] ? strchr("xyz", argv[first][0]) : NULL;
-        if (first + 1 < argc || !known || strlen(argv[first]) != 2 ||
-            (argv[first][1] != '+' && argv[first][1] != '-'))
-            return tool_error(EX_USAGE, "%s: name one direction, as z- or x+", argv[first]);
-        p.axis = (int)(known - "xyz");
-        p.sign = argv[first][1] == '+' ? 1 : -1;
-    }
-    code = mover_open(&p.v);
+static const option probe_rows[] = {
+    { "way", OPTION_WORD(probe_options, way), .value = "AXIS+", .choices = "x-|x+|y-|y+|z-|z+",
+      .standard = "z-", .remedy = "name one direction, as z- or x+" },
+    OPTION_GROUP(probe_options, move, mover_rows),
+    { "within", OPTION_NUMBER(probe_options, within), .least = 0.01, .most = 16383, .unit = "mm",
+      .standard = "10", .help = "how far to look" },
+    { "feed", OPTION_NUMBER(probe_options, feed), .least = 0.016, .most = 1000, .unit = "mm/s",
+      .standard = "2", .help = "mm/s, or as 60mm/min" },
+    { "back", OPTION_NUMBER(probe_options, back), .least = 0, .most = 1000, .unit = "mm",
+      .standard = "2", .help = "to leave the surface again" },
+    { "at", OPTION_NUMBER(probe_options, at), .least = -16383, .most = 16383, .unit = "mm",
+      .unset = NAN,
+      .help = "the axis is there where it touches: tell the machine (it only says where)" },
+    { 0 }
+};
+
+static int run_probe(void *options)
+{
+    const probe_options *o = options;
+    probing p = { .axis = o->way[0] - 'x',
+                  .sign = o->way[1] == '+' ? 1 : -1,
+                  .within = o->within,
+                  .feed = o->feed,
+                  .back = o->back,
+                  .at = o->at };
+    int code = mover_open(&p.v, &o->move, false);
+
     if (code == 0)
         code = probe_it(&p);
     mover_close(&p.v);
     return code;
 }
 
-const tool_command command_probe = {
-    "probe", "[AXIS+|AXIS-] --port PORT", "move until the probe touches something, and say where",
-    "Without a direction it is z-. The place is that of the slot in which the contact first\n"
-    "closed, whatever the speed; then the tool backs off. With --at, the place becomes that "
-    "number:\n"
-    "loft probe --at 0 makes the surface z = 0, and --at 15 takes a plate of 15 mm off.\n",
-    run_probe
+const command command_probe = {
+    .name = "probe",
+    .arguments = "[AXIS+|AXIS-] --port PORT",
+    .summary = "move until the probe touches something, and say where",
+    .detail =
+        "Without a direction it is z-. The place is that of the slot in which the contact first\n"
+        "closed, whatever the speed; then the tool backs off. With --at, the place becomes that "
+        "number:\n"
+        "loft probe --at 0 makes the surface z = 0, and --at 15 takes a plate of 15 mm off.\n",
+    .options = probe_rows,
+    .size = sizeof(probe_options),
+    .run = run_probe,
+    .talks = true,
 };

@@ -3,11 +3,11 @@
  */
 #include <stdio.h>
 
+#include "cmd/commands.h"
 #include "engine/piece.h"
 #include "geometry/print.h"
 #include "base/source.h"         /* source_name */
 #include "engine/surface.h"
-#include "base/tool.h"
 #include "readers.h"
 #include "geometry/surface_text.h"
 
@@ -78,53 +78,60 @@ static int sample_surfaces(const surfaces *all, const char *file, const engine *
     return EX_OK;
 }
 
-static int run_sample(const tool_command *self, int argc, char **argv)
+typedef struct {
+    source_given from;
+    unsigned n;
+    const engine *e;
+} sample_options;
+
+static const option sample_rows[] = { { "n", OPTION_INTEGER(sample_options, n), .least = 1,
+                                        .most = 1e9, .value = "N", .standard = "64",
+                                        .help = "equal parameter steps per piece of a curve" },
+    OPTION_GROUP(sample_options, from, source_rows),
+    ENGINE_ROW(sample_options, e, "q16", "number type"),
+                                      { 0 } };
+
+static int sample_curves(const sample_options *o)
 {
-    const engine *e  = &engine_q16;
-    const char *text = NULL;
-    unsigned n       = 64;
-    curves all       = { 0 };
-    surfaces patches = { 0 };
-    const char *file;
+    curves all = { 0 };
+    int code   = curves_read(tool_host(), &all, o->from.file, o->from.points);
 
-    const tool_option options[] = {
-        TOOL_COUNT("n", "N", &n, 1, 1e9, "equal parameter steps per piece of a curve (64)"),
-        TOOL_TEXT("points", "POINTS", &text, "the control points themselves: \"0,0 1,2 3,0\""),
-        ENGINE_OPTION(&e, "number type (q16)"), TOOL_OPTIONS_END
-    };
-    int code = tool_file_options(self, options, argc, argv, &text, &file);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-
-    if (text == NULL)
-        code = surfaces_read(tool_host(), &patches, file);
-    if (code == 0 && patches.count > 0) {
-        code = sample_surfaces(&patches, file, e, n);
-        surfaces_free(&patches);
-        return code;
-    }
-    surfaces_free(&patches);
-    if (code == 0)
-        code = curves_read(tool_host(), &all, file, text);
     if (code == 0) {
-        sampling s = { { e, all.solid }, n };
+        sampling s = { { o->e, all.solid }, o->n };
         char words[40];
-        snprintf(words, sizeof words, " in %u steps", n);
-        code = print_chain(&s.p, &all, text ? "--points" : source_name(file), words, walk_curve,
-                           &s);
+        snprintf(words, sizeof words, " in %u steps", o->n);
+        code = print_chain(&s.p, &all, source_given_name(&o->from), words, walk_curve, &s);
     }
     curves_free(&all);
     return code;
 }
 
-const tool_command command_sample = {
-    "sample", "[--n N] [FILE|-]", "a curve or a surface at equal parameter steps",
-    "FILE has one control point per line, or curves of any kind (host-tools/LOFT.md), or is a\n"
-    "drawing. Prints the start and N points per piece, and an empty line before a curve that\n"
-    "does not start at the end of the one before. Curves up to degree 5 are walked by forward\n"
-    "differences, others are evaluated point by point. For surfaces prints a grid of N + 1 by\n"
-    "N + 1 points, u in the outer loop, with an empty line after each row (a triangle: rows\n"
-    "that shrink), and two between surfaces. For patches with n sides prints a grid for each\n"
-    "side, from the corner where it begins to the middle.\n",
-    run_sample
+static int run_sample(void *options)
+{
+    const sample_options *o = options;
+    surfaces patches        = { 0 };
+    int code                = o->from.points ? 0 : surfaces_read(tool_host(), &patches, o->from.file);
+
+    if (code == 0)
+        code = patches.count > 0 ? sample_surfaces(&patches, o->from.file, o->e, o->n)
+                                 : sample_curves(o);
+    surfaces_free(&patches);
+    return code;
+}
+
+const command command_sample = {
+    .name = "sample",
+    .arguments = "[--n N] [FILE|-]",
+    .summary = "a curve or a surface at equal parameter steps",
+    .detail =
+        "FILE has one control point per line, or curves of any kind (host-tools/LOFT.md), or is a\n"
+        "drawing. Prints the start and N points per piece, and an empty line before a curve that\n"
+        "does not start at the end of the one before. Curves up to degree 5 are walked by forward\n"
+        "differences, others are evaluated point by point. For surfaces prints a grid of N + 1 by\n"
+        "N + 1 points, u in the outer loop, with an empty line after each row (a triangle: rows\n"
+        "that shrink), and two between surfaces. For patches with n sides prints a grid for each\n"
+        "side, from the corner where it begins to the middle.\n",
+    .options = sample_rows,
+    .size = sizeof(sample_options),
+    .run = run_sample,
 };

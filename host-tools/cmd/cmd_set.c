@@ -5,27 +5,44 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"
+#include "cmd/commands.h"
 #include "send/settings.h"
 
 typedef struct {
-    const char *port, *file, *log;
+    talk_options line;
+    const char *file;
     bool defaults;
-    unsigned baud;
-    double wait;
+    option_words settings;
 } set_options;
 
+static const option set_rows[] = {
+    OPTION_GROUP(set_options, line, talk_rows),
+    { "machine", OPTION_FILE(set_options, file), .value = "FILE",
+      .help = "first all that a machine as text says, see host-tools/MACHINE.md" },
+    { "defaults", OPTION_FLAG(set_options, defaults),
+      .help = "back to the settings of its firmware, all of them" },
+    { "log", OPTION_FILE(set_options, line.log), .value = "FILE",
+      .help = "write what passes on the line, in words" },
+    { "settings", OPTION_WORDS(set_options, settings), .most = 1e6, .value = "NAME=VALUE" },
+    OPTION_NEEDS("", "port", "name the machine's port"),
+    OPTION_EXCLUDES("defaults", "settings|machine",
+                    "--defaults sets all: leave the rest to a second `loft set`"),
+    OPTION_NEEDS("", "settings|machine|defaults",
+                 "nothing to set: give a setting, as x.steps_per_mm=80, or a machine file"),
+    { 0 }
+};
+
 /* The words as lines of one text. */
-static char *lines_of(char **word, int count)
+static char *lines_of(const option_words *w)
 {
     size_t bytes = 1;
 
-    for (int i = 0; i < count; i++)
-        bytes += strlen(word[i]) + 1;
+    for (size_t i = 0; i < w->count; i++)
+        bytes += strlen(w->word[i]) + 1;
     char *text = tool_grow(NULL, bytes);
     text[0]    = '\0';
-    for (int i = 0; i < count; i++) {
-        strcat(text, word[i]);
+    for (size_t i = 0; i < w->count; i++) {
+        strcat(text, w->word[i]);
         strcat(text, "\n");
     }
     return text;
@@ -50,10 +67,10 @@ static int check_kept(const machine_file *before, const machine_file *m, bool na
     return 0;
 }
 
-static int change_settings(settings *s, const set_options *o, char **word, int count)
+static int change_settings(settings *s, const set_options *o)
 {
     const machine_file before = s->m;
-    char *text                = lines_of(word, count);
+    char *text                = lines_of(&o->settings);
     int code                  = 0;
 
     if (o->file != NULL)
@@ -86,7 +103,7 @@ static void print_gearing(const settings *before, const settings *now, bool defa
         }
 }
 
-static int set_machine(const set_options *o, talk *t, char **word, int count)
+static int set_machine(const set_options *o, talk *t)
 {
     settings before, now;
     int code = settings_read(&before, t);
@@ -95,11 +112,11 @@ static int set_machine(const set_options *o, talk *t, char **word, int count)
         return code;
     now = before;
     if (o->defaults) {
-        code = settings_reset(&now, t, o->wait);
+        code = settings_reset(&now, t, o->line.wait);
     } else {
-        code = change_settings(&now, o, word, count);
+        code = change_settings(&now, o);
         if (code == 0)
-            code = settings_write(&now, t, o->wait);
+            code = settings_write(&now, t, o->line.wait);
         if (code == 0)
             code = settings_read(&now, t);
     }
@@ -108,42 +125,29 @@ static int set_machine(const set_options *o, talk *t, char **word, int count)
     return code;
 }
 
-static int run_set(const tool_command *self, int argc, char **argv)
+static int run_set(void *options)
 {
-    set_options o = { .baud = 115200, .wait = 5 };
+    const set_options *o = options;
     talk t;
-    int first;
+    int code = talk_open(&t, &o->line);
 
-    const tool_option options[] = {
-        TALK_OPTIONS(o),
-        TOOL_TEXT("machine", "FILE", &o.file,
-                  "first all that a machine as text says, see host-tools/MACHINE.md"),
-        TOOL_SWITCH("defaults", &o.defaults, "back to the settings of its firmware, all of them"),
-        TOOL_TEXT("log", "FILE", &o.log, "write what passes on the line, in words"),
-        TOOL_OPTIONS_END
-    };
-    int code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (o.port == NULL)
-        return tool_error(EX_USAGE, "no --port: name the machine's port");
-    if (o.defaults && (first < argc || o.file != NULL))
-        return tool_error(EX_USAGE, "--defaults sets all: leave the rest to a second `loft set`");
-    if (first == argc && o.file == NULL && !o.defaults)
-        return tool_error(EX_USAGE, "nothing to set: give NAME=VALUE, as x.steps_per_mm=80, or "
-                                    "--machine FILE, or --defaults");
-    code = talk_open(&t, o.port, o.baud, o.wait, o.log);
     if (code != 0)
         return code;
-    code = set_machine(&o, &t, argv + first, argc - first);
+    code = set_machine(o, &t);
     talk_close(&t);
     return code;
 }
 
-const tool_command command_set = {
-    "set", "NAME=VALUE..|--defaults --port PORT", "change what a machine keeps about itself",
-    "Names are those of a machine file (host-tools/MACHINE.md), as x.steps_per_mm=80 or\n"
-    "x.limit=opens; `loft settings` prints all. All are changed, or none, also if the power\n"
-    "fails. The machine must be at rest, and nothing moves.\n",
-    run_set
+const command command_set = {
+    .name = "set",
+    .arguments = "NAME=VALUE..|--defaults --port PORT",
+    .summary = "change what a machine keeps about itself",
+    .detail =
+        "Names are those of a machine file (host-tools/MACHINE.md), as x.steps_per_mm=80 or\n"
+        "x.limit=opens; `loft settings` prints all. All are changed, or none, also if the power\n"
+        "fails. The machine must be at rest, and nothing moves.\n",
+    .options = set_rows,
+    .size = sizeof(set_options),
+    .run = run_set,
+    .talks = true,
 };

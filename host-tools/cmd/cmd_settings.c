@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "cmd/commands.h"
 #include "base/create.h"
 #include "base/say.h"
-#include "base/tool.h"
 #include "send/grbl.h"
 #include "send/settings.h"
 
@@ -40,18 +40,30 @@ static int save_settings(const machine_file *m, const char *title, const char *f
 }
 
 typedef struct {
-    const char *port;
-    unsigned baud;
-    double wait;
+    talk_options line;
+    const char *save;
     bool grbl;
-    const char *log;
-} where;
+} settings_options;
 
-static int ask_machine(const where *o, machine_file *m, char *title, size_t room)
+static const option settings_rows[] = {
+    OPTION_GROUP(settings_options, line, talk_rows),
+    { "save", OPTION_FILE(settings_options, save), .value = "FILE",
+      .help = "write them to FILE, and print nothing" },
+    { "grbl", OPTION_FLAG(settings_options, grbl),
+      .help = "of a controller of grbl's kind: what it answers to $$" },
+    { "log", OPTION_FILE(settings_options, line.log), .value = "FILE",
+      .help = "write what passes on the line, in words" },
+    OPTION_NO_WORDS("settings takes no file"),
+    OPTION_NEEDS("", "port", "name the machine's port"),
+    OPTION_EXCLUDES("grbl", "log", "it is for machines of loft"),
+    { 0 }
+};
+
+static int ask_machine(const settings_options *o, machine_file *m, char *title, size_t room)
 {
     settings s;
     talk t;
-    int code = talk_open(&t, o->port, o->baud, o->wait, o->log);
+    int code = talk_open(&t, &o->line);
 
     if (code != 0)
         return code;
@@ -59,61 +71,49 @@ static int ask_machine(const where *o, machine_file *m, char *title, size_t room
     talk_close(&t);
     if (code != 0)
         return code;
-    snprintf(title, room, "%s, %s: %u of %u bytes", o->port, origin_of(&s), s.size, s.room);
+    snprintf(title, room, "%s, %s: %u of %u bytes", o->line.port, origin_of(&s), s.size, s.room);
     *m = s.m;
     return 0;
 }
 
-static int ask_grbl(const where *o, machine_file *m, char *title, size_t room)
+static int ask_grbl(const settings_options *o, machine_file *m, char *title, size_t room)
 {
     grbl *g;
-    int code = grbl_open(&g, o->port, o->baud, o->wait);
+    int code = grbl_open(&g, o->line.port, o->line.baud, o->line.wait);
 
     if (code != 0)
         return code;
-    snprintf(title, room, "%s, %s; the table, if it has soft limits, in work coordinates", o->port,
-             grbl_name(g)[0] != '\0' ? grbl_name(g) : "a controller of grbl's kind");
+    snprintf(title, room, "%s, %s; the table, if it has soft limits, in work coordinates",
+             o->line.port, grbl_name(g)[0] != '\0' ? grbl_name(g) : "a controller of grbl's kind");
     code = grbl_machine(g, m);
     grbl_close(g);
     return code;
 }
 
-static int run_settings(const tool_command *self, int argc, char **argv)
+static int run_settings(void *options)
 {
-    where o          = { .baud = 115200, .wait = 5 };
-    const char *save = NULL;
-    machine_file m   = machine_usual();
+    const settings_options *o = options;
+    machine_file m            = machine_usual();
     char title[200];
-    int first;
+    int code = (o->grbl ? ask_grbl : ask_machine)(o, &m, title, sizeof title);
 
-    const tool_option options[] = {
-        TALK_OPTIONS(o), TOOL_TEXT("save", "FILE", &save, "write them to FILE, and print nothing"),
-        TOOL_SWITCH("grbl", &o.grbl, "of a controller of grbl's kind: what it answers to $$"),
-        TOOL_TEXT("log", "FILE", &o.log, "write what passes on the line, in words"),
-        TOOL_OPTIONS_END
-    };
-    int code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (first < argc)
-        return tool_error(EX_USAGE, "%s: settings takes no file: see `loft settings --help`",
-                          argv[first]);
-    if (o.port == NULL)
-        return tool_error(EX_USAGE, "no --port: name the machine's port");
-    if (o.grbl && o.log != NULL)
-        return tool_error(EX_USAGE, "--log: is for machines of loft, and not with --grbl");
-    code = (o.grbl ? ask_grbl : ask_machine)(&o, &m, title, sizeof title);
-    if (code == 0 && save != NULL)
-        code = save_settings(&m, title, save);
+    if (code == 0 && o->save != NULL)
+        code = save_settings(&m, title, o->save);
     else if (code == 0)
         print_settings(&m, title, stdout);
     return code;
 }
 
-const tool_command command_settings = {
-    "settings", "--port PORT [--save FILE] [--grbl]", "what a machine keeps about itself",
-    "Prints lines of a machine file (host-tools/MACHINE.md): gearing, limits, contacts, table,\n"
-    "homing. `loft set` changes them. Nothing moves. With --grbl: what a controller of\n"
-    "grbl's kind says of itself, so that --machine FILE plans for it.\n",
-    run_settings
+const command command_settings = {
+    .name = "settings",
+    .arguments = "--port PORT [--save FILE] [--grbl]",
+    .summary = "what a machine keeps about itself",
+    .detail = "Prints lines of a machine file (host-tools/MACHINE.md): gearing, limits, contacts, "
+              "table,\n"
+        "homing. `loft set` changes them. Nothing moves. With --grbl: what a controller of\n"
+        "grbl's kind says of itself, so that --machine FILE plans for it.\n",
+    .options = settings_rows,
+    .size = sizeof(settings_options),
+    .run = run_settings,
+    .talks = true,
 };

@@ -6,22 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cmd/commands.h"
 #include "host/host.h"          /* loft_host_simulate_q16x3 */
-#include "read/machine_file.h"  /* machine_option */
-#include "base/tool.h"
-
-/* Take one number for all axes, or one for each. */
-static int spread(const char *option, const tool_list *list, double out[LOFT_AXES])
-{
-    if (list->count == 0)
-        return 0;
-    if (list->count != 1 && list->count != LOFT_AXES)
-        return tool_error(EX_USAGE, "--%s: give one number, or %d with commas between", option,
-                          LOFT_AXES);
-    for (size_t i = 0; i < LOFT_AXES; i++)
-        out[i] = list->value[list->count == 1 ? 0 : i];
-    return 0;
-}
+#include "read/machine_file.h"  /* machine_read */
 
 static void tool_of(const void *k, const double motors[LOFT_AXES], double out[LOFT_AXES])
 {
@@ -29,35 +16,9 @@ static void tool_of(const void *k, const double motors[LOFT_AXES], double out[LO
         memcpy(out, motors, LOFT_AXES * sizeof *out);
 }
 
-/* The numbers of the file are the defaults of the options. */
-static int take_file(struct loft_host_options *o, kinematics *k, char text[KINEMATICS_TEXT],
-                     int argc, char **argv)
-{
-    machine_file m = machine_usual();
-    const int code = machine_option(&m, argc, argv);
-
-    for (int i = 0; i < LOFT_AXES; i++) {
-        o->steps_per_mm[i] = m.steps_per_mm[i];
-        o->max_speed[i] = m.max_speed[i];
-        o->max_accel[i] = m.max_accel[i];
-        o->max_jerk[i] = m.max_jerk[i];
-    }
-    o->tick_hz = (unsigned)m.tick_hz;
-    o->slots = (unsigned)m.slots;
-    o->ramp = (unsigned)m.ramp;
-    o->queue = (unsigned)m.queue;
-    o->curves = (unsigned)m.curves;
-    *k = m.k;
-    kinematics_text(k, text);
-    o->note = text;
-    o->tool = k->kind == ENGINE_COREXY ? tool_of : NULL;
-    o->kinematics = k;
-    return code;
-}
-
 /* `x-=-5,y+=200`: there is something at -5 mm at the low end of x. `opens`: a switch may be wired
  * the other way, `x-=-5nc`. */
-static int take_ends(const char *option, const char *text, bool opens,
+static int take_ends(const char *name, const char *text, bool opens,
                      struct loft_host_end ends[LOFT_AXES][2])
 {
     static const char names[] = "xyzabc";
@@ -72,7 +33,7 @@ static int take_ends(const char *option, const char *text, bool opens,
         if (!end || end == at + 3 || !(fabs(e.at) < 32768) ||
             (end[e.opens ? 2 : 0] && end[e.opens ? 2 : 0] != ','))
             return tool_error(EX_USAGE, "--%s %s: give axis, end and mm of each, as x-=-5,x+=200%s",
-                              option, text, opens ? ", or x-=-5nc if it opens there" : "");
+                              name, text, opens ? ", or x-=-5nc if it opens there" : "");
         ends[axis - names][at[1] == '+'] = e;
         end += e.opens ? 2 : 0;
         at = *end ? end + 1 : end;
@@ -105,105 +66,183 @@ static int simulate(const struct loft_host_options *o, const engine *e)
     return loft_host_simulate_q16x3(o);
 }
 
-static int run_simulate(const tool_command *self, int argc, char **argv)
-{
-    struct loft_host_options o = loft_host_defaults();
-    const engine *e            = &engine_q16;
-    const char *speed          = o.fast ? "fast" : "real";
-    tool_list steps = { .count = 0 }, fastest = { .count = 0 }, accel = { .count = 0 };
-    const char *machine = NULL, *limits = NULL, *walls = NULL, *probe = NULL;
-    const char *gantry = NULL;
-    tool_list halt = { .count = 0 };
-    kinematics k;
-    char text[KINEMATICS_TEXT];
-    int first;
+#define FROM_FILE 4294967295.0      /* not given: the number of the machine */
 
-    int code = take_file(&o, &k, text, argc, argv);
-    if (code != 0)
-        return code;
-    const tool_option options[] = {
-        TOOL_TEXT("machine", "FILE", &machine,
-                  "a machine as text, see host-tools/MACHINE.md; the options below are stronger"),
-        TOOL_TEXT("link", "PATH", &o.link, "make PATH a symbolic link to the pseudo terminal"),
-        TOOL_TEXT("keep", "FILE", &o.kept,
-                  "keep the settings in FILE, as an EEPROM does (while it runs)"),
-        TOOL_TEXT("record", "FILE", &o.record, "write every pulse with its time to FILE (CSV)"),
-        TOOL_TEXT("speed", "real|fast", &speed, "real time, or fast: as fast as it goes (fast)"),
-        TOOL_LIST("halt", "TICK,..", &halt, 0, 4e9,
-                  "time stops at these ticks of jobs, one after the other, each until kill -USR2 "
-                  "(none)"),
-        TOOL_COUNT("line-baud", "RATE", &o.line_baud, 0, 4000000,
-                   "the line brings its bytes in simulated time; 0: at once (0)"),
-        TOOL_SWITCH("once", &o.once, "end after one job"),
-        TOOL_SWITCH("quiet", &o.quiet, "print only the name of the pseudo terminal, and errors"),
-        TOOL_LIST("steps", "N,..", &steps, 0.01, 30000, "steps per mm, for all axes or each (80)"),
-        TOOL_LIST("max-speed", "MM/S,..", &fastest, 1 / 64.0, 16383, "of the axes (500)"),
-        TOOL_LIST("accel", "MM/S2,..", &accel, 1, 16383, "of the axes (2000)"),
-        TOOL_COUNT("tick-hz", "HZ", &o.tick_hz, 50, 50000, "ticks per second (1000)"),
-        TOOL_COUNT("slots", "N", &o.slots, 1, 4096, "chances to step per tick (40)"),
-        TOOL_COUNT("ramp", "TICKS", &o.ramp, 1, 32767, "from full pace to a stop in a hold (100)"),
-        TOOL_COUNT("curves", "N", &o.curves, 0, 4096,
-                   "curves that fit its plan; 0: it does not plan (64)"),
-        TOOL_COUNT("columns", "N", &o.columns, 0, 1024,
-                   "curves of a line of a patch; 0: it takes no patches (64)"),
-        TOOL_COUNT("queue", "N", &o.queue, 2, 32768, "items that fit the queue (256)"),
-        TOOL_TEXT("limits", "x-=MM,..", &limits,
-                  "limit switches: axis, - or + end, and mm from the start, where it closes; "
-                  "x-=MMnc: it opens there (none)"),
-        TOOL_SWITCH("shared", &o.shared,
-                    "the switches of both ends of an axis share one input, as on an Uno"),
-        TOOL_TEXT("gantry", "y=MM", &gantry,
-                  "an axis with two motors, the second so far ahead; each has the switches of "
-                  "--limits (none)"),
-        TOOL_TEXT("walls", "x-=MM,..", &walls,
-                  "where the table ends: steps that run into a wall are lost (none)"),
-        TOOL_TEXT("probe", "z-=MM,..", &probe, "where the probe touches something (none)"),
-        TOOL_NUMBER("bounce", "MS", &o.bounce_ms, 0, 100,
-                    "how long the contacts of switches and probe bounce (0)"),
-        TOOL_NUMBER("noise", "PPM", &o.noise, 0, 100000,
-                    "flipped bits per million on the line (0)"),
-        ENGINE_OPTION(&e, "number type of the machine (q16)"),
-        TOOL_OPTIONS_END
-    };
-    code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (first < argc)
-        return tool_error(EX_USAGE, "%s: simulate takes no file: see `loft simulate --help`",
-                          argv[first]);
-    if (o.curves > 0 && o.curves < 4)
-        return tool_error(EX_USAGE, "a plan of %u curves: give 0 for none, or 4 to 4096", o.curves);
-    if (strcmp(speed, "fast") != 0 && strcmp(speed, "real") != 0)
-        return tool_error(EX_USAGE, "--speed %s: give real or fast", speed);
-    if ((code = spread("steps", &steps, o.steps_per_mm)) != 0 ||
-        (code = spread("max-speed", &fastest, o.max_speed)) != 0 ||
-        (code = spread("accel", &accel, o.max_accel)) != 0 ||
-        (code = take_ends("limits", limits, true, o.limit)) != 0 ||
-        (code = take_gantry(gantry, &o)) != 0 ||
-        (code = take_ends("walls", walls, false, o.wall)) != 0 ||
-        (code = take_ends("probe", probe, false, o.probe)) != 0)
-        return code;
-    o.fast = strcmp(speed, "fast") == 0;
-    if (!o.fast && (halt.count > 0 || o.line_baud > 0))
-        return tool_error(EX_USAGE,
-                          "--halt and --line-baud are of simulated time: give --speed fast");
-    if (halt.count > LOFT_HOST_HALTS)
-        return tool_error(EX_USAGE, "--halt: give at most %d ticks", LOFT_HOST_HALTS);
-    o.halts = (unsigned)halt.count;
-    for (size_t i = 0; i < halt.count; i++)
-        o.halt[i] = halt.value[i];
-    return simulate(&o, e);
+typedef struct {
+    const char *machine, *link, *kept, *record, *limits, *gantry, *walls, *probe;
+    int speed;                  /* of real|fast */
+    option_list halt, steps, fastest, accel;
+    unsigned line_baud, tick_hz, slots, ramp, curves, columns, queue;
+    bool once, quiet, shared;
+    double bounce, noise;
+    const engine *e;
+} simulate_options;
+
+static const option simulate_rows[] = {
+    { "machine", OPTION_FILE(simulate_options, machine), .value = "FILE",
+      .help = "a machine as text, see host-tools/MACHINE.md; the options below are stronger" },
+    { "link", OPTION_FILE(simulate_options, link), .value = "PATH",
+      .help = "make PATH a symbolic link to the pseudo terminal" },
+    { "keep", OPTION_FILE(simulate_options, kept), .value = "FILE",
+      .help = "keep the settings in FILE, as an EEPROM does (while it runs)" },
+    { "record", OPTION_FILE(simulate_options, record), .value = "FILE",
+      .help = "write every pulse with its time to FILE (CSV)" },
+    { "speed", OPTION_CHOICE(simulate_options, speed), .choices = "real|fast", .standard = "fast",
+      .help = "real time, or fast: as fast as it goes" },
+    { "halt", OPTION_LIST(simulate_options, halt), .least = 0, .most = 4e9, .value = "TICK,..",
+      .help = "time stops at these ticks of jobs, one after the other, each until kill -USR2 "
+              "(none)" },
+    { "line-baud", OPTION_INTEGER(simulate_options, line_baud), .least = 0, .most = 4000000,
+      .value = "RATE", .standard = "0",
+      .help = "the line brings its bytes in simulated time; 0: at once" },
+    { "once", OPTION_FLAG(simulate_options, once), .help = "end after one job" },
+    { "quiet", OPTION_FLAG(simulate_options, quiet),
+      .help = "print only the name of the pseudo terminal, and errors" },
+    { "steps", OPTION_LIST(simulate_options, steps), .least = 0.01, .most = 30000, .value = "N,..",
+      .counts = "1|3", .remedy = "give one number, or 3 with commas between",
+      .help = "steps per mm, for all axes or each (80)" },
+    { "max-speed", OPTION_LIST(simulate_options, fastest), .least = 1 / 64.0, .most = 16383,
+      .value = "MM/S,..", .counts = "1|3", .remedy = "give one number, or 3 with commas between",
+      .help = "of the axes (500)" },
+    { "accel", OPTION_LIST(simulate_options, accel), .least = 1, .most = 16383, .value = "MM/S2,..",
+      .counts = "1|3", .remedy = "give one number, or 3 with commas between",
+      .help = "of the axes (2000)" },
+    { "tick-hz", OPTION_INTEGER(simulate_options, tick_hz), .least = 50, .most = 50000,
+      .unit = "Hz", .unset = FROM_FILE, .help = "ticks per second (1000)" },
+    { "slots", OPTION_INTEGER(simulate_options, slots), .least = 1, .most = 4096, .value = "N",
+      .unset = FROM_FILE, .help = "chances to step per tick (40)" },
+    { "ramp", OPTION_INTEGER(simulate_options, ramp), .least = 1, .most = 32767, .value = "TICKS",
+      .unset = FROM_FILE, .help = "from full pace to a stop in a hold (100)" },
+    { "curves", OPTION_INTEGER(simulate_options, curves), .least = 0, .most = 4096, .value = "N",
+      .unset = FROM_FILE, .help = "curves that fit its plan; 0: it does not plan (64)" },
+    { "columns", OPTION_INTEGER(simulate_options, columns), .least = 0, .most = 1024, .value = "N",
+      .standard = "64", .help = "curves of a line of a patch; 0: it takes no patches" },
+    { "queue", OPTION_INTEGER(simulate_options, queue), .least = 2, .most = 32768, .value = "N",
+      .unset = FROM_FILE, .help = "items that fit the queue (256)" },
+    { "limits", OPTION_TEXT(simulate_options, limits), .value = "x-=MM,..",
+      .help = "limit switches: axis, - or + end, and mm from the start, where it closes; x-=MMnc: "
+              "it opens there (none)" },
+    { "shared", OPTION_FLAG(simulate_options, shared),
+      .help = "the switches of both ends of an axis share one input, as on an Uno" },
+    { "gantry", OPTION_TEXT(simulate_options, gantry), .value = "y=MM",
+      .help = "an axis with two motors, the second so far ahead; each has the switches of --limits "
+              "(none)" },
+    { "walls", OPTION_TEXT(simulate_options, walls), .value = "x-=MM,..",
+      .help = "where the table ends: steps that run into a wall are lost (none)" },
+    { "probe", OPTION_TEXT(simulate_options, probe), .value = "z-=MM,..",
+      .help = "where the probe touches something (none)" },
+    { "bounce", OPTION_NUMBER(simulate_options, bounce), .least = 0, .most = 100, .unit = "ms",
+      .standard = "0", .help = "how long the contacts of switches and probe bounce" },
+    { "noise", OPTION_NUMBER(simulate_options, noise), .least = 0, .most = 100000, .unit = "ppm",
+      .standard = "0", .help = "flipped bits per million on the line" },
+    ENGINE_ROW(simulate_options, e, "q16", "number type of the machine"),
+    OPTION_NO_WORDS("simulate takes no file"),
+    OPTION_EXCLUDES("speed=real", "halt|line-baud",
+                    "they are of simulated time: give --speed fast"),
+    { 0 }
+};
+
+/* One number for all axes, or one for each, or those of the machine. */
+static void spread(const option_list *list, const double machine[], double out[LOFT_AXES])
+{
+    for (size_t i = 0; i < LOFT_AXES; i++)
+        out[i] = list->count == 0 ? machine[i] : list->value[list->count == 1 ? 0 : i];
 }
 
-const tool_command command_simulate = { "simulate", "[--link PATH] [--record FILE]",
-                                        "the machine as a program, behind a pseudo terminal",
-                                        "Prints the name of the pseudo terminal; give it, or PATH, "
-                                        "to `loft stream --port`. What runs is the code of the\n"
-                                        "firmware, in any number type. Ends with ^C, which stops "
-                                        "the machine on the path, or with --once after one job.\n"
-                                        "kill -USR1 presses its emergency stop, and the next one "
-                                        "frees it. Where --halt stops the time of a machine\n"
-                                        "with a sender it still talks: it prints `job ID halted at "
-                                        "tick N`, a hold or an abort shows at once, and kill\n"
-                                        "-USR2 lets time go on.\n",
-                                        run_simulate };
+static unsigned given(unsigned option_of, double machine)
+{
+    return option_of == (unsigned)FROM_FILE ? (unsigned)machine : option_of;
+}
+
+/* The numbers of the file are the defaults of the options. */
+static void take_machine(const simulate_options *w, const machine_file *m,
+                         struct loft_host_options *o)
+{
+    spread(&w->steps, m->steps_per_mm, o->steps_per_mm);
+    spread(&w->fastest, m->max_speed, o->max_speed);
+    spread(&w->accel, m->max_accel, o->max_accel);
+    for (int i = 0; i < LOFT_AXES; i++)
+        o->max_jerk[i] = m->max_jerk[i];
+    o->tick_hz = given(w->tick_hz, m->tick_hz);
+    o->slots   = given(w->slots, m->slots);
+    o->ramp    = given(w->ramp, m->ramp);
+    o->queue   = given(w->queue, m->queue);
+    o->curves  = given(w->curves, m->curves);
+    o->columns = w->columns;
+}
+
+static int take_surroundings(const simulate_options *w, struct loft_host_options *o)
+{
+    int code = take_ends("limits", w->limits, true, o->limit);
+
+    if (code == 0)
+        code = take_gantry(w->gantry, o);
+    if (code == 0)
+        code = take_ends("walls", w->walls, false, o->wall);
+    if (code == 0)
+        code = take_ends("probe", w->probe, false, o->probe);
+    o->shared    = w->shared;
+    o->bounce_ms = w->bounce;
+    o->noise     = w->noise;
+    return code;
+}
+
+/* How it runs, and what is kept of it. */
+static int take_run(const simulate_options *w, struct loft_host_options *o)
+{
+    o->link      = w->link;
+    o->kept      = w->kept;
+    o->record    = w->record;
+    o->fast      = w->speed == 1;
+    o->line_baud = w->line_baud;
+    o->once      = w->once;
+    o->quiet     = w->quiet;
+    o->halts     = (unsigned)w->halt.count;
+    for (size_t i = 0; i < w->halt.count && i < LOFT_HOST_HALTS; i++)
+        o->halt[i] = w->halt.value[i];
+    return w->halt.count <= LOFT_HOST_HALTS
+               ? 0
+               : tool_error(EX_USAGE, "--halt: give at most %d ticks", LOFT_HOST_HALTS);
+}
+
+static int run_simulate(void *options)
+{
+    const simulate_options *w  = options;
+    struct loft_host_options o = loft_host_defaults();
+    machine_file m             = machine_usual();
+    char text[KINEMATICS_TEXT];
+    int code = w->machine ? machine_read(&m, w->machine) : 0;
+
+    if (code != 0)
+        return code;
+    take_machine(w, &m, &o);
+    kinematics_text(&m.k, text);
+    o.note       = text;
+    o.tool       = m.k.kind == ENGINE_COREXY ? tool_of : NULL;
+    o.kinematics = &m.k;
+    if (o.curves > 0 && o.curves < 4)
+        return tool_error(EX_USAGE, "a plan of %u curves: give 0 for none, or 4 to 4096", o.curves);
+    code = take_surroundings(w, &o);
+    if (code == 0)
+        code = take_run(w, &o);
+    return code == 0 ? simulate(&o, w->e) : code;
+}
+
+const command command_simulate = {
+    .name = "simulate",
+    .arguments = "[--link PATH] [--record FILE]",
+    .summary = "the machine as a program, behind a pseudo terminal",
+    .detail = "Prints the name of the pseudo terminal; give it, or PATH, "
+        "to `loft stream --port`. What runs is the code of the\n"
+        "firmware, in any number type. Ends with ^C, which stops "
+        "the machine on the path, or with --once after one job.\n"
+        "kill -USR1 presses its emergency stop, and the next one "
+        "frees it. Where --halt stops the time of a machine\n"
+        "with a sender it still talks: it prints `job ID halted at "
+        "tick N`, a hold or an abort shows at once, and kill\n"
+        "-USR2 lets time go on.\n",
+    .options = simulate_rows,
+    .size = sizeof(simulate_options),
+    .run = run_simulate,
+    .talks = true,
+};

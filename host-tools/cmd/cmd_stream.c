@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "cmd/commands.h"
 #include "wire/action_code.h"    /* LOFT_OUTPUTS_MOST */
 
 #include "cmd/keys.h"           /* keys_start, keys_hasty */
@@ -17,7 +18,6 @@
 #include "send/settings.h"       /* settings_adopt */
 #include "cmd/report.h"         /* report_start */
 #include "send/stream.h"         /* stream_run */
-#include "base/tool.h"
 #include "plan/toolpath.h"       /* toolpath_make */
 
 /* Plan the first portion of a part, from the position of the motors. */
@@ -33,7 +33,7 @@ static int plan_work(const stream_options *o, const stream_parts *all, size_t k,
         return tool_error(EX_DATAERR,
                           "%s: its motors are at %.6g %.6g %.6g, where those of a %s machine like "
                           "this cannot be: give its --machine FILE",
-                          o->port ? o->port : "-", start[0], start[1], start[2],
+                          o->line.port ? o->line.port : "-", start[0], start[1], start[2],
                           kinematics_name(&o->p.machine.k));
     toolpath_make(&w->path, d, &how);
     if (w->path.count == 0)
@@ -187,7 +187,7 @@ static int check_machine(const stream_options *o, const loft_sender *s)
     return tool_error(EX_CONFIG,
                       "%s: this machine does not plan by itself: give --plan host, or build its "
                       "firmware with memory for a planner",
-                      o->port);
+                      o->line.port);
 }
 
 static int plan_for(const stream_options *o, const stream_parts *all, size_t k,
@@ -242,10 +242,16 @@ static int stream_part(const stream_options *o, const stream_parts *all, size_t 
     }
     if (code == 0) {
         const machine_tool *tool   = all->part[k].tool;
-        const stream_subject about = { all->file,       w->path.curves, w->path.drawn,
-                                       o->p.tol,        &all->part[k].d, o->record,
-                                       &o->p.machine.k, o->port,         tool ? tool->name : NULL,
-                                       &w->path };
+        const stream_subject about = { .file = all->file,
+                                       .curves = w->path.curves,
+                                       .drawn = w->path.drawn,
+                                       .tol = o->p.tol,
+                                       .d = &all->part[k].d,
+                                       .record = o->record,
+                                       .k = &o->p.machine.k,
+                                       .port = o->line.port,
+                                       .tool = tool ? tool->name : NULL,
+                                       .path = &w->path };
         code = stream_run(t, &w->j, &about);
         if (code == 0)
             take_worst(&w->j, o->p.tol);
@@ -260,7 +266,7 @@ static int change(const stream_options *o, const machine_tool *tool, talk *t)
 
     if (code != 0)
         return code;
-    return talk_again(t, o->wait);
+    return talk_again(t, o->line.wait);
 }
 
 /* One job for each tool, one after the other. */
@@ -297,7 +303,7 @@ static int control_machine(const stream_options *o)
     const enum loft_verb verb = o->abort ? LOFT_ABORT : o->hold ? LOFT_HOLD : LOFT_RESUME;
     talk t;
 
-    int code = talk_open(&t, o->port, o->baud, o->wait, o->log);
+    int code = talk_open(&t, &o->line);
     if (code != 0)
         return code;
     code = stream_control(&t, verb, &o->p.machine.k);
@@ -346,7 +352,7 @@ static int draw_file(stream_options *o, const char *file)
         code = stream_grbl(o, &all);
     else if (code == 0 && o->dry)
         code = dry_run(o, &smooth, &all);
-    else if (code == 0 && (code = talk_open(&t, o->port, o->baud, o->wait, o->log)) == 0) {
+    else if (code == 0 && (code = talk_open(&t, &o->line)) == 0) {
         if (o->p.file == NULL)
             code = adopt(o, file, &t, &d, &smooth, &all);
         if (code == 0)
@@ -360,109 +366,92 @@ static int draw_file(stream_options *o, const char *file)
     return code;
 }
 
-/* Who is told how it goes? */
-static int start_report(const stream_options *o)
-{
-    if (o->view && o->json)
-        return tool_error(EX_USAGE, "--view and --json: one is for people, one for programs: give "
-                                    "one of them");
-    if (o->json && o->grbl && o->dry)
-        return tool_error(EX_USAGE, "--json: standard output is the G-code of --grbl --dry-run: "
-                                    "leave out --json");
-    if (o->view && !o->asks)
-        return tool_error(EX_USAGE, "--view: it shows a drawing from a file while a machine draws "
-                                    "it: give both, or leave it out");
-    if (o->json && o->port != NULL && strcmp(o->port, "-") == 0)
-        return tool_error(EX_USAGE, "--json: standard output is the port: name another port");
-    return report_start(o->view ? REPORT_VIEW : o->json ? REPORT_JSON : REPORT_BAR);
-}
+static const option stream_rows[] = {
+    OPTION_GROUP(stream_options, line, talk_rows),
+    OPTION_GROUP(stream_options, p, planning_rows),
+    { "plan", OPTION_CHOICE(stream_options, where), .choices = "host|chip", .standard = "host",
+      .help = "host: spans are sent; chip: curves are, and the machine plans" },
+    { "points", OPTION_FLAG(stream_options, points),
+      .help = "send sampled points, one per tick, instead of spans" },
+    { "grbl", OPTION_FLAG(stream_options, grbl),
+      .help = "send G-code to a controller of grbl's kind, which plans; with --dry-run print it" },
+    { "g5", OPTION_FLAG(stream_options, g5),
+      .help = "with --grbl: curves as G5, for controllers that have it, instead of arcs" },
+    { "dry-run", OPTION_FLAG(stream_options, dry),
+      .help = "plan for a usual machine, print a summary, move nothing" },
+    { "check", OPTION_FLAG(stream_options, check),
+      .help = "the same, and judge it: box, feeds, what an axis cannot do, rapids below 0" },
+    { "record", OPTION_FILE(stream_options, record), .value = "FILE",
+      .help = "the pulses that `loft simulate --record FILE` writes: measure the path error" },
+    { "log", OPTION_FILE(stream_options, line.log), .value = "FILE",
+      .help = "write what passes on the line, in words" },
+    { "view", OPTION_FLAG(stream_options, view),
+      .help = "show the drawing, the numbers and the keys on the whole terminal" },
+    { "json", OPTION_FLAG(stream_options, json),
+      .help = "tell a program how it goes: JSON, one object a line, on standard output" },
+    { "away", OPTION_FLAG(stream_options, away),
+      .help = "the drawing leads away from the limit switches that are closed now" },
+    { "from-tool", OPTION_TEXT(stream_options, from_tool), .value = "NAME",
+      .help = "of a machine file with tools: leave out what the tools before it draw" },
+    { "hold", OPTION_FLAG(stream_options, hold),
+      .help = "no FILE: slow down on the path and stop" },
+    { "resume", OPTION_FLAG(stream_options, resume), .help = "no FILE: go on" },
+    { "abort", OPTION_FLAG(stream_options, abort),
+      .help = "no FILE: slow down on the path and end the job" },
+    { "file", OPTION_WORD(stream_options, file), .value = "DRAWING",
+      .remedy = "more than one drawing" },
+    OPTION_EXCLUDES("check", "grbl", "--check judges a plan, and --grbl leaves it to a controller"),
+    OPTION_NEEDS("", "port|dry-run|check", "name the machine's port, or plan with --dry-run"),
+    OPTION_EXCLUDES("plan=chip", "exact",
+                    "a machine that plans does not stop at corners: give --plan host"),
+    OPTION_EXCLUDES("plan=chip", "points",
+                    "a machine that plans takes curves: leave --points, or give --plan host"),
+    OPTION_NEEDS("", "file|hold|resume|abort", "name an SVG or CSV file, or -"),
+    OPTION_EXCLUDES("hold|resume|abort", "file", "they take no drawing"),
+    OPTION_EXCLUDES("hold", "resume|abort", NULL),
+    OPTION_EXCLUDES("resume", "abort", NULL),
+    OPTION_NEEDS("hold|resume|abort", "port", "name the machine's port"),
+    OPTION_EXCLUDES("port=-&file=-", "",
+                    "both the drawing and the port are standard input: name one of them"),
+    OPTION_EXCLUDES("view", "json", "one is for people, one for programs"),
+    OPTION_EXCLUDES("json", "grbl&dry-run", "standard output is the G-code of --grbl --dry-run"),
+    OPTION_EXCLUDES("view", "dry-run|check|hold|resume|abort|file=-|port=-",
+                    "it shows a drawing from a file while a machine draws it"),
+    OPTION_EXCLUDES("json", "port=-", "standard output is the port: name another port"),
+    { 0 }
+};
 
-static int run_stream(const tool_command *self, int argc, char **argv)
+static int run_stream(void *options)
 {
-    stream_options o = { .baud = 115200, .wait = 5, .where = "host" };
-    int first, code  = planning_start(&o.p, argc, argv);
+    stream_options *o   = options;
+    const bool controls = o->hold || o->resume || o->abort;
+    int code            = planning_start(&o->p);
 
     if (code != 0)
         return code;
-    const tool_option options[] = {
-        TALK_OPTIONS(o),
-        PLANNING_OPTIONS(&o.p),
-        TOOL_TEXT("plan", "host|chip", &o.where,
-                  "host: spans are sent; chip: curves are, and the machine plans (host)"),
-        TOOL_SWITCH("points", &o.points, "send sampled points, one per tick, instead of spans"),
-        TOOL_SWITCH(
-            "grbl", &o.grbl,
-            "send G-code to a controller of grbl's kind, which plans; with --dry-run print it"),
-        TOOL_SWITCH("g5", &o.g5,
-                    "with --grbl: curves as G5, for controllers that have it, instead of arcs"),
-        TOOL_SWITCH("dry-run", &o.dry, "plan for a usual machine, print a summary, move nothing"),
-        TOOL_SWITCH("check", &o.check,
-                    "the same, and judge it: box, feeds, what an axis cannot do, rapids below 0"),
-        TOOL_TEXT("record", "FILE", &o.record,
-                  "the pulses that `loft simulate --record FILE` writes: measure the path error"),
-        TOOL_TEXT("log", "FILE", &o.log, "write what passes on the line, in words"),
-        TOOL_SWITCH("view", &o.view,
-                    "show the drawing, the numbers and the keys on the whole "
-                    "terminal"),
-        TOOL_SWITCH("json", &o.json,
-                    "tell a program how it goes: JSON, one object a line, on "
-                    "standard output"),
-        TOOL_SWITCH("away", &o.away,
-                    "the drawing leads away from the limit switches that are closed now"),
-        TOOL_TEXT("from-tool", "NAME", &o.from_tool,
-                  "of a machine file with tools: leave out what the tools before it draw"),
-        TOOL_SWITCH("hold", &o.hold, "no FILE: slow down on the path and stop"),
-        TOOL_SWITCH("resume", &o.resume, "no FILE: go on"),
-        TOOL_SWITCH("abort", &o.abort, "no FILE: slow down on the path and end the job"),
-        TOOL_OPTIONS_END
-    };
-    code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    o.dry = o.dry || o.check;
-    if (o.check && o.grbl)
-        return tool_error(EX_USAGE, "--check: judges a plan, and --grbl leaves it to a controller: "
-                                    "give one of them");
-    if (o.port == NULL && !o.dry)
-        return tool_error(EX_USAGE, "no --port: name the machine's port, or plan with --dry-run");
-
-    o.chip = strcmp(o.where, "chip") == 0;
-    if (!o.chip && strcmp(o.where, "host") != 0)
-        return tool_error(EX_USAGE, "--plan %s: give host or chip", o.where);
-    if (o.chip && o.p.exact >= 0)
-        return tool_error(
-            EX_USAGE, "--exact: a machine that plans does not stop at corners: give --plan host");
-    if (o.chip && o.points)
-        return tool_error(
-            EX_USAGE, "--points: a machine that plans takes curves: leave it, or give --plan host");
-
-    const bool controls = o.hold || o.resume || o.abort;
-    if (!controls && first + 1 != argc)
-        return tool_error(EX_USAGE, "%s: see `loft stream --help`",
-                          first < argc ? "more than one drawing"
-                                       : "no drawing: name an SVG or CSV file, or -");
-    if (o.hold + o.resume + o.abort > 1 || (controls && first < argc))
-        return tool_error(
-            EX_USAGE,
-            "--hold, --resume and --abort take no other argument: see `loft stream --help`");
-    if (o.port && !controls && strcmp(o.port, "-") == 0 && strcmp(argv[first], "-") == 0)
-        return tool_error(EX_USAGE,
-                          "both the drawing and the port are standard input: name one of them");
-    o.asks = !controls && !o.dry && strcmp(argv[first], "-") != 0 && strcmp(o.port, "-") != 0;
-    keys_start(o.asks);
-    code = start_report(&o);
+    o->dry  = o->dry || o->check;
+    o->chip = o->where == 1;
+    o->asks = !controls && !o->dry && strcmp(o->file, "-") != 0 && strcmp(o->line.port, "-") != 0;
+    keys_start(o->asks);
+    code = report_start(o->view ? REPORT_VIEW : o->json ? REPORT_JSON : REPORT_BAR);
     if (code == 0)
-        code = controls ? control_machine(&o) : draw_file(&o, argv[first]);
+        code = controls ? control_machine(o) : draw_file(o, o->file);
     return report_exit(code);
 }
 
-const tool_command command_stream = {
-    "stream", "FILE --port PORT", "a drawing becomes motion: plan it and stream it to a machine",
-    "Keys while it runs: h holds, r resumes, a aborts, + and - change the override by 10 %\n"
-    "(10..200), 0 makes it 100 %, s prints where things are; ^C holds and leaves, twice\n"
-    "leaves at once. The machine never leaves the path. A job that was cut off continues\n"
-    "where the machine stopped when the same command runs again. A machine that was restarted\n"
-    "in a job must be homed or zeroed before: $XDG_STATE_HOME/loft, or ~/.local/state/loft,\n"
-    "has a note of each job that has not ended.\n",
-    run_stream
+const command command_stream = {
+    .name = "stream",
+    .arguments = "FILE --port PORT",
+    .summary = "a drawing becomes motion: plan it and stream it to a machine",
+    .detail =
+        "Keys while it runs: h holds, r resumes, a aborts, + and - change the override by 10 %\n"
+        "(10..200), 0 makes it 100 %, s prints where things are; ^C holds and leaves, twice\n"
+        "leaves at once. The machine never leaves the path. A job that was cut off continues\n"
+        "where the machine stopped when the same command runs again. A machine that was restarted\n"
+        "in a job must be homed or zeroed before: $XDG_STATE_HOME/loft, or ~/.local/state/loft,\n"
+        "has a note of each job that has not ended.\n",
+    .options = stream_rows,
+    .size = sizeof(stream_options),
+    .run = run_stream,
+    .talks = true,
 };

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/tool.h"
+#include "cmd/commands.h"
 #include "send/mover.h"
 #include "send/settings.h"       /* settings_write */
 
@@ -20,12 +20,12 @@ static int keep_zero(mover *v, const double was[ENGINE_AXES], const double is[EN
                                       "in this file"
                                     : "%s: this machine keeps no settings: give x.zero in a "
                                       "--machine FILE",
-                          v->p.file ? v->p.file : v->port);
+                          v->p.file ? v->p.file : v->o.line.port);
     int code = settings_read(&s, &v->t);
     for (int i = 0; i < ENGINE_AXES; i++)
         s.m.zero[i] += was[i] - is[i];
     if (code == 0)
-        code = settings_write(&s, &v->t, v->wait);
+        code = settings_write(&s, &v->t, v->o.line.wait);
     return code ? code : mover_ready(v);
 }
 
@@ -49,41 +49,50 @@ static int zero_axes(mover *v, const bool axis[ENGINE_AXES], double at, bool kee
     return code;
 }
 
-static int run_zero(const tool_command *self, int argc, char **argv)
-{
-    bool axis[ENGINE_AXES] = { false };
-    double at              = 0;
-    bool keep              = false;
-    mover v;
-    int first, code = mover_start(&v, argc, argv);
+typedef struct {
+    mover_options move;
+    const char *axes;
+    double at;
+    bool keep;
+} zero_options;
 
-    if (code != 0)
-        return code;
-    const tool_option options[] = { MOVER_OPTIONS(v),
-                                    TOOL_NUMBER("at", "MM", &at, -16383, 16383,
-                                                "the axes are here, not at 0 (0)"),
-                                    TOOL_SWITCH("keep", &keep,
-                                                "a homed machine keeps it in its settings: it is "
-                                                "there again after `loft home`"),
-                                    TOOL_OPTIONS_END };
-    code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (v.port != NULL && first + 1 < argc)
-        return tool_error(EX_USAGE, "%s: name the axes in one word, as xy", argv[first + 1]);
-    code = mover_axes(first < argc ? argv[first] : "xyz", axis);
+static const option zero_rows[] = {
+    { "axes", OPTION_WORD(zero_options, axes), .value = "AXES", .standard = "xyz",
+      .remedy = "name the axes in one word, as xy" },
+    OPTION_GROUP(zero_options, move, mover_rows),
+    { "at", OPTION_NUMBER(zero_options, at), .least = -16383, .most = 16383, .unit = "mm",
+      .standard = "0", .help = "the axes are here, not at 0" },
+    { "keep", OPTION_FLAG(zero_options, keep),
+      .help = "a homed machine keeps it in its settings: it is there again after `loft home`" },
+    { 0 }
+};
+
+static int run_zero(void *options)
+{
+    const zero_options *o  = options;
+    bool axis[ENGINE_AXES] = { false };
+    mover v                = { .at = { 0 } };
+    int code               = mover_axes(o->axes, axis);
+
     if (code == 0)
-        code = mover_open(&v);
+        code = mover_open(&v, &o->move, false);
     if (code == 0)
-        code = zero_axes(&v, axis, at, keep);
+        code = zero_axes(&v, axis, o->at, o->keep);
     mover_close(&v);
     return code;
 }
 
-const tool_command command_zero = {
-    "zero", "[AXES] --port PORT", "the machine stands at 0 now: tell it so",
-    "AXES are letters, as xy or z; without them all of x, y and z. Nothing moves. Put the pen\n"
-    "where 0,0 of the drawing is to be, then run it. The machine keeps this until it restarts,\n"
-    "with --keep for good: as x.zero, where on its table the zero lies.\n",
-    run_zero
+const command command_zero = {
+    .name = "zero",
+    .arguments = "[AXES] --port PORT",
+    .summary = "the machine stands at 0 now: tell it so",
+    .detail =
+        "AXES are letters, as xy or z; without them all of x, y and z. Nothing moves. Put the pen\n"
+        "where 0,0 of the drawing is to be, then run it. The machine keeps this until it "
+        "restarts,\n"
+        "with --keep for good: as x.zero, where on its table the zero lies.\n",
+    .options = zero_rows,
+    .size = sizeof(zero_options),
+    .run = run_zero,
+    .talks = true,
 };

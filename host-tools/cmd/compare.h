@@ -7,7 +7,7 @@
 #ifndef LOFT_HOST_COMPARE_H
 #define LOFT_HOST_COMPARE_H
 
-#include "base/tool.h"          /* tool_list */
+#include "base/option.h"        /* option_list */
 #include "engine/engine.h"
 #include "engine/surface.h"
 
@@ -16,14 +16,14 @@
 typedef struct {
     const engine *than;         /* NULL: the definition, in long double                     */
     const char *other;          /* a file: each one of it, or the first one's part; or NULL */
-    tool_list part;             /* of the first one: from, to; corners of a surface         */
-    tool_list quadric;          /* xx yy zz xy yz zx x y z 1, or nothing                    */
+    option_list part;             /* of the first one: from, to; corners of a surface         */
+    option_list quadric;          /* xx yy zz xy yz zx x y z 1, or nothing                    */
     unsigned n;                 /* parameters of a piece, j/n                               */
 } compare_to;
 
 /* The distance of a point from F = 0, to first order: |F| / |grad F|; at a place without a gradient
  * infinite, or 0 if F is. */
-double compare_quadric(const tool_list *q, const double p[ENGINE_AXES]);
+double compare_quadric(const option_list *q, const double p[ENGINE_AXES]);
 
 /* x rounded to the number type; false: it does not fit. */
 bool compare_round(const engine *e, double x[], int count);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/tool.h"
 #include "num/status.h"         /* enum loft_status */
 
 #include "cmd/compare.h"

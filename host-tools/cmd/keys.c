@@ -12,6 +12,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "base/tool.h"
 #include "cmd/keys.h"
 #include "base/progress.h"       /* progress_watch */
 

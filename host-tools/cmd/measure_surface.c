@@ -7,10 +7,10 @@
 #include "geometry/surface_text.h"
 #include "make/decide.h"   /* decide_surfaces */
 
-int measure_surfaces(const char *file, const engine *e, const tool_list *at, double tol, bool path,
-                     bool *done)
+int measure_surfaces(const char *file, const engine *e, const option_list *at, double tol,
+                     bool path, bool *done)
 {
-    const tool_list within = { .value = { tol }, .count = 1 };
+    const option_list within = { .value = { tol }, .count = 1 };
     surfaces all = { 0 };
     int code = surfaces_read(tool_host(), &all, file);
 

@@ -6,12 +6,12 @@
 
 #include <stdbool.h>
 
-#include "base/tool.h"          /* tool_list */
+#include "base/option.h"        /* option_list */
 #include "engine/engine.h"
 
 /* If the file holds surfaces: print their areas, or their points nearest to `at`, unless what was
  * asked for is of `path`s. Returns an exit code; *done: it holds surfaces. */
-int measure_surfaces(const char *file, const engine *e, const tool_list *at, double tol, bool path,
-                     bool *done);
+int measure_surfaces(const char *file, const engine *e, const option_list *at, double tol,
+                     bool path, bool *done);
 
 #endif

@@ -16,11 +16,20 @@
 
 #define COLUMNS 64              /* of a usual machine */
 
-int mill_chip_start(mill_chip *c, int argc, char **argv)
-{
-    *c = (mill_chip){ .baud = 115200, .wait = 5 };
-    return planning_start(&c->p, argc, argv);
-}
+const option mill_chip_rows[] = {
+    OPTION_GROUP(mill_chip_options, line, talk_rows),
+    { "machine", OPTION_FILE(mill_chip_options, machine), .value = "FILE",
+      .help = "of --plan chip: a machine as text, see host-tools/MACHINE.md" },
+    { "feed", OPTION_NUMBER(mill_chip_options, feed), .least = 0.016, .most = 1000, .unit = "mm/s",
+      .standard = "30", .help = "of --plan chip: on the surface, mm/s, or as 1200mm/min" },
+    { "travel", OPTION_NUMBER(mill_chip_options, travel), .least = 0.016, .most = 1000,
+      .unit = "mm/s", .standard = "100", .help = "of --plan chip: above it" },
+    { "log", OPTION_FILE(mill_chip_options, line.log), .value = "FILE",
+      .help = "of --plan chip: write what passes on the line, in words" },
+    { "dry-run", OPTION_FLAG(mill_chip_options, dry),
+      .help = "of --plan chip: plan for a usual machine, print a summary, move nothing" },
+    { 0 }
+};
 
 /* A patch, its path, and their job. */
 typedef struct {
@@ -100,12 +109,12 @@ static int check_machine(mill_chip *c, const talk *t)
         return tool_error(EX_CONFIG,
                           "%s: the motors of a %s machine are not its axes: leave out --plan chip, "
                           "and stream the path",
-                          c->port, kinematics_name(&c->p.machine.k));
+                          c->a.line.port, kinematics_name(&c->p.machine.k));
     if (!(m->kinds & 1u << LOFT_CURVES) || m->curves == 0 || m->columns == 0)
         return tool_error(EX_CONFIG,
                           "%s: this machine does not cut patches by itself: leave out --plan chip, "
                           "or build its firmware with LOFT_PORT_PATCHES=1",
-                          c->port);
+                          c->a.line.port);
     c->o.columns = m->columns;
     c->o.lines   = m->num == LOFT_F32   ? engine_lines_f32
                  : m->num == LOFT_F64 ? engine_lines_f64
@@ -140,7 +149,7 @@ static int run_job(const mill_chip *c, const surface *s, const char *file, talk 
                                    .tol = c->p.tol + c->o.tol,
                                    .d = &m->d,
                                    .k = &c->p.machine.k,
-                                   .port = c->port,
+                                   .port = c->a.line.port,
                                    .path = &m->w.path };
     const int code             = stream_limits(t, c->p.machine.hard_stop > 0, &m->w.j.head);
 
@@ -160,7 +169,7 @@ static int run_jobs(mill_chip *c, const surfaces *all, const char *file, talk *t
     for (size_t k = old < all->count ? old : 0; k < all->count && code == 0; k++) {
         const bool first = k == (old < all->count ? old : 0);
         if (!first)
-            code = talk_again(t, c->wait);
+            code = talk_again(t, c->a.line.wait);
         if (code == 0 && k != old) {
             stream_new_start(&t->sender, start);
             code = plan_work(c, &all->surface[k], file, start, &limits, &m);
@@ -176,7 +185,7 @@ static int connect(mill_chip *c, const surfaces *all, const char *file)
 {
     talk t;
 
-    int code = talk_open(&t, c->port, c->baud, c->wait, c->log);
+    int code = talk_open(&t, &c->a.line);
     if (code != 0)
         return code;
     if (c->p.file == NULL)
@@ -195,19 +204,17 @@ int mill_chip_run(mill_chip *c, const char *file)
 {
     surfaces all = { 0 };
 
-    if (c->port == NULL && !c->dry)
-        return tool_error(EX_USAGE, "no --port: name the machine's port, or plan with --dry-run");
-    if (!c->dry && strcmp(c->port, "-") == 0)
-        return tool_error(EX_USAGE, "--port -: standard output has the summary: name another port");
-    c->o.feed   = c->p.feed;
-    c->o.travel = c->p.travel;
-    int code    = surfaces_read_only(tool_host(), &all, file);
+    int code    = planning_usual(&c->p, c->a.machine);
+    c->p.feed   = c->o.feed   = c->a.feed;
+    c->p.travel = c->o.travel = c->a.travel;
+    if (code == 0)
+        code = surfaces_read_only(tool_host(), &all, file);
     if (code == 0) {
-        keys_start(!c->dry && strcmp(file, "-") != 0);
+        keys_start(!c->a.dry && strcmp(file, "-") != 0);
         code = report_start(REPORT_BAR);
     }
     if (code == 0)
-        code = c->dry ? dry_run(c, &all, file) : connect(c, &all, file);
+        code = c->a.dry ? dry_run(c, &all, file) : connect(c, &all, file);
     surfaces_free(&all);
     return report_exit(code);
 }

@@ -21,7 +21,7 @@
 static SCREEN *screen;          /* the program has one terminal */
 static bool open_now;
 
-int screen_check(const char *option)
+int screen_check(const char *name)
 {
     int known         = 0;
     const char *named = getenv("TERM");
@@ -30,13 +30,13 @@ int screen_check(const char *option)
         return tool_error(EX_USAGE,
                           "--%s: standard input and standard error must be a terminal: give `ssh "
                           "-t`, or --json for a program",
-                          option);
+                          name);
     if (setupterm(NULL, STDERR_FILENO, &known) == OK && tigetstr("cup") != NULL)
         return 0;
     return tool_error(EX_UNAVAILABLE,
                       "--%s: the terminal `%s` has no full screen: set TERM to what it is, or "
                       "leave this out",
-                      option, named ? named : "");
+                      name, named ? named : "");
 }
 
 /* What a signal handler writes to leave the screen: it may not call ncurses. */

@@ -8,8 +8,8 @@
 
 #include <stdbool.h>
 
-/* Can `option` have the terminal? Returns 0, or an exit code after printing one line. */
-int screen_check(const char *option);
+/* Can the option `name` have the terminal? Returns 0, or an exit code after printing one line. */
+int screen_check(const char *name);
 
 /* Take the terminal. Returns false if it cannot do this. A second call does nothing. */
 bool screen_open(void);

@@ -40,8 +40,8 @@ static int draw_part(const stream_options *o, const stream_parts *all, size_t k,
         code = change_tool(p->tool, o->asks);
     if (code == 0 && g != NULL)
         code = grbl_run(g, &lines,
-                        &(report_job){ all->file, o->port, p->tool ? p->tool->name : NULL, &path,
-                                       o->p.tol, 0 });
+                        &(report_job){ all->file, o->line.port, p->tool ? p->tool->name : NULL,
+                                       &path, o->p.tol, 0 });
     if (code == 0 && g == NULL && p->tool != NULL)
         (void)say(stdout, "(tool %s)\n", p->tool->name);
     if (code == 0 && g == NULL && p->tool != NULL && *p->tool->pause)
@@ -59,7 +59,7 @@ int stream_grbl(stream_options *o, const stream_parts *all)
 {
     grbl *g = NULL;
     double start[ENGINE_AXES] = { 0, 0, 0 };
-    int code = o->dry ? 0 : grbl_open(&g, o->port, o->baud, o->wait);
+    int code = o->dry ? 0 : grbl_open(&g, o->line.port, o->line.baud, o->line.wait);
 
     if (g != NULL && o->p.file == NULL)
         (void)grbl_table(g, &o->p.machine);

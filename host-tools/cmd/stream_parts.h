@@ -5,16 +5,16 @@
 #define LOFT_STREAM_PARTS_H
 
 #include "plan/planning.h"      /* planning */
+#include "send/talk.h"          /* talk_options */
 #include "arrange/tools.h"         /* tools_part */
 
 typedef struct {
+    talk_options line;
     planning p;
-    const char *port, *record, *log;
-    unsigned baud;
-    double wait;
-    const char *where, *from_tool;
-    bool asks;                  /* standard input can answer */
-    bool points, grbl, g5, dry, check, hold, resume, abort, chip, away, view, json;
+    const char *file, *record, *from_tool;
+    int where;                  /* 1: the machine plans */
+    bool points, grbl, g5, dry, check, hold, resume, abort, away, view, json;
+    bool chip, asks;            /* the machine plans; standard input can answer */
 } stream_options;
 
 /* A drawing by the tools that draw it, and from which of them on. */

@@ -4,12 +4,12 @@
 #include "cmd/screen.h"
 #include "base/tool.h"
 
-int screen_check(const char *option)
+int screen_check(const char *name)
 {
     return tool_error(EX_UNAVAILABLE,
                       "--%s: this loft was built without ncurses: build it with libncurses-dev, or "
                       "leave this out: a line shows the progress",
-                      option);
+                      name);
 }
 
 bool screen_open(void) { return false; }

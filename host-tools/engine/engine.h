@@ -11,6 +11,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/option.h"    /* OPTION_PARSED */
+
 #define ENGINE_AXES 3
 
 struct curve;               /* curve.h */
@@ -286,8 +288,10 @@ extern const engine engine_q16, engine_f32, engine_f64;
 
 const engine *engine_find(const char *name);    /* NULL if unknown */
 
-/* The option --num TYPE of a command; `out` is the address of a const engine *. */
-#define ENGINE_OPTION(out, help)    TOOL_PARSED("num", "q16|f32|f64", out, engine_parse, help)
+/* The row of --num TYPE; the member `m` is a const engine *. */
+#define ENGINE_ROW(s, m, type, words)                                                              \
+    { "num", OPTION_PARSED(s, m), .choices = "q16|f32|f64", .standard = type,                      \
+      .parse = engine_parse, .help = words }
 bool engine_parse(const char *text, void *out);
 
 /* The smallest tolerance, or a little more, within which a piece becomes cubics. */

@@ -12,12 +12,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "cmd/dispatch.h"
 #include "engine/engine.h"
 #include "cmd/commands.h"        /* command_make .. */
 #include "figures/cmd_figures.h"
 #include "figures/figures.h"
 #include "base/create.h"         /* create_file */
-#include "base/tool.h"
 
 #define LINE   2048
 #define FOLDER 400
@@ -58,9 +58,9 @@ static void expand_line(char out[LINE], const char *line, const char *folder, co
     out[n < LINE ? n : LINE - 1] = '\0';
 }
 
-static const tool_command *command_of(const char *name)
+static const command *command_of(const char *name)
 {
-    static const tool_command *const used[] = { &command_make,    &command_decide,  &command_eval,
+    static const command *const used[] = { &command_make,    &command_decide,  &command_eval,
                                                 &command_measure, &command_compare, &command_plot,
                                                 &command_contour, &command_surface, &command_fit };
 
@@ -81,7 +81,7 @@ static int run_line(const exhibition *x, const char *line, FILE *to)
     snprintf(type, sizeof type, "%s", x->e->name);
     for (char *word = strtok(text, " "); word != NULL && argc < WORDS; word = strtok(NULL, " "))
         argv[argc++] = word;
-    const tool_command *c = argc > 0 ? command_of(argv[0]) : NULL;
+    const command *c = argc > 0 ? command_of(argv[0]) : NULL;
     if (c == NULL)
         return tool_error(EX_SOFTWARE, "figures: %s: no such step", line);
     if (c != &command_plot) {
@@ -93,7 +93,7 @@ static int run_line(const exhibition *x, const char *line, FILE *to)
     const int held = dup(STDOUT_FILENO);
     if (held < 0 || dup2(fileno(to), STDOUT_FILENO) < 0)
         return tool_error(EX_OSERR, "standard output: %s", strerror(errno));
-    const int code = c->run(c, argc, argv);
+    const int code = dispatch(c, argc, argv);
     fflush(stdout);
     dup2(held, STDOUT_FILENO);
     close(held);
@@ -430,14 +430,14 @@ static int list_figures(void)
 }
 
 /* All, or those that are named. */
-static int show_figures(exhibition *x, char **name, int count)
+static int show_figures(exhibition *x, const char *const *name, size_t count)
 {
     char page[LINE];
     int code = open_page(x, page);
 
     for (size_t i = 0; code == 0 && count == 0 && figure_number(i) != NULL; i++)
         code = show_figure(x, figure_number(i));
-    for (int i = 0; i < count && code == 0; i++)
+    for (size_t i = 0; i < count && code == 0; i++)
         code = show_figure(x, figure_named(name[i]));
     if (x->page != NULL) {
         const int closed = close_page(x, page);
@@ -449,46 +449,56 @@ static int show_figures(exhibition *x, char **name, int count)
     return code ? code : x->failed > 0 ? EX_SOFTWARE : EX_OK;
 }
 
-static int run_figures(const tool_command *self, int argc, char **argv)
-{
-    const char *output = "figures";
-    bool list = false, no_pictures = false;
-    exhibition x = { .e = &engine_q16 };
-    char folder[FOLDER];
-    int first;
+typedef struct {
+    const char *output;
+    bool list, brief, no_pictures;
+    const engine *e;
+    option_words names;
+} figures_options;
 
-    const tool_option options[] = {
-        TOOL_TEXT("output", "DIR", &output, "or -o: the folder, made if necessary (figures)"),
-        TOOL_SWITCH("list", &list, "names, texts, sections and titles; nothing is made"),
-        TOOL_SWITCH("brief", &x.brief, "print only what is wrong, and the sum"),
-        TOOL_SWITCH("no-pictures", &no_pictures, "numbers only"),
-        ENGINE_OPTION(&x.e, "number type of all numbers (q16)"),
-        TOOL_OPTIONS_END
-    };
-    const int code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (list)
+static const option figures_rows[] = {
+    { "output", OPTION_FOLDER(figures_options, output), .value = "DIR", .standard = "figures",
+      .help = "or -o: the folder, made if necessary" },
+    { "list", OPTION_FLAG(figures_options, list),
+      .help = "names, texts, sections and titles; nothing is made" },
+    { "brief", OPTION_FLAG(figures_options, brief),
+      .help = "print only what is wrong, and the sum" },
+    { "no-pictures", OPTION_FLAG(figures_options, no_pictures), .help = "numbers only" },
+    ENGINE_ROW(figures_options, e, "q16", "number type of all numbers"),
+    { "names", OPTION_WORDS(figures_options, names), .most = 1e6, .value = "NAME" },
+    { 0 }
+};
+
+static int run_figures(void *options)
+{
+    const figures_options *o = options;
+    char folder[FOLDER];
+    exhibition x = { .e = o->e, .brief = o->brief, .folder = folder, .pictures = !o->no_pictures };
+
+    if (o->list)
         return list_figures();
-    for (int i = first; i < argc; i++)
-        if (figure_named(argv[i]) == NULL)
-            return tool_error(EX_USAGE, "%s: no such figure: see `loft figures --list`", argv[i]);
-    if (strlen(output) >= FOLDER - 1)
+    for (size_t i = 0; i < o->names.count; i++)
+        if (figure_named(o->names.word[i]) == NULL)
+            return tool_error(EX_USAGE, "%s: no such figure: see `loft figures --list`",
+                              o->names.word[i]);
+    if (strlen(o->output) >= FOLDER - 1)
         return tool_error(EX_USAGE, "-o: the name has %zu letters: give less than %d",
-                          strlen(output), FOLDER - 1);
-    snprintf(folder, sizeof folder, "%s/", output);
-    x.folder   = folder;
-    x.pictures = !no_pictures;
-    return show_figures(&x, argv + first, argc - first);
+                          strlen(o->output), FOLDER - 1);
+    snprintf(folder, sizeof folder, "%s/", o->output);
+    return show_figures(&x, o->names.word, o->names.count);
 }
 
-const tool_command command_figures = {
-    "figures", "[-o DIR] [NAME..] | --list",
-    "the figures of the texts, with the numbers that prove them",
-    "Makes figures of five texts on curves and surfaces: of each the data in .loft, the\n"
-    "picture, and the numbers that a theorem or a formula gives, computed in the number type\n"
-    "and compared with their bounds. DIR/index.html has all of them, with the commands that\n"
-    "repeat each step. Pictures are drawn from q16. The exit code is 70 if a number is beyond\n"
-    "its bound.\n",
-    run_figures
+const command command_figures = {
+    .name = "figures",
+    .arguments = "[-o DIR] [NAME..] | --list",
+    .summary = "the figures of the texts, with the numbers that prove them",
+    .detail =
+        "Makes figures of five texts on curves and surfaces: of each the data in .loft, the\n"
+        "picture, and the numbers that a theorem or a formula gives, computed in the number type\n"
+        "and compared with their bounds. DIR/index.html has all of them, with the commands that\n"
+        "repeat each step. Pictures are drawn from q16. The exit code is 70 if a number is beyond\n"
+        "its bound.\n",
+    .options = figures_rows,
+    .size = sizeof(figures_options),
+    .run = run_figures,
 };

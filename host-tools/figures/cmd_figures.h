@@ -4,8 +4,8 @@
 #ifndef LOFT_CMD_FIGURES_H
 #define LOFT_CMD_FIGURES_H
 
-#include "base/tool.h"      /* tool_command */
+#include "cmd/command.h"
 
-extern const tool_command command_figures, command_study;
+extern const command command_figures, command_study;
 
 #endif

@@ -13,7 +13,6 @@
 #include "figures/cmd_figures.h"    /* command_study */
 #include "figures/study_pictures.h"
 #include "base/create.h"      /* create_check */
-#include "base/tool.h"
 
 #define EXPECTED "tests/vectors/ch4_numbers.csv"
 
@@ -111,42 +110,45 @@ static int study_pentagons(table *t, const engine_chapters *e, unsigned fine)
     return t->off > 0 ? EX_DATAERR : EX_OK;
 }
 
-static int run_study(const tool_command *self, int argc, char **argv)
+typedef struct {
+    const char *what, *folder, *expected;
+    unsigned fine;
+    bool brief, pictures_only;
+    const engine *e;
+} study_options;
+
+static const option study_rows[] = {
+    { "output", OPTION_FOLDER(study_options, folder), .value = "DIR",
+      .help = "draw the pictures of the chapter into this folder" },
+    { "expected", OPTION_FILE(study_options, expected), .value = "FILE",
+      .help = "the numbers to compare with (" EXPECTED ")" },
+    { "fine", OPTION_INTEGER(study_options, fine), .least = 4, .most = 400, .value = "N",
+      .standard = "60", .help = "5 N^2 points of each pentagon are looked at" },
+    { "brief", OPTION_FLAG(study_options, brief), .help = "print only what is off, and the sum" },
+    { "pictures-only", OPTION_FLAG(study_options, pictures_only), .help = "no numbers" },
+    ENGINE_ROW(study_options, e, "f64", "number type"),
+    { "what", OPTION_WORD(study_options, what), .least = 1, .value = "what", .choices = "gb",
+      .remedy = "what is to be studied: give `gb`" },
+    { 0 }
+};
+
+static int run_study(void *options)
 {
-    const engine *num    = &engine_f64;
-    const char *folder   = NULL, *file = NULL;
-    unsigned fine        = 60;
-    bool pictures_only   = false;
-    table t              = { .num = NULL };
-    int first;
+    const study_options *o   = options;
+    const engine_chapters *e = o->e == &engine_q16   ? &engine_chapters_q16
+                               : o->e == &engine_f32 ? &engine_chapters_f32
+                                                     : &engine_chapters_f64;
+    table t  = { .num = o->e->name, .brief = o->brief };
+    int code = create_check(tool_host(), o->folder);
 
-    const tool_option options[] = {
-        TOOL_TEXT("output", "DIR", &folder, "draw the pictures of the chapter into this folder"),
-        TOOL_TEXT("expected", "FILE", &file, "the numbers to compare with (" EXPECTED ")"),
-        TOOL_COUNT("fine", "N", &fine, 4, 400, "5 N^2 points of each pentagon are looked at (60)"),
-        TOOL_SWITCH("brief", &t.brief, "print only what is off, and the sum"),
-        TOOL_SWITCH("pictures-only", &pictures_only, "no numbers"),
-        ENGINE_OPTION(&num, "number type (f64)"),
-        TOOL_OPTIONS_END
-    };
-    int code = tool_options(self, options, argc, argv, &first);
     if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (first + 1 != argc || strcmp(argv[first], "gb") != 0)
-        return tool_error(EX_USAGE, "what is to be studied: give `gb`");
-
-    const engine_chapters *e = num == &engine_q16   ? &engine_chapters_q16
-                               : num == &engine_f32 ? &engine_chapters_f32
-                                                    : &engine_chapters_f64;
-    if ((code = create_check(tool_host(), folder)) != 0)
         return code;
-    t.num = num->name;
-    if (!pictures_only)
-        code = read_expected(&t, file ? file : EXPECTED, file != NULL);
-    if (code == 0 && !pictures_only)
-        code = study_pentagons(&t, e, fine);
-    if ((code == 0 || t.compared > 0) && folder != NULL) {
-        const int drawn = study_pictures(num, folder);
+    if (!o->pictures_only)
+        code = read_expected(&t, o->expected ? o->expected : EXPECTED, o->expected != NULL);
+    if (code == 0 && !o->pictures_only)
+        code = study_pentagons(&t, e, o->fine);
+    if ((code == 0 || t.compared > 0) && o->folder != NULL) {
+        const int drawn = study_pictures(o->e, o->folder);
         code = drawn ? drawn : code;
     }
     for (size_t i = 0; i < t.lines; i++)
@@ -155,15 +157,19 @@ static int run_study(const tool_command *self, int argc, char **argv)
     return code;
 }
 
-const tool_command command_study = {
-    "study", "gb [-o DIR] [--num TYPE]",
-    "what a pentagonal GB patch does: numbers beside expected ones, pictures",
-    "A generalized Bezier patch with five sides of degree 5, over three pentagons and with\n"
-    "three kinds of coordinates (W Wachspress, MV mean value, H harmonic): the influence of\n"
-    "the point in the middle (B0, its weight), ridges and valleys of the contours (Z_tt), and\n"
-    "Gaussian curvature (K) for five heights of that point. Prints\n"
-    "figure;pentagon;quantity;coordinates;number;expected;difference, a line per number, and\n"
-    "how many are off. Extremes of a sample depend on the places of its points; they are\n"
-    "printed, but not judged.\n",
-    run_study
+const command command_study = {
+    .name = "study",
+    .arguments = "gb [-o DIR] [--num TYPE]",
+    .summary = "what a pentagonal GB patch does: numbers beside expected ones, pictures",
+    .detail =
+        "A generalized Bezier patch with five sides of degree 5, over three pentagons and with\n"
+        "three kinds of coordinates (W Wachspress, MV mean value, H harmonic): the influence of\n"
+        "the point in the middle (B0, its weight), ridges and valleys of the contours (Z_tt), and\n"
+        "Gaussian curvature (K) for five heights of that point. Prints\n"
+        "figure;pentagon;quantity;coordinates;number;expected;difference, a line per number, and\n"
+        "how many are off. Extremes of a sample depend on the places of its points; they are\n"
+        "printed, but not judged.\n",
+    .options = study_rows,
+    .size = sizeof(study_options),
+    .run = run_study,
 };

@@ -27,6 +27,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/option.h"    /* option */
 #include "read/drawing.h"
 
 enum gcode_kind {
@@ -85,14 +86,12 @@ double gcode_arc_length(const gcode_event *e);
 /* The program as a machine of this kind reads it. */
 enum gcode_dialect { GCODE_ANY, GCODE_LINUXCNC, GCODE_GRBL, GCODE_FLUIDNC, GCODE_MARLIN };
 
-/* The options --dialect NAME and --from-line N; the addresses of an int and of an unsigned. */
-#define GCODE_OPTIONS(dialect, from_line)                                                          \
-    TOOL_PARSED("dialect", "NAME", dialect, gcode_parse_dialect,                                   \
-                "of G-code: linuxcnc, grbl, fluidnc or marlin, for 3-D printers (found)"),         \
-        TOOL_COUNT("from-line", "N", from_line, 1, 4000000000u,                                    \
-                   "of G-code: read all, but move from this line on; the way there is above all "  \
-                   "of the program")
-bool gcode_parse_dialect(const char *text, void *out);
+/* Of a table of options. */
+typedef struct {
+    int dialect;                /* enum gcode_dialect */
+    unsigned from_line;         /* the first line that is run; 0: all */
+} gcode_choice;
+extern const option gcode_rows[];
 
 typedef struct gcode_program gcode_program;
 

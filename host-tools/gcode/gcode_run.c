@@ -577,19 +577,17 @@ int gcode_line(gcode_program *g, const char *text, size_t length)
     return code == 0 && (g->b.has & ~GCODE_BIT('N')) + g->b.gs + g->b.ms > 0 ? run_block(g) : code;
 }
 
-bool gcode_parse_dialect(const char *text, void *out)
-{
-    static const char *const names[] = { "linuxcnc", "grbl", "fluidnc", "marlin" };
-    int *dialect = out;
-
-    for (int i = 0; i < 4; i++)
-        if (strcmp(text, names[i]) == 0) {
-            *dialect = GCODE_LINUXCNC + i;
-            return true;
-        }
-    (void)tool_error(EX_USAGE, "--dialect %s: give linuxcnc, grbl, fluidnc or marlin", text);
-    return false;
-}
+const option gcode_rows[] = {
+    { "dialect", OPTION_CHOICE(gcode_choice, dialect), .value = "NAME",
+      .choices = "any|linuxcnc|grbl|fluidnc|marlin",
+      .remedy = "give linuxcnc, grbl, fluidnc or marlin", .standard = "any",
+      .help = "of G-code: linuxcnc, grbl, fluidnc or marlin, for 3-D printers (found)" },
+    { "from-line", OPTION_INTEGER(gcode_choice, from_line), .least = 1, .most = 4000000000u,
+      .value = "N",
+      .help = "of G-code: read all, but move from this line on; the way there is above all of the "
+              "program" },
+    { 0 }
+};
 
 bool gcode_ended(const gcode_program *g) { return g->ended; }
 

@@ -43,7 +43,8 @@ static int ask(const decide_question *q, const decide_input *in, const char *wha
 }
 
 /* The curves of one file and the surfaces of another. */
-static int ask_of_both(const decide_question *q, const decide_input *numbers, char *const file[2])
+static int ask_of_both(const decide_question *q, const decide_input *numbers,
+                       const char *const file[2])
 {
     decide_input in = *numbers;
     curves all = { 0 };
@@ -90,8 +91,8 @@ static unsigned number_type(const engine *e)
     return e == &engine_q16 ? 0 : e == &engine_f32 ? 1 : 2;
 }
 
-int decide_surfaces(const char *question, const engine *e, const tool_list *of, const surfaces *all,
-                    const char *file)
+int decide_surfaces(const char *question, const engine *e, const option_list *of,
+                    const surfaces *all, const char *file)
 {
     static const decide_question *const table[3] = { decide_q16, decide_f32, decide_f64 };
     const decide_input in = { e, of, NULL, all, NULL };
@@ -100,38 +101,48 @@ int decide_surfaces(const char *question, const engine *e, const tool_list *of, 
                source_name(file));
 }
 
-int decide_run(const tool_command *self, const decide_question *const table[3], unsigned count,
-               int argc, char **argv)
-{
-    const engine *e = &engine_q16;
-    tool_list of = { .count = 0 };
-    int first;
+const option decide_rows[] = { { "of", OPTION_LIST(decide_options, of), .least = -1e15,
+                                 .most = 1e15, .value = "NUMBER,..",
+      .help = "the numbers of the question" },
+    ENGINE_ROW(decide_options, e, "q16", "number type"),
+                               { "question", OPTION_WORD(decide_options, question), .least = 1,
+                                 .value = "word", .remedy = "say what, and of which file" },
+                               { "files", OPTION_WORDS(decide_options, files), .most = 2,
+                                 .value = "FILE", .remedy = "one word too many" },
+                               { 0 } };
 
-    const tool_option options[] = { TOOL_LIST("of", "NUMBER,..", &of, -1e15, 1e15,
-                                              "the numbers of the question"),
-                                    ENGINE_OPTION(&e, "number type (q16)"), TOOL_OPTIONS_END };
-    const int code = tool_options(self, options, argc, argv, &first);
-    if (code != 0)
-        return code == TOOL_HELP ? EX_OK : code;
-    if (first >= argc)
-        return tool_error(EX_USAGE, "no word after %s: see `loft help %s`", self->name, self->name);
-    const decide_question *q = question_of(table[number_type(e)], count, argv[first]);
-    if (q == NULL)
-        return tool_error(EX_USAGE, "%s: not known to %s: see `loft help %s`", argv[first],
-                          self->name, self->name);
-    const decide_input in = { e, &of, NULL, NULL, NULL };
-    const int words = q->takes == DECIDE_NUMBERS ? 1 : q->takes == DECIDE_BOTH ? 3 : 2;
-    if (argc - first > words)
-        return tool_error(EX_USAGE, "%s: one %s too many: see `loft help %s`", argv[argc - 1],
-                          q->takes == DECIDE_NUMBERS ? "word" : "file", self->name);
-    if (of.count < q->least || of.count > q->most)
+/* As many files and numbers as the question takes? */
+static int check_question(const char *name, const decide_question *q, const decide_options *o)
+{
+    const size_t files = q->takes == DECIDE_NUMBERS ? 0 : q->takes == DECIDE_BOTH ? 2 : 1;
+
+    if (o->files.count > files)
+        return tool_error(EX_USAGE, "%s: one %s too many: see `loft help %s`",
+                          o->files.word[o->files.count - 1],
+                          q->takes == DECIDE_NUMBERS ? "word" : "file", name);
+    if (o->of.count < q->least || o->of.count > q->most)
         return tool_error(EX_USAGE, "%s: --of has %zu number%s: give %s; see `loft help %s`",
-                          q->name, (size_t)of.count, tool_s(of.count), q->numbers, self->name);
+                          q->name, (size_t)o->of.count, tool_s(o->of.count), q->numbers, name);
+    if (q->takes == DECIDE_BOTH && o->files.count < 2)
+        return tool_error(EX_USAGE, "%s: give a file of curves, then one of surfaces", q->name);
+    return 0;
+}
+
+int decide_run(const char *name, const decide_question *const table[3], unsigned count,
+               const decide_options *o)
+{
+    const decide_question *q = question_of(table[number_type(o->e)], count, o->question);
+    const decide_input in    = { o->e, &o->of, NULL, NULL, NULL };
+
+    if (q == NULL)
+        return tool_error(EX_USAGE, "%s: not known to %s: see `loft help %s`", o->question, name,
+                          name);
+    const int code = check_question(name, q, o);
+    if (code != 0)
+        return code;
     if (q->takes == DECIDE_NUMBERS)
         return ask(q, &in, "--of");
-    if (q->takes == DECIDE_BOTH && argc - first < words)
-        return tool_error(EX_USAGE, "%s: give a file of curves, then one of surfaces", q->name);
     if (q->takes == DECIDE_BOTH)
-        return ask_of_both(q, &in, argv + first + 1);
-    return ask_of_file(q, &in, first + 1 < argc ? argv[first + 1] : "-");
+        return ask_of_both(q, &in, o->files.word);
+    return ask_of_file(q, &in, o->files.count > 0 ? o->files.word[0] : "-");
 }

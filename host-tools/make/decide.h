@@ -16,7 +16,7 @@
 #ifndef LOFT_HOST_DECIDE_H
 #define LOFT_HOST_DECIDE_H
 
-#include "base/tool.h"          /* tool_list */
+#include "base/tool.h"          /* option_list */
 #include "engine/engine.h"      /* engine */
 
 struct curves;
@@ -35,7 +35,7 @@ enum decide_takes {
 /* What a question is asked of: numbers, the curves or surfaces of a file, or those of two files. */
 typedef struct {
     const engine *e;
-    const tool_list *of;
+    const option_list *of;
     const struct curves *curves;
     const struct surfaces *surfaces;
     char *why;                  /* room for DECIDE_WHY: what is wrong, and the remedy */
@@ -63,11 +63,18 @@ extern const decide_question make_q16[MAKE_VERBS], make_f32[MAKE_VERBS], make_f6
 
 /* Print the answer of `loft decide` to a question about surfaces, or why there is none. Returns an
  * exit code. */
-int decide_surfaces(const char *question, const engine *e, const tool_list *of,
+int decide_surfaces(const char *question, const engine *e, const option_list *of,
                     const struct surfaces *all, const char *file);
 
 /* Run a command whose first word is a question of a table, one table per number type. */
-int decide_run(const tool_command *self, const decide_question *const table[3], unsigned count,
-               int argc, char **argv);
+typedef struct {
+    option_list of;
+    const engine *e;
+    const char *question;
+    option_words files;
+} decide_options;
+extern const option decide_rows[];
+int decide_run(const char *name, const decide_question *const table[3], unsigned count,
+               const decide_options *o);
 
 #endif

@@ -26,11 +26,6 @@ bool stock_parse(const char *text, void *out)
         s->given = sscanf(text, "%lfx%lfx%lf%c", &d[0], &d[1], &d[2], &rest) == 3;
     for (int k = 0; k < 3 && s->given; k++)
         s->given = d[k] > 0 && d[k] <= STOCK_MOST && (read == 3 || fabs(p[k]) <= STOCK_MOST);
-    if (!s->given)
-        (void)tool_error(EX_USAGE,
-                         "--stock %s: give WIDTHxDEPTHxHEIGHT, or that with @X,Y,Z of its lowest "
-                         "corner, in mm to %d",
-                         text, STOCK_MOST);
     return s->given;
 }
 

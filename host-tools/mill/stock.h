@@ -15,7 +15,7 @@ typedef struct {
 
 #define STOCK_MOST 4096
 
-/* WxDxH or WxDxH@X,Y,Z. Prints its own error. */
+/* WxDxH or WxDxH@X,Y,Z. */
 bool stock_parse(const char *text, void *out);
 
 /* Place the block, if its place is not given: its middle below that of the surfaces, its top at

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/tool.h"
 #include "plan/planning.h"
 #include "fit/smooth.h"         /* drawing_smooth */
 #include "plan/table.h"          /* table_check */
@@ -20,24 +21,58 @@
 #define EXACT_DEGREES 5     /* a smaller turn is no corner */
 #define JERK_PER 20         /* 1/s times the acceleration: reached in 1/20 s */
 
-int planning_start(planning *p, int argc, char **argv)
-{
-    *p = (planning){ .e = &engine_q16,
-                     .machine = machine_usual(),
-                     .feed = 30,
-                     .travel = 100,
-                     .accel = -1,
-                     .jerk = -1,
-                     .exact = -1,
-                     .lift = 1,
-                     .smooth = -1,
-                     .sheet = { .gap = PAGE_GAP },
-                     .order = { .effort = ORDER_EFFORT, .join = ORDER_JOIN } };
-    const int code = machine_option(&p->machine, argc, argv);
+const option planning_rows[] = {
+    { "machine", OPTION_FILE(planning, file), .value = "FILE",
+      .help = "a machine as text, see host-tools/MACHINE.md: its limits hold too; without a port "
+              "it is planned for" },
+    { "feed", OPTION_NUMBER(planning, feed), .least = 0.016, .most = 1000, .unit = "mm/s",
+      .standard = "30", .help = "pen down, mm/s, or as 1200mm/min" },
+    { "travel", OPTION_NUMBER(planning, travel), .least = 0.016, .most = 1000, .unit = "mm/s",
+      .standard = "100", .help = "pen up" },
+    { "accel", OPTION_NUMBER(planning, accel), .least = 1, .most = 30000, .unit = "mm/s2",
+      .unset = -1, .help = "no more than this on any axis (the machine's)" },
+    { "jerk", OPTION_NUMBER(planning, jerk), .least = 0, .most = JERK_MAX, .unit = "mm/s3",
+      .unset = -1, .help = "change of acceleration on any axis (the machine's); 0: at once" },
+    { "tol", OPTION_NUMBER(planning, tol), .least = 0.00098, .most = TOL_MAX, .unit = "mm",
+      .unset = -1, .help = "how far the machine may leave the drawing (0.005)" },
+    { "corner", OPTION_NUMBER(planning, corner), .least = 0, .most = 1, .unit = "mm", .unset = -1,
+      .help = "the same at corners, where it turns by more than 5 degrees, and up to 32 times this "
+              "along it from them; at least --tol (0)" },
+    { "exact", OPTION_MAYBE(planning, exact), .least = 0.1, .most = 180, .unit = "deg", .unset = -1,
+      .help = "stop at corners that turn by more than this (5), exactly on them, as G61" },
+    { "smooth", OPTION_NUMBER(planning, smooth), .least = 0, .most = 1, .unit = "mm", .unset = -1,
+      .help = "of this tolerance, for chains of short lines to become curves (a fifth); 0: each "
+              "line is drawn" },
+    { "lift", OPTION_NUMBER(planning, lift), .least = 0, .most = 100, .unit = "mm", .standard = "1",
+      .help = "height of the pen while travelling" },
+    { "park", OPTION_FLAG(planning, park),
+      .help = "at the end go to the machine's zero, where it was switched on or homed" },
+    OPTION_GROUP(planning, sheet, page_rows),
+    OPTION_GROUP(planning, order, order_rows),
+    OPTION_GROUP(planning, program, gcode_rows),
+    ENGINE_ROW(planning, e, "q16", "number type of the planner"),
+    { 0 }
+};
 
-    p->corner = p->machine.corner;
-    p->tol    = p->machine.tol;
+int planning_start(planning *p)
+{
+    p->machine     = machine_usual();
+    const int code = p->file ? machine_read(&p->machine, p->file) : 0;
+
+    p->corner = p->corner < 0 ? p->machine.corner : p->corner;
+    p->tol    = p->tol < 0 ? p->machine.tol : p->tol;
     return code;
+}
+
+int planning_usual(planning *p, const char *machine)
+{
+    option_reading r;
+    option_fault fault;
+
+    *p = (planning){ .e = NULL };
+    (void)option_begin(&r, planning_rows, p, &fault);
+    p->file = machine;
+    return planning_start(p);
 }
 
 void planning_machine(const planning *p, engine_limits *limits)
@@ -177,8 +212,8 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
 {
     double within = 0;
 
-    d->dialect   = p->dialect;
-    d->from_line = p->from_line;
+    d->dialect   = p->program.dialect;
+    d->from_line = p->program.from_line;
     d->layers    = p->sheet.layers;
     d->areas     = p->sheet.fill.distance > 0;
     d->only      = p->sheet.only;

@@ -535,17 +535,6 @@ const char *machine_differs(const machine_file *a, const machine_file *b, enum m
     return NULL;
 }
 
-int machine_option(machine_file *m, int argc, char **argv)
-{
-    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
-        if (strncmp(argv[i], "--machine=", 10) == 0)
-            return machine_read(m, argv[i] + 10);
-        if (strcmp(argv[i], "--machine") == 0 && i + 1 < argc)
-            return machine_read(m, argv[i + 1]);
-    }
-    return 0;
-}
-
 double machine_home_at(const machine_file *m, int axis)
 {
     const double out = m->home_back[axis];

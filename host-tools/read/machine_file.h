@@ -66,11 +66,6 @@ const char *machine_differs(const machine_file *a, const machine_file *b, enum m
 /* Read one line `key = value` over *m. Checks only this line. */
 int machine_line(machine_file *m, const char *file, unsigned line, const char *text);
 
-/* Like machine_read, for the option --machine FILE among the arguments. It runs before the other
- * options are read, so that their defaults can come from the file. Also returns 0 if the option is
- * not given. */
-int machine_option(machine_file *m, int argc, char **argv);
-
 /* Where the homing switch of an axis is in the drawing, and how far to look for it; 0: the file
  * does not say. */
 double machine_home_at(const machine_file *m, int axis);

@@ -20,11 +20,15 @@
 #define ALL     ((1u << LOFT_AXES) - 1)
 #define TABLE_MORE 0.1      /* mm: what tolerances may need beyond the table */
 
-int mover_start(mover *v, int argc, char **argv)
-{
-    *v = (mover){ .baud = 115200, .wait = 5 };
-    return planning_start(&v->p, argc, argv);
-}
+const option mover_rows[] = {
+    OPTION_GROUP(mover_options, line, talk_rows),
+    { "machine", OPTION_FILE(mover_options, machine), .value = "FILE",
+      .help = "a machine as text, see host-tools/MACHINE.md: table, homing, limits" },
+    { "log", OPTION_FILE(mover_options, line.log), .value = "FILE",
+      .help = "write what passes on the line, in words" },
+    OPTION_NEEDS("", "port", "name the machine's port"),
+    { 0 }
+};
 
 static void read_place(mover *v, const int32_t steps[LOFT_AXES])
 {
@@ -41,21 +45,24 @@ static int look(mover *v)
         return tool_error(EX_TEMPFAIL,
                           "%s: a job is running: wait for its end, or `loft stream --abort --port "
                           "%s`",
-                          v->port, v->port);
+                          v->o.line.port, v->o.line.port);
     if (s->ack.state == LOFT_STATE_FAULT)
-        return tool_error(EX_TEMPFAIL, "%s: the machine has a fault: restart it", v->port);
+        return tool_error(EX_TEMPFAIL, "%s: the machine has a fault: restart it", v->o.line.port);
     for (int i = 0; i < LOFT_AXES; i++)
         steps[i] = s->axis[i].position;
     read_place(v, steps);
     return 0;
 }
 
-int mover_open(mover *v)
+int mover_open(mover *v, const mover_options *o, bool keys)
 {
-    if (v->port == NULL)
-        return tool_error(EX_USAGE, "no --port: name the machine's port");
-    keys_start(v->keys);
-    int code = talk_open(&v->t, v->port, v->baud, v->wait, v->log);
+    *v       = (mover){ .o = *o };
+    int code = planning_usual(&v->p, o->machine);
+
+    if (code != 0)
+        return code;
+    keys_start(keys);
+    code = talk_open(&v->t, &o->line);
     if (code == 0 && v->p.file == NULL)
         code = settings_adopt(&v->p.machine, &v->t);
     return code ? code : look(v);
@@ -69,7 +76,7 @@ void mover_close(mover *v)
 
 int mover_ready(mover *v)
 {
-    const int code = talk_again(&v->t, v->wait);
+    const int code = talk_again(&v->t, v->o.line.wait);
     return code ? code : look(v);
 }
 
@@ -95,7 +102,7 @@ static int plan_move(const mover *v, const mover_move *m, job_work *w)
         return tool_error(EX_DATAERR,
                           "%s: its motors are where those of a %s machine like this "
                           "cannot be: give its --machine FILE",
-                          v->port, kinematics_name(&p.machine.k));
+                          v->o.line.port, kinematics_name(&p.machine.k));
     /* a move past the pole of a polar machine becomes several: the path must be able to grow */
     w->path = (toolpath){ .move  = spool_grow(NULL, sizeof *w->path.move),
                           .curve = spool_grow(NULL, sizeof *w->path.curve),
@@ -110,11 +117,11 @@ static int plan_move(const mover *v, const mover_move *m, job_work *w)
         as.steps_per_mm[i] = v->t.sender.axis[i].steps_per_mm;
     }
     limits_of(v, &as.limits);
-    const int code = planning_joints(&p, v->port, &nothing, start, false, &as.limits, &w->path,
-                                     &w->of);
+    const int code = planning_joints(&p, v->o.line.port, &nothing, start, false, &as.limits,
+                                     &w->path, &w->of);
     const int status = code == 0 ? job_open(&w->j, &w->of, &as) : LOFT_OK;
     w->j.k = w->of.k = &v->p.machine.k;     /* `p` ends here, and the job is drawn later */
-    return status == LOFT_OK ? code : job_refuse(&w->j, v->port, status, "");
+    return status == LOFT_OK ? code : job_refuse(&w->j, v->o.line.port, status, "");
 }
 
 
@@ -155,7 +162,7 @@ static int run_job(mover *v, const mover_move *m, job *j, bool *ended)
                 EX_IOERR,
                 "%s: the machine has been silent for %g s: it stops on the path; look "
                 "at cable and power",
-                v->port, SILENCE);
+                v->o.line.port, SILENCE);
         if (!*ended && s->phase == LOFT_PHASE_STREAMING &&
             (planned != LOFT_OK || keys_interrupted() || (m->ends && m->ends(m->context)))) {
             loft_sender_control(s, LOFT_ABORT);
@@ -163,14 +170,14 @@ static int run_job(mover *v, const mover_move *m, job *j, bool *ended)
         }
     }
     talk_over(&v->t);
-    return planned == LOFT_OK ? 0 : job_refuse(j, v->port, planned, "");
+    return planned == LOFT_OK ? 0 : job_refuse(j, v->o.line.port, planned, "");
 }
 
 /* What the report says. Other ends than those of mover_end are errors, in the words of a stream. */
 static int take_report(mover *v, const mover_move *m, job *j, bool ended, mover_outcome *out)
 {
     const loft_sender *s       = &v->t.sender;
-    const stream_subject about = { .file = v->port, .k = &v->p.machine.k };
+    const stream_subject about = { .file = v->o.line.port, .k = &v->p.machine.k };
     const bool done = s->phase == LOFT_PHASE_DONE, over = s->phase == LOFT_PHASE_ABORTED;
     char text[96];
 
@@ -245,12 +252,12 @@ static int wait_place(mover *v)
         if (tool_clock() > until)
             return tool_error(EX_IOERR,
                               "%s: the machine did not obey in %g s: run the same command again",
-                              v->port, OBEYS);
+                              v->o.line.port, OBEYS);
     }
     return s->ack.refusal == LOFT_REFUSAL_NONE
                ? 0
                : tool_error(EX_TEMPFAIL, "%s: the machine refused: a job has begun meanwhile",
-                            v->port);
+                            v->o.line.port);
 }
 
 int mover_place(mover *v, unsigned axes, const double at[ENGINE_AXES])
@@ -263,7 +270,7 @@ int mover_place(mover *v, unsigned axes, const double at[ENGINE_AXES])
         code = tool_error(EX_CONFIG,
                           "%s: this machine cannot be told where it stands: give it a newer "
                           "firmware",
-                          v->port);
+                          v->o.line.port);
     if (code == 0)
         code = steps_there(v, at, steps);
     if (code != 0)
@@ -328,7 +335,7 @@ int mover_free(const mover *v, const double to[ENGINE_AXES])
                      : tool_error(EX_UNAVAILABLE,
                                   "%s: %s is closed, and this does not lead away from it: `loft "
                                   "unlock --port %s` does",
-                                  v->port, talk_inputs(held, text), v->port);
+                                  v->o.line.port, talk_inputs(held, text), v->o.line.port);
 }
 
 int mover_to(mover *v, const double to[ENGINE_AXES], double feed)

@@ -11,30 +11,24 @@
 #include "plan/planning.h"      /* planning */
 #include "send/talk.h"          /* talk */
 
+/* The options of a command that moves. */
 typedef struct {
+    talk_options line;
+    const char *machine;        /* a machine file, or NULL */
+} mover_options;
+extern const option mover_rows[];
+
+typedef struct {
+    mover_options o;
     planning p;
-    const char *port, *log;
-    unsigned baud;
-    double wait;                /* s */
-    bool keys;                  /* also read single keys: see cmd/keys.h */
     talk t;
     double at[ENGINE_AXES];     /* mm: where the tool is */
 } mover;
 
-/* The options of a command that moves. */
-#define MOVER_OPTIONS(v)                                                                           \
-    TALK_OPTIONS(v),                                                                               \
-        TOOL_TEXT("machine", "FILE", &(v).p.file,                                                  \
-                  "a machine as text, see host-tools/MACHINE.md: table, homing, limits"),          \
-        TOOL_TEXT("log", "FILE", &(v).log, "write what passes on the line, in words")
-
-/* Set the defaults; reads the machine's file if the options name one. Returns 0, or an exit code
- * after printing one line. */
-int mover_start(mover *v, int argc, char **argv);
-
-/* Greet the machine, which must be at rest. Returns 0, or an exit code after printing one line;
- * call mover_close in any case. */
-int  mover_open(mover *v);
+/* Read the machine's file, if there is one, and greet the machine, which must be at rest. `keys`:
+ * also read single keys (base/keys.h). Returns 0, or an exit code after printing one line; call
+ * mover_close in any case. */
+int  mover_open(mover *v, const mover_options *o, bool keys);
 void mover_close(mover *v);
 
 /* Greet it again: its position and its closed inputs are those of now. Results as above. */

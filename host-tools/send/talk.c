@@ -197,18 +197,28 @@ static int open_log(talk *t, const char *file)
     return t->log != NULL ? 0 : create_refused(tool_host(), file, errno);
 }
 
-int talk_open(talk *t, const char *port, unsigned baud, double seconds, const char *log)
+const option talk_rows[] = {
+    { "port", OPTION_FILE(talk_options, port), .value = "PORT",
+      .help = "/dev/ttyUSB0, a pty, unix:PATH, tcp:HOST:PORT or - (`loft ports` lists)" },
+    { "baud", OPTION_INTEGER(talk_options, baud), .least = 300, .most = 4000000, .value = "RATE",
+      .standard = "115200", .help = "of a serial port" },
+    { "wait", OPTION_NUMBER(talk_options, wait), .least = 0.1, .most = 600, .unit = "s",
+      .standard = "5", .help = "for the machine's first answer" },
+    { 0 }
+};
+
+int talk_open(talk *t, const talk_options *o)
 {
-    *t = (talk){ .port = port, .began = tool_clock() };
-    int code = open_log(t, log);
+    *t = (talk){ .port = o->port, .began = tool_clock() };
+    int code = open_log(t, o->log);
 
     if (code == 0)
-        code = transport_open(&t->line, port, baud);
+        code = transport_open(&t->line, o->port, o->baud);
     if (code != 0) {
         talk_close(t);
         return code;
     }
-    code = talk_again(t, seconds);
+    code = talk_again(t, o->wait);
     if (code != 0)
         talk_close(t);
     return code;

@@ -7,6 +7,7 @@
 
 #include "wire/sender.h"    /* loft_sender */
 
+#include "base/option.h"         /* option */
 #include "send/transport.h"      /* transport */
 #include "send/wire_text.h"      /* wire_text */
 
@@ -25,16 +26,19 @@ typedef struct {
     bool noted;
 } talk;
 
-/* Where the machine is: options of a command, into o.port, o.baud and o.wait. */
-#define TALK_OPTIONS(o)                                                                            \
-    TOOL_TEXT("port", "PORT", &(o).port,                                                           \
-              "/dev/ttyUSB0, a pty, unix:PATH, tcp:HOST:PORT or - (`loft ports` lists)"),          \
-        TOOL_COUNT("baud", "RATE", &(o).baud, 300, 4000000, "of a serial port (115200)"),          \
-        TOOL_NUMBER("wait", "S", &(o).wait, 0.1, 600, "for the machine's first answer (5)")
+/* Where the machine is. */
+typedef struct {
+    const char *port;
+    unsigned baud;
+    double wait;                /* s */
+    const char *log;            /* a file for the traffic on the line, in words (wire_text.h); NULL:
+                                 * none */
+} talk_options;
+extern const option talk_rows[];        /* all but `log`, which the command names */
 
 /* Open the port, greet, and wait for the machine's answer. Returns 0, or an exit code after
- * printing one line. `log`: a file for the traffic on the line, in words (wire_text.h), or NULL. */
-int  talk_open(talk *t, const char *port, unsigned baud, double seconds, const char *log);
+ * printing one line. */
+int  talk_open(talk *t, const talk_options *o);
 void talk_close(talk *t);
 
 /* Begin another session over the same line: a session has one job. Results as above; after an error

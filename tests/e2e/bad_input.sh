@@ -268,9 +268,9 @@ case_bad_options() {
     one_line 64 'not an option'  "$loft" stream x --fast
     one_line 64 'needs a value'  "$loft" stream x --port
     one_line 64 'no --port'      "$loft" stream "$tmp/small.csv"
-    one_line 64 'no drawing'     "$loft" stream --port "$tmp/x"
+    one_line 64 'no DRAWING'     "$loft" stream --port "$tmp/x"
     one_line 64 'more than one'  "$loft" stream a b --port "$tmp/x"
-    one_line 64 'no other argument' "$loft" stream --hold --abort --port "$tmp/x"
+    one_line 64 'give one of them' "$loft" stream --hold --abort --port "$tmp/x"
     one_line 64 '--feed -3'      "$loft" stream "$tmp/small.csv" --dry-run --feed -3
     one_line 64 'a whole one'    "$loft" sample --n 2.5 --points "0,0 1,1"
     one_line 74 'standard output' sh -c "'$loft' sample --points '0,0 1,1' >/dev/full"
@@ -279,7 +279,7 @@ case_bad_options() {
     one_line 64 'the whole name' "$loft" plan "$tmp/small.csv" --fee 3
     one_line 64 'the whole name' "$loft" plan "$tmp/small.csv" --mach=none
     one_line 64 'give one file'  "$loft" eval "$tmp/small.csv" "$tmp/small.csv"
-    one_line 64 'not both'       "$loft" sample --points '0,0 1,1' "$tmp/small.csv"
+    one_line 64 'give one of them' "$loft" sample --points '0,0 1,1' "$tmp/small.csv"
     one_line 64 '2 to 32768'     "$loft" simulate --queue 1
     one_line 64 '0 for none'     "$loft" simulate --curves 3
     one_line 74 'standard output' sh -c "'$loft' --version >/dev/full"

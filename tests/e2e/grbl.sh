@@ -60,7 +60,7 @@ case_grbl_on_the_whole_terminal_and_in_json() {
     lines "[x['part'] for x in states] == sorted(x['part'] for x in states) and len(states) > 10"
     lines "{x['pen'] for x in states} >= {'down'} and states[-1]['at'][0] != states[3]['at'][0]"
     drew told
-    one_line 64 'leave out --json' "${job[@]}" --json --dry-run
+    one_line 64 'the G-code of --grbl --dry-run' "${job[@]}" --json --dry-run
     one_line 64 'must be a terminal' "${job[@]}" --view
 }
 case_grbl_troubles_are_told() {

@@ -24,7 +24,7 @@ case_a_job_on_the_whole_terminal() {
     seen 'h hold  r resume  a abort'; seen '   pen '; seen 'queue'; seen '#'; seen '....'
     seen 'held, r resumes  X '; says after 'drawn: .*as commanded'
     draws viewed; one_line 64 'must be a terminal' "${job[@]}" --view
-    one_line 64 'give both' "$loft" stream "$tmp/small.csv" --view --dry-run
+    one_line 64 'give one of them' "$loft" stream "$tmp/small.csv" --view --dry-run
 }
 case_the_whole_terminal_is_given_back() {   # by whatever ends the command
     local keys

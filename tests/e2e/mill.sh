@@ -43,10 +43,11 @@ case_mill_on_the_chip() {
         "$tmp/bowl.loft"
     printf 'sphere 9\n' >"$tmp/ball.loft"
     one_line 65 'leave out --plan chip' "$loft" mill --plan chip --dry-run "$tmp/ball.loft"
-    one_line 64 'give --tool ball'      "$loft" mill --plan chip --tool flat:4 "$tmp/dome.loft"
+    one_line 64 'give --tool ball'      "$loft" mill --plan chip --dry-run --tool flat:4 \
+        "$tmp/dome.loft"
     one_line 64 'give host or chip'     "$loft" mill --plan moon "$tmp/dome.loft"
-    one_line 64 'are for --plan chip'   "$loft" mill --dry-run "$tmp/dome.loft"
-    one_line 64 'no --port'             "$loft" mill --plan chip "$tmp/dome.loft"
+    one_line 64 'give --plan chip as'   "$loft" mill --dry-run "$tmp/dome.loft"
+    one_line 64 'give --port PORT or'    "$loft" mill --plan chip "$tmp/dome.loft"
 }
 case_mill() {
     printf 'bicubic\n' >"$tmp/dome.loft"

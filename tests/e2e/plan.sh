@@ -159,7 +159,7 @@ case_plan_as_a_picture() {
     one_line 73 'cannot be written'  "$loft" plan "$tmp/small.csv" --plot "$tmp/none/a.png"
     one_line 73 'cannot be written'  "$loft" plan "$tmp/small.csv" --csv 10 -o "$tmp/none/a.csv"
     one_line 64 'give --csv RATE'    "$loft" plan "$tmp/small.csv" -o "$tmp/a.csv"
-    one_line 64 'no drawing'         "$loft" plan
+    one_line 64 'no DRAWING'         "$loft" plan
     one_line 66 'none.svg: no such'  "$loft" plan "$tmp/none.svg"
     one_line 65 'unknown key'        "$loft" plan "$tmp/small.csv" --machine "$tmp/small.csv"
     printf '\n0,0,9000,0,1,1,2,2\n' >"$tmp/wide.csv"

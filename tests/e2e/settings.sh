@@ -136,7 +136,7 @@ case_settings_go_back_to_the_firmware() {
 case_settings_that_cannot_be() {
     machine plain --speed fast --keep "$tmp/plain.kept"
     local to=(--port "$tmp/plain")
-    one_line 64 'nothing to set: give NAME=VALUE' "$loft" set "${to[@]}"
+    one_line 64 'no NAME=VALUE: nothing to set: give' "$loft" set "${to[@]}"
     one_line 64 'no --port' "$loft" set x.travel=3
     one_line 64 'defaults sets all' "$loft" set --defaults x.travel=3 "${to[@]}"
     one_line 64 'no --port' "$loft" settings

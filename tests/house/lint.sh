@@ -62,7 +62,7 @@ wrong_arrows() {        # wrong_arrows TOP ROOM..: includes of a later room
       grep -v '^lib/loft/surfaces\.h:'
 } | rule "arrows of lib/ point one way"
 { python3 tests/house/arrows.py base engine geometry read svg gcode readers fit arrange plan send \
-      draw mill make cmd loft figures
+      draw mill make cmd command_list loft figures
   grep -nE '#[[:space:]]*include[[:space:]]*"[^/]*"' host-tools/*/*.[ch] |
       grep -vE '"(loft|readers)\.h"'
 } | rule "arrows of host-tools/ point one way, in no circle; only cmd/ has the terminal"
@@ -256,7 +256,21 @@ printf '%s\n' '    sleep 1' 'type "1.2:h 2.2:r"' "type '0.8:^C'" >"$result.timed
     rule "waits for a time are seen"
 rm "$result.timed"
 
-# 9. gcc and clang, warnings as errors, all number types, one, three and six axes: in parallel
+# 9. a command: a table of options, a struct that it fills, one call, a print
+long_functions() {      # long_functions FILE..: those of more than 40 lines
+    awk '/^\{/ { begin = FNR }
+         /^\}/ && begin {
+             if (FNR - begin > 41) print FILENAME ":" begin ": " FNR - begin - 1 " lines"
+             begin = 0
+         }' "$@"
+}
+long_functions host-tools/cmd/*.c | rule "no function of cmd/ has more than 40 lines"
+{ echo '{'; seq 41; echo '}'; echo '{'; seq 40; echo '}'; } >"$result.long"
+{ [ "$(long_functions "$result.long" | wc -l)" = 1 ] || echo "a planted one is not seen"; } |
+    rule "long functions are seen"
+rm "$result.long"
+
+# 10. gcc and clang, warnings as errors, all number types, one, three and six axes: in parallel
 for compiler in gcc clang; do
     for num in Q16 F32 F64; do
         for axes in 1 3 6; do echo "sh tests/house/lint.sh compiled $compiler $num $axes"; done

@@ -218,14 +218,16 @@ static void closed_paths_begin_where_asked(arb *a)
 
 static void what_cannot_be_is_refused(arb *a)
 {
-    static const order_options bad = { .how = "wild" }, file = { .how = "file" },
-                               seam = { .how = "best", .seam = "left" };
+    static const order_options file = { .how = "file" }, seam = { .how = "best", .seam = "left" };
+    char word[] = "--order=wild", *line[] = { "plan", word, NULL };
+    option_fault fault;
+    order_options o;
     drawing d = { .program = true };
     (void)a;
     add_line(&d, 5, 5, 6, 6, true);
     add_line(&d, 1, 1, 2, 2, true);
-    CHECK(apply(&d, &bad) == EX_USAGE &&
-          strstr(caught, "--order wild: give file, layer or best") != NULL);
+    CHECK(options_read(order_rows, 2, line, &o, &fault) == EX_USAGE &&
+          strstr(fault.text, "--order wild: give file, layer or best") != NULL);
     CHECK(apply(&d, &seam) == EX_USAGE && strstr(caught, "--seam left: give") != NULL);
     CHECK(apply(&d, &best) == EX_USAGE && strstr(caught, "is a program") != NULL);
     CHECK(apply(&d, &file) == 0 && d.curve[0].p[0][0] == 5);

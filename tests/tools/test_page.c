@@ -29,6 +29,19 @@ static void add_random_path(drawing *d, arb *a, double most)
     }
 }
 
+/* Read one option. Returns the fault, "" if there is none. */
+static const char *read_option(const char *word, page_options *g)
+{
+    static option_fault f;
+    static char text[100];
+    char *line[] = { "plot", text, NULL };
+
+    snprintf(text, sizeof text, "%s", word);
+    *g = (page_options){ .gap = 0 };
+    (void)options_read(page_rows, 2, line, g, &f);
+    return f.text;
+}
+
 static int apply(const page_options *g, drawing *d)
 {
     hear();
@@ -63,7 +76,7 @@ static bool same_curves(const drawing *a, const drawing *b)
 static void turns_and_mirrors_are_exact(arb *a)
 {
     drawing d = { .width = 128, .height = 64 }, was;
-    page_options none = { .gap = PAGE_GAP }, quarter = none, across = none, up = none, twice = none;
+    page_options none = { .gap = 5 }, quarter = none, across = none, up = none, twice = none;
     double p[4][2];
 
     for (int i = 0; i < 3; i++) {
@@ -74,7 +87,7 @@ static void turns_and_mirrors_are_exact(arb *a)
     copy_drawing(&was, &d);
     CHECK(apply(&none, &d) == 0 && same_curves(&d, &was) && d.width == 128);
 
-    CHECK(page_parse_turn("90", &quarter) && page_parse_turn("-540", &twice));
+    CHECK(!*read_option("--rotate=90", &quarter) && !*read_option("--rotate=-540", &twice));
     CHECK(apply(&quarter, &d) == 0 && d.width == 64 && d.height == 128);
     for (size_t i = 0; i < d.count; i++)        /* x, y goes to height - y, x */
         for (int k = 0; k < 4; k++)
@@ -185,12 +198,12 @@ static void fitting_fills_the_room(arb *a)
 static void drawings_go_where_they_are_told(arb *a)
 {
     drawing d = { .width = 300, .height = 200 };
-    page_options g = { .gap = PAGE_GAP }, middle = { .centre = true };
+    page_options g = { .gap = 5 }, middle = { .centre = true };
     double box[2][2], was[2][2];
 
     add_random_path(&d, a, 100);
     CHECK(drawing_box(&d, was));
-    g.at = (tool_list){ { random_mm(a, 100), random_mm(a, 100) }, 2 };
+    g.at = (option_list){ { random_mm(a, 100), random_mm(a, 100) }, 2 };
     CHECK(apply(&g, &d) == 0 && drawing_box(&d, box));
     for (int i = 0; i < 2; i++) {
         CHECK_NEAR(box[0][i], g.at.value[i], 1e-9);
@@ -395,18 +408,16 @@ static void program_refuses(const page_options *g)
 static void what_cannot_be_is_refused(arb *a)
 {
     page_options fit = { .fit = true }, wide = { .centre = true, .margin = 60 },
-                 both = { .fit = true, .at = { { 1, 2 }, 2 } }, mirror = { .mirror = "z" },
-                 at = { .at = { { 1 }, 1 } }, three = { .scale = { { 1, 2, 3 }, 3 } },
                  off = { .crop = true, .at = { { 200, 0 }, 2 } }, far = { .scale = { { 1e4 }, 1 } },
                  many = { .copies = { 9999, 9999 } },
-                 gaps = { .fit = true, .gap = 60, .copies = { 3, 1 } };
+                 gaps = { .fit = true, .gap = 60, .copies = { 3, 1 } }, g;
     (void)a;
     REFUSED(fit, 0, "gives no page: say which, as --page A4");
     REFUSED(wide, 100, "--margin 60: leaves nothing");
-    REFUSED(both, 100, "--at and --fit");
-    REFUSED(mirror, 100, "--mirror z");
-    REFUSED(at, 100, "--at: 1 number: give X,Y");
-    REFUSED(three, 100, "--scale: 3 numbers");
+    CHECK(strstr(read_option("--mirror=z", &g), "--mirror z: give x or y"));
+    CHECK(strstr(read_option("--at=1", &g), "--at: 1 number: give X,Y"));
+    CHECK(strstr(read_option("--scale=1,2,3", &g), "--scale: 3 numbers: give one"));
+    CHECK(strstr(read_option("--stroke=both", &g), "--stroke both: give line or outline"));
     REFUSED(off, 100, "nothing of it is on the page");
     REFUSED(far, 0, "f:1: lies at 90000 mm now");
     REFUSED(many, 100, "give fewer copies");
@@ -417,11 +428,13 @@ static void what_cannot_be_is_refused(arb *a)
 
 static bool sized(const char *text, double width, double height)
 {
-    page_options g = { .gap = 0 };
+    page_options g;
+    char word[60];
 
-    caught[0] = '\0';
-    return page_parse_size(text, &g) && fabs(g.size[0] - width) < 1e-9 &&
-           fabs(g.size[1] - height) < 1e-9;
+    snprintf(word, sizeof word, "--page=%s", text);
+    const char *fault = read_option(word, &g);
+    return *fault == '\0' ? fabs(g.size[0] - width) < 1e-9 && fabs(g.size[1] - height) < 1e-9
+                          : width <= 0 && strstr(fault, "give A0 to A6") != NULL;
 }
 
 static void pages_have_names_and_numbers(arb *a)
@@ -437,12 +450,16 @@ static void pages_have_names_and_numbers(arb *a)
     CHECK(sized("210x297", 210, 297) && sized("21x29.7cm", 210, 297) && sized("10x20 mm", 10, 20));
     CHECK(sized("8.5x11in", 215.9, 279.4));
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
-        CHECK(!sized(bad[i], 0, 0) && strstr(caught, "give A0 to A6") != NULL);
-    CHECK(page_parse_copies("3x2", &g) && g.copies[0] == 3 && g.copies[1] == 2);
-    for (size_t i = 0; i < sizeof copies / sizeof copies[0]; i++)
-        CHECK(!page_parse_copies(copies[i], &g));
-    CHECK(page_parse_turn("-12.5", &g) && g.degrees == -12.5 && page_parse_turn("auto", &g) &&
-          g.upright && !page_parse_turn("left", &g) && !page_parse_turn("nan", &g));
+        CHECK(sized(bad[i], -1, -1));
+    CHECK(!*read_option("--copies=3x2", &g) && g.copies[0] == 3 && g.copies[1] == 2);
+    for (size_t i = 0; i < sizeof copies / sizeof copies[0]; i++) {
+        char word[40];
+        snprintf(word, sizeof word, "--copies=%s", copies[i]);
+        CHECK(strstr(read_option(word, &g), "give how many"));
+    }
+    CHECK(!*read_option("--rotate=-12.5", &g) && g.degrees == -12.5);
+    CHECK(!*read_option("--rotate=auto", &g) && g.upright);
+    CHECK(*read_option("--rotate=left", &g) && *read_option("--rotate=nan", &g));
 }
 
 int main(void)

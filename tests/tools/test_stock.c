@@ -19,11 +19,8 @@ static void words_are_read_or_refused(arb *a)
     CHECK(s.size[0] == 60 && s.size[1] == 40.5 && s.size[2] == 20);
     CHECK(stock_parse("6x4x2@-1,2.5,-3", &s) && s.given && s.placed);
     CHECK(s.low[0] == -1 && s.low[1] == 2.5 && s.low[2] == -3);
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        caught[0] = '\0';
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         CHECK(!stock_parse(wrong[i], &s) && !s.given);
-        CHECK(strstr(caught, "give WIDTHxDEPTHxHEIGHT") != NULL);
-    }
 }
 
 /* A ramp from z 1 to 5 over x 0 to 10, y 20 to 26. */

@@ -1,34 +1,35 @@
-/* host-tools/base/describe.c -- descriptions of commands: help, man page, completions of shells
+/* host-tools/cmd/describe.c -- descriptions of commands: help, man page, completions of shells
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
 #include <string.h>
 
-#include "base/describe.h"
+#include "cmd/describe.h"
+#include "cmd/describe_json.h"
 
-enum { LONGEST = 40 };      /* of a name, its value, and an option's column in the help */
+enum { LONGEST = 80 };      /* of a name, its value, and an option's column in the help */
 
-/* The kinds of value that an option takes. */
-enum taken { NOTHING, ANYTHING, A_FILE, A_FOLDER, A_WORD };
+/* The named rows of a table, in order. */
+typedef struct {
+    option_at all[OPTIONS_MOST];
+    size_t count;
+} named;
 
-static enum taken value_taken_by(const tool_option *o)
+static named named_rows(const option rows[])
 {
-    static const char *const files[] = { "FILE", "PATH", "PORT" };
+    named n            = { .count = 0 };
+    const size_t count = option_all(rows, n.all);
 
-    if (o->argument == NULL)
-        return NOTHING;
-    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
-        if (strcmp(o->argument, files[i]) == 0)
-            return A_FILE;
-    if (strcmp(o->argument, "DIR") == 0)
-        return A_FOLDER;
-    return strchr(o->argument, '|') ? A_WORD : ANYTHING;
+    for (size_t i = 0; i < count; i++)
+        if (option_is_named(n.all[i].row))
+            n.all[n.count++] = n.all[i];
+    return n;
 }
 
 /* The words of "q16|f32|f64", separated by spaces. */
-static const char *words_of(const tool_option *o, char words[LONGEST])
+static const char *words_of(const option *o, char words[LONGEST])
 {
-    snprintf(words, LONGEST, "%s", o->argument);
+    snprintf(words, LONGEST, "%s", o->choices);
     for (char *c = words; *c; c++)
         if (*c == '|')
             *c = ' ';
@@ -62,22 +63,25 @@ static void put_quoted(const char *text)
             putchar(*text);
 }
 
-static void print_help(const tool_command *self, const tool_option options[])
+static void print_help(const command *self, const option rows[])
 {
     printf("loft %s -- %s\n\nusage: loft %s %s\n", self->name, self->summary, self->name,
            self->arguments);
     if (self->detail)
         printf("\n%s", self->detail);
     printf("\noptions:\n");
-    for (const tool_option *o = options; o->kind != TOOL_END; o++) {
-        char both[LONGEST];
-        const bool maybe = o->kind == TOOL_IS_MAYBE;
+    const named n = named_rows(rows);
+    for (size_t i = 0; i < n.count; i++) {
+        const option *o = n.all[i].row;
+        const bool maybe = o->kind == OPTION_IS_MAYBE;
+        char both[2 * LONGEST], value[80], help[400];
+        (void)option_value(o, value);
         snprintf(both, sizeof both, "--%s%s%s%s", o->name,
-                 maybe         ? " ["
-                 : o->argument ? " "
-                               : "",
-                 o->argument ? o->argument : "", maybe ? "]" : "");
-        printf("  %-20s %s\n", both, o->help);
+                 maybe    ? " ["
+                 : *value ? " "
+                          : "",
+                 value, maybe ? "]" : "");
+        printf("  %-20s %s\n", both, option_help(o, help));
     }
     printf("  %-20s %s\n", "--help", "this text");
 }
@@ -133,7 +137,7 @@ static void man_head(const char *name, const char *summary)
     printf("\n.SH SYNOPSIS\n.B loft%s%s\n", *name ? " " : "", name);
 }
 
-static void man_command(const tool_command *self, const tool_option options[])
+static void man_command(const command *self, const option rows[])
 {
     man_head(self->name, self->summary);
     put_man(self->arguments);
@@ -144,17 +148,20 @@ static void man_command(const tool_command *self, const tool_option options[])
         putchar('\n');
     }
     puts(".SH OPTIONS");
-    for (const tool_option *o = options; o->kind != TOOL_END; o++) {
+    const named n = named_rows(rows);
+    for (size_t i = 0; i < n.count; i++) {
+        const option *o = n.all[i].row;
+        char value[80], help[400];
         printf(".TP\n\\fB\\-\\-");
         put_man(o->name);
         printf("\\fR");
-        if (o->argument) {
-            printf(o->kind == TOOL_IS_MAYBE ? " [\\fI" : " \\fI");
-            put_man(o->argument);
-            printf(o->kind == TOOL_IS_MAYBE ? "\\fR]" : "\\fR");
+        if (*option_value(o, value)) {
+            printf(o->kind == OPTION_IS_MAYBE ? " [\\fI" : " \\fI");
+            put_man(value);
+            printf(o->kind == OPTION_IS_MAYBE ? "\\fR]" : "\\fR");
         }
         putchar('\n');
-        put_man(o->help);
+        put_man(option_help(o, help));
         putchar('\n');
     }
     puts(".TP\n\\fB\\-\\-help\\fR\nPrint a summary of these options.\n"
@@ -167,7 +174,7 @@ static void man_command(const tool_command *self, const tool_option options[])
          ".SH \"SEE ALSO\"\n.BR loft (1)");
 }
 
-static void man_all(const tool_command *const commands[], size_t count)
+static void man_all(const command *const commands[], size_t count)
 {
     man_head("", "curves from the drawing to the step pulse");
     puts("COMMAND [options] [FILE|\\-]\n"
@@ -196,77 +203,90 @@ static void man_all(const tool_command *const commands[], size_t count)
 // Completions
 // -----------
 
-static void bash_command(const tool_command *self, const tool_option options[])
+static void bash_command(const command *self, const option rows[])
 {
+    const named n = named_rows(rows);
     char words[LONGEST];
 
     printf("    %s)\n        case $before in\n", self->name);
-    for (const tool_option *o = options; o->kind != TOOL_END; o++) {
-        switch (value_taken_by(o)) {
-        case A_FILE:   printf("        --%s) kind=file ;;\n", o->name); break;
-        case A_FOLDER: printf("        --%s) kind=folder ;;\n", o->name); break;
-        case A_WORD:
+    for (size_t i = 0; i < n.count; i++) {
+        const option *o = n.all[i].row;
+        if (o->kind == OPTION_IS_FILE)
+            printf("        --%s) kind=file ;;\n", o->name);
+        else if (o->kind == OPTION_IS_FOLDER)
+            printf("        --%s) kind=folder ;;\n", o->name);
+        else if (o->choices != NULL)
             printf("        --%s) kind=word words='%s' ;;\n", o->name, words_of(o, words));
-            break;
-        case ANYTHING: printf("        --%s) kind=none ;;\n", o->name); break;
-        case NOTHING:  break;
-        }
+        else if (o->kind != OPTION_IS_FLAG)
+            printf("        --%s) kind=none ;;\n", o->name);
     }
     printf("        esac\n        options='");
-    for (const tool_option *o = options; o->kind != TOOL_END; o++)
-        printf("--%s ", o->name);
+    for (size_t i = 0; i < n.count; i++)
+        printf("--%s ", n.all[i].row->name);
     printf("--help'\n        ;;\n");
 }
 
-static void zsh_command(const tool_command *self, const tool_option options[])
+/* Print the help of an option within brackets and quotes. */
+static void put_zsh(const option *o)
 {
-    char words[LONGEST];
+    char help[400];
+
+    for (const char *c = option_help(o, help); *c; c++) {
+        char one[2] = { *c, '\0' };
+        if (strchr("[]\\:", *c))
+            putchar('\\');
+        put_quoted(one);
+    }
+}
+
+static void zsh_command(const command *self, const option rows[])
+{
+    const named n = named_rows(rows);
+    char words[LONGEST], value[80];
 
     printf("    %s)\n        _arguments \\\n", self->name);
-    for (const tool_option *o = options; o->kind != TOOL_END; o++) {
-        const enum taken taken = value_taken_by(o);
-        printf("            '%s--%s[", o->kind == TOOL_IS_LIST ? "*" : "", o->name);
-        for (const char *c = o->help; *c; c++) {
-            char one[2] = { *c, '\0' };
-            if (strchr("[]\\:", *c))
-                putchar('\\');
-            put_quoted(one);
-        }
+    for (size_t i = 0; i < n.count; i++) {
+        const option *o = n.all[i].row;
+        printf("            '%s--%s[", o->kind == OPTION_IS_LIST ? "*" : "", o->name);
+        put_zsh(o);
         putchar(']');
-        if (taken != NOTHING) {
-            printf(":%s", o->kind == TOOL_IS_MAYBE ? ":" : "");
-            put_without(taken == A_WORD ? o->name : o->argument, ":[]'");
+        if (o->kind != OPTION_IS_FLAG) {
+            printf(":%s", o->kind == OPTION_IS_MAYBE ? ":" : "");
+            put_without(o->choices ? o->name : option_value(o, value), ":[]'");
             putchar(':');
         }
-        if (taken == A_FILE)
+        if (o->kind == OPTION_IS_FILE)
             printf("_files");
-        else if (taken == A_FOLDER)
+        else if (o->kind == OPTION_IS_FOLDER)
             printf("_files -/");
-        else if (taken == A_WORD)
+        else if (o->choices != NULL)
             printf("(%s)", words_of(o, words));
         printf("' \\\n");
     }
     printf("            '--help[print a summary]' \\\n            '*:file:_files'\n        ;;\n");
 }
 
-static void fish_command(const tool_command *self, const tool_option options[])
+static void fish_command(const command *self, const option rows[])
 {
-    char words[LONGEST];
+    const named n = named_rows(rows);
+    char words[LONGEST], help[400];
 
     printf("complete -c loft -n __fish_use_subcommand -f -a %s -d '", self->name);
     put_escaped(self->summary, "\\'");
     printf("'\n");
-    for (const tool_option *o = options; o->kind != TOOL_END; o++) {
+    for (size_t i = 0; i < n.count; i++) {
+        const option *o = n.all[i].row;
         printf("complete -c loft -n '__fish_seen_subcommand_from %s' -l %s", self->name, o->name);
-        switch (value_taken_by(o)) {
-        case A_FILE:   printf(" -r -F"); break;
-        case A_FOLDER: printf(" -x -a '(__fish_complete_directories)'"); break;
-        case A_WORD:   printf(" -x -a '%s'", words_of(o, words)); break;
-        case ANYTHING: printf(o->kind == TOOL_IS_MAYBE ? "" : " -x"); break;
-        case NOTHING:  break;
-        }
+        if (o->kind == OPTION_IS_FILE)
+            printf(" -r -F");
+        else if (o->kind == OPTION_IS_FOLDER)
+            printf(" -x -a '(__fish_complete_directories)'");
+        else if (o->choices != NULL)
+            printf(" -x -a '%s'", words_of(o, words));
+        else if (o->kind != OPTION_IS_FLAG && o->kind != OPTION_IS_MAYBE)
+            printf(" -x");
         printf(" -d '");
-        put_escaped(o->help, "\\'");
+        put_escaped(option_help(o, help), "\\'");
         printf("'\n");
     }
 }
@@ -274,7 +294,7 @@ static void fish_command(const tool_command *self, const tool_option options[])
 /* What a shell's completions have before and after the list of commands. */
 static const struct shell {
     const char *name;
-    void (*command)(const tool_command *self, const tool_option options[]);
+    void (*describe)(const command *self, const option rows[]);
     const char *head, *foot;
 } shells[] = {
     { "bash", bash_command,
@@ -316,26 +336,28 @@ static const struct shell *shell_of(const char *form)
 
 static int refuse_form(const char *form)
 {
-    return tool_error(EX_USAGE, "--help=%s: give man, bash, zsh or fish, or --help alone", form);
+    return tool_error(EX_USAGE, "--help=%s: give man, bash, zsh, fish or json, or --help alone",
+                      form);
 }
 
-int describe_command(const char *form, const tool_command *self, const tool_option options[])
+int describe_command(const char *form, const command *self, const option rows[])
 {
     const struct shell *shell = form ? shell_of(form) : NULL;
 
     if (shell != NULL)
-        shell->command(self, options);
+        shell->describe(self, rows);
     else if (form == NULL)
-        print_help(self, options);
+        print_help(self, rows);
     else if (strcmp(form, "man") == 0)
-        man_command(self, options);
+        man_command(self, rows);
+    else if (strcmp(form, "json") == 0)
+        describe_json(self, rows);
     else
         return refuse_form(form);
     return EX_OK;
 }
 
-static void shell_head(const struct shell *shell, const tool_command *const commands[],
-                       size_t count)
+static void shell_head(const struct shell *shell, const command *const commands[], size_t count)
 {
     printf("%s loft %s -- completions, made by `loft --help=%s`\n",
            strcmp(shell->name, "zsh") == 0 ? "#compdef loft\n#" : "#", tool_version, shell->name);
@@ -363,28 +385,36 @@ static void shell_head(const struct shell *shell, const tool_command *const comm
     fputs(shell->head, stdout);
 }
 
-int describe_all(const char *form, const tool_command *const commands[], size_t count)
+static void describe_one(const struct shell *shell, const command *self)
+{
+    option whole[3];
+
+    command_options(self, whole);
+    if (shell != NULL)
+        shell->describe(self, whole);
+    else
+        describe_json(self, whole);
+}
+
+int describe_all(const char *form, const command *const commands[], size_t count)
 {
     const struct shell *shell = shell_of(form);
-    char option[LONGEST];
-    char *line[2] = { NULL, option };
+    const bool json           = strcmp(form, "json") == 0;
 
     if (strcmp(form, "man") == 0) {
         man_all(commands, count);
         return EX_OK;
     }
-    if (shell == NULL)
+    if (shell == NULL && !json)
         return refuse_form(form);
-    shell_head(shell, commands, count);
-    snprintf(option, sizeof option, "--help=%s", form);
+    if (json)
+        printf("{\"version\": \"%s\", \"commands\": [\n", tool_version);
+    else
+        shell_head(shell, commands, count);
     for (size_t i = 0; i < count; i++) {
-        char name[LONGEST];
-        snprintf(name, sizeof name, "%s", commands[i]->name);
-        line[0] = name;
-        const int code = commands[i]->run(commands[i], 2, line);
-        if (code != EX_OK)
-            return code;
+        fputs(json && i > 0 ? ",\n" : "", stdout);
+        describe_one(shell, commands[i]);
     }
-    fputs(shell->foot, stdout);
+    fputs(json ? "\n]}\n" : shell->foot, stdout);
     return EX_OK;
 }
