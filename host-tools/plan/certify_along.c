@@ -48,8 +48,8 @@ void certify_along_free(certify_along *w)
     *w = (certify_along){ .count = 0 };
 }
 
-/* Plans use up their tolerance: what is beyond it by no more than the error of this judgement is not
- * known to be beyond it. */
+/* Plans use up their tolerance: what is beyond it by no more than the error of this judgement is
+ * not known to be beyond it. */
 static bool holds(certify_along *w)
 {
     certify_take(&w->judged.off, &w->off);

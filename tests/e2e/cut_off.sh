@@ -146,8 +146,10 @@ case_machine_is_mute() {
 case_a_sender_that_is_killed_in_a_move() {
     local what sender
     home_file
+    echo 'x.home_seek = 4' >>"$tmp/home.txt"
     for what in probe home; do
-        # a queue that takes no whole move: the machine runs out of items, and waits on the path
+        # a queue that takes no whole move: the machine runs out of items, and waits on the path:
+        # an item is a second of a seek at most
         machine $what --speed fast --queue 4 --halt 300 --limits x-=-33 --probe z-=-30
         if [ $what = probe ]; then
             job=("$loft" probe --feed 3 --within 40 --port "$tmp/probe")

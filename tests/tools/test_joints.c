@@ -83,8 +83,8 @@ static void arb_path(arb *a, toolpath *path)
 static int make_joints(joints *j, toolpath *path, const kinematics *k)
 {
     const double none[ENGINE_AXES] = { 0, 0, 0 };
-    static drawing_curve curve = { .line = 12 };
-    static drawing d = { .curve = &curve, .count = 1 };
+    static drawing_curve twelfth = { .line = 12 };
+    static drawing d = { .curve = &twelfth, .count = 1 };
     joints_options o = { .file = "file.csv", .d = &d, .within = WITHIN, .reach = 8191 };
 
     hear();

@@ -71,11 +71,11 @@ static void every_curve_is_drawn_once(arb *a)
 
     for (unsigned i = 1 + arb_below(a, 60); i > 0; i--) {
         double p[4][3];
-        for (unsigned k = 0, curves = 1 + arb_below(a, 4); k < curves; k++) {
+        for (unsigned k = 0, count = 1 + arb_below(a, 4); k < count; k++) {
             for (int j = 0; j < 12; j++)
                 if (k == 0 || j > 2)
                     p[j / 3][j % 3] = 100 * random_unit(a);
-            if (k + 1 == curves && arb_below(a, 3) == 0 && k > 0)       /* closed */
+            if (k + 1 == count && arb_below(a, 3) == 0 && k > 0)       /* closed */
                 memcpy(p[3],
                        (double[3]){ d.curve[d.count - k].p[0][0], d.curve[d.count - k].p[0][1],
                                     d.curve[d.count - k].z[0] },

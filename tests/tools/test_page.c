@@ -17,10 +17,10 @@ static double random_mm(arb *a, double most) { return most * (2 * random_unit(a)
 /* A path of up to five random cubics. */
 static void add_random_path(drawing *d, arb *a, double most)
 {
-    const unsigned curves = 1 + arb_below(a, 5);
+    const unsigned count = 1 + arb_below(a, 5);
     double p[4][2];
 
-    for (unsigned i = 0; i < curves; i++) {
+    for (unsigned i = 0; i < count; i++) {
         for (int k = 0; k < 8; k++)
             if (i == 0 || k > 1)
                 p[k / 2][k % 2] = random_mm(a, most);
