@@ -125,7 +125,7 @@ case_mill() {
              END { exit (way != "") == (twice > 0) }' "$tmp/out" || job_fails "mill $way"
         says out '^# cuts below the surface: none, proved'
     done
-    one_line 64 'is for --pattern raster along x' "$loft" mill --one-way --pattern spiral \
+    one_line 64 'it is of a raster along x or y' "$loft" mill --one-way --pattern spiral \
         "$tmp/plane.loft"
     one_line 64 'is for --pattern raster and --step' "$loft" mill --along u "$tmp/plane.loft"
     run 0 "$loft" mill --tool ball:4 --step 3 --tol 0.1 --trim "$tmp/loop.loft" "$tmp/five.loft"
@@ -166,8 +166,10 @@ case_mill() {
         "$loft" mill --tool ball:4 --step 3 --floor -5 --area -3,-3,12,12 \
         --stock 20x20x4 "$tmp/plane.loft"
     one_line 64 'give x, y, u or v'       "$loft" mill --along z "$tmp/dome.loft"
-    one_line 64 'the picture of --record' "$loft" mill -o "$tmp/path.loft" "$tmp/dome.loft"
-    one_line 64 'leave out --trim'   "$loft" mill --record "$tmp/a" --trim "$tmp/b" "$tmp/dome.loft"
+    one_line 64 'give --record FILE as well: it is that picture' \
+        "$loft" mill -o "$tmp/path.loft" "$tmp/dome.loft"
+    one_line 64 'give one of them: --record draws whole' \
+        "$loft" mill --record "$tmp/a" --trim "$tmp/b" "$tmp/dome.loft"
     one_line 64 'two corners apart'       "$loft" mill --area 1,1,1,5 "$tmp/dome.loft"
     one_line 65 'no surface in it'        "$loft" mill "$tmp/small.csv"
 }

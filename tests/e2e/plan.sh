@@ -96,7 +96,7 @@ case_plan_is_certified() {
     printf 'kinematics = delta\narm_length = 200\ndelta_radius = 95\n' >"$tmp/delta.txt"
     one_line 64 'a delta machine'    "$loft" plan "$tmp/small.csv" --certify \
         --machine "$tmp/delta.txt"
-    one_line 64 'give -o FILE'       "$loft" plan "$tmp/small.csv" --certify --spans
+    one_line 64 'give --output FILE as well' "$loft" plan "$tmp/small.csv" --certify --spans
 }
 case_plan_within_the_least_tolerance() {    # a chain of chords: smoothing takes what is left
     awk 'BEGIN { print "G21 F1800"; for (k = 0; k < 80; k++)
