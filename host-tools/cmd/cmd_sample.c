@@ -110,8 +110,10 @@ static int run_sample(void *options)
 {
     const sample_options *o = options;
     surfaces patches        = { 0 };
-    int code                = o->from.points ? 0 : surfaces_read(tool_host(), &patches, o->from.file);
+    int code                = 0;
 
+    if (!o->from.points)
+        code = surfaces_read(tool_host(), &patches, o->from.file);
     if (code == 0)
         code = patches.count > 0 ? sample_surfaces(&patches, o->from.file, o->e, o->n)
                                  : sample_curves(o);

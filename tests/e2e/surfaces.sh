@@ -402,8 +402,8 @@ case_compare_with() {
         cat "$tmp/ten.loft" "$tmp/ten.loft" >"$tmp/both.loft"
         run 0 "$loft" decide join --num $num "$tmp/both.loft"; says out '^0 1 C0 no C1 no G1 no$'
     done
-    one_line 64 'and --with: give one of them' "$loft" compare --with "$tmp/tri.loft" --against f64 \
-        "$tmp/tri.loft"
+    one_line 64 'and --with: give one of them' \
+        "$loft" compare --with "$tmp/tri.loft" --against f64 "$tmp/tri.loft"
     one_line 64 'give 10' "$loft" compare --quadric 1,2 "$tmp/ball.loft"
     one_line 64 'give 6 for each' "$loft" compare --with "$tmp/tri.loft" --part 0,0 "$tmp/tri.loft"
     one_line 65 'as many' "$loft" compare --num f64 --with "$tmp/tri.loft" "$tmp/parts.loft"
