@@ -169,6 +169,7 @@ static void the_spans_are_those_of_the_plan(arb *a)
         limits.max_accel[i] = loft_real_from_raw(l.axis[i].max_accel);
     }
     limits.corner = loft_real_from_raw(l.corner);
+    limits.one_sided = LOFT_AXES > 2 ? 1 << 2 : 0;      /* as a machine plans */
     CHECK(loft_plan_init(&plan, &limits, ring, CURVES, ahead, KNOTS) == LOFT_OK);
     CHECK(loft_planner_init(&planner, &memory, CELLS) == LOFT_OK &&
           loft_planner_begin(&planner, &machine, &l, start) == LOFT_OK);
