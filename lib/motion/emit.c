@@ -360,15 +360,13 @@ static bool use_point(loft_emit *e)
 
     if (k + (e->ended ? 0 : AHEAD) >= e->count)
         return false;
-    const loft_thin_input in = {
-        .point = e->point[k],
-                                 .sample = e->sample[k],
-                                 .feed = loft_coord_most(e->feed[k], k > 0 ? e->feed[k - 1] : 0),
+    loft_thin_input in = { .point = e->point[k],
+                           .sample = e->sample[k],
+                           .feed = loft_coord_most(e->feed[k], k > 0 ? e->feed[k - 1] : 0),
+                           .number = e->number[k] };
 #if LOFT_FOLDS
-                                 .fold = e->fold[k],
+    in.fold = e->fold[k];
 #endif
-        .number = e->number[k]
-    };
     loft_thin_add(&e->thin, &in);
     e->next++;
     if (e->next > 3)
