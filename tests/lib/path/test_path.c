@@ -41,9 +41,11 @@ static bool is_at(const loft_path_place *p, loft_vec v)
 {
     bool good = true;
     for (int i = 0; i < LOFT_AXES; i++) {
-        const loft_coord at = loft_coord_of(loft_to_acc(v.axis[i])),
-                         folded = loft_coord_folded(at, p->fold.axis[i]),
-                         d = loft_coord_sub(p->at.axis[i], folded);
+        loft_coord at = loft_coord_of(loft_to_acc(v.axis[i]));
+#if LOFT_FOLDS
+        at = loft_coord_folded(at, p->fold.axis[i]);
+#endif
+        const loft_coord d = loft_coord_sub(p->at.axis[i], at);
         good = good && loft_coord_abs(d) <= BY_NUM(64, 64, 64);
     }
     return good;
