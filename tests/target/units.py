@@ -198,8 +198,10 @@ def main(made, *only):
     if missing:
         print(f"{', '.join(missing)} missing: make deps deps-target\n0 passed, 1 failed")
         return 1
+    # loops that headers print run on a host: they call what other tests hold here
     tests = ["libc"] + sorted(re.search(r"test_(\w+)\.c", t)[1]
-                              for t in glob.glob("tests/lib/**/test_*.c", recursive=True))
+                              for t in glob.glob("tests/lib/**/test_*.c", recursive=True)
+                              if not t.endswith("_loops.c"))
     first, *others = [Board(made, row) for row in BOARDS]
     known = {name for b in (first, *others) for name in (b.name, f"{b.name}-{b.num}")}
     unknown = sorted(set(only) - known)
