@@ -40,7 +40,7 @@ plans() {
 verdict "demo.svg is planned to the same bytes in q16 and f64" plans
 streams() {     # a whole job, both ends emulated
     there simulate --once --quiet --link "$work/machine" & local machine=$!
-    for _ in $(seq 3000); do [ -e "$work/machine" ] && break; sleep 0.02; done
+    appears "$work/machine"
     if echo 0,0,1,2,3,2,4,0 | timeout 900 qemu-aarch64 -L "$root" "$tree/build/loft" stream - \
         --port "$work/machine"; then
         wait $machine

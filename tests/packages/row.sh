@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 # usage: row=NAME; . tests/packages/row.sh; verdict "what was built and run" COMMAND..; ended
 set -u
+. tests/support/appears.sh
 top=$(pwd) work=$(pwd)/build/packages/$row
 rm -rf "$work"
 mkdir -p "$work"

@@ -31,7 +31,7 @@ view() {        # on a terminal
 verdict "loft stream --view is refused, with the cause" view
 streams() {     # a whole job on the simulated machine
     "$without" simulate --once --quiet --link "$work/machine" & local machine=$!
-    for _ in $(seq 3000); do [ -e "$work/machine" ] && break; sleep 0.02; done
+    appears "$work/machine"
     if echo 0,0,1,2,3,2,4,0 | timeout 600 "$without" stream - --port "$work/machine"; then
         wait $machine
     else                            # nothing is left running

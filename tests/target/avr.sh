@@ -17,7 +17,7 @@ simulated() {
     "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --steps 250 \
         --max-speed 320 --accel 500 --queue 12 --ramp 40 >"$tmp/log" &
     here=$!
-    for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
+    appears "$tmp/here"
     timeout 900 "$loft" stream "$drawing" --feed $feed "$@" --port "$tmp/here" >"$tmp/planned" 2>&1
     wait $here
 }
@@ -263,7 +263,7 @@ eeprom=''
 
 echo "-- a line that is cut"
 "$loft" simulate --link "$tmp/cut" --speed real >"$tmp/log" & here=$!
-for _ in $(seq 3000); do [ -e "$tmp/cut" ] && break; sleep 0.02; done
+appears "$tmp/cut"
 { for _ in $(seq 3000); do grep -q begun "$tmp/log" && break; sleep 0.02; done; kill -9 $here; } &
 timeout 600 "$rate" "$tmp/cut" 3 40 >"$tmp/out" 2>"$tmp/said"; code=$?
 wait

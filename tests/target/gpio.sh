@@ -36,7 +36,7 @@ here() {
     "$loft" simulate --link "$tmp/at.$1" --record "$tmp/here.$1" --once --quiet --steps 80 \
         --max-speed "$2" --accel 500 --slots 20 --queue 1024 >"$tmp/sim" &
     local sim=$!
-    for _ in $(seq 3000); do [ -e "$tmp/at.$1" ] && break; sleep 0.02; done
+    appears "$tmp/at.$1"
     timeout 900 "$loft" stream "$drawing" --feed $feed --port "$tmp/at.$1" >"$tmp/planned" 2>&1
     wait $sim
 }
@@ -85,7 +85,7 @@ paper() {
     LOFT_PAPER=$tmp/paper "$guest/loft-gpio-$1" --once --record "$tmp/record" link="$tmp/paper.$1" \
         priority=0 chip=/dev/0 x.step=0 x.dir=1 enable="2 low" \
         z.step=3 z.dir=4 y.step=/dev/1:0 y.dir=/dev/1:1 >"$tmp/said" 2>&1 & local machine=$!
-    for _ in $(seq 3000); do [ -e "$tmp/paper.$1" ] && break; sleep 0.02; done
+    appears "$tmp/paper.$1"
     timeout 900 "$loft" stream "$drawing" --feed $feed --plan="$3" --port "$tmp/paper.$1" \
         >"$tmp/out" 2>&1 </dev/null
     code=$?
@@ -124,7 +124,7 @@ on_paper() {
     LOFT_PAPER=$tmp/paper "$guest/loft-gpio-race" link="$tmp/at.paper" priority=0 chip=/dev/0 \
         x.step=0 x.dir=1 y.step=/dev/1:0 y.dir=/dev/1:1 z.step=3 z.dir=4 "$@" \
         >"$tmp/said" 2>"$tmp/err" & machine=$!
-    for _ in $(seq 3000); do [ -e "$tmp/at.paper" ] && break; sleep 0.02; done
+    appears "$tmp/at.paper"
 }
 
 # outputs: a laser by the PWM, a spindle by a relay, a laser that a relay refuses

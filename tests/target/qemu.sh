@@ -42,7 +42,7 @@ board() {
         "$loft" simulate --link "$at/here" --record "$at/here.csv" --once --quiet $numbers \
             >"$at/said" &
         local here=$!
-        for _ in $(seq 3000); do [ -e "$at/here" ] && break; sleep 0.02; done
+        appears "$at/here"
         timeout 900 "$loft" stream "$job" --feed $feed --plan=$plan --port "$at/here" \
             >"$at/planned" 2>&1
         wait $here
@@ -59,7 +59,7 @@ board() {
             >"$at/qemu" 2>&1 &
     fi
     local child=$!
-    for _ in $(seq 3000); do [ -e "$at/sock" ] && break; sleep 0.02; done
+    appears "$at/sock"
     port=$at/sock
     case $fault in
     none)   local line= ;;
@@ -71,7 +71,7 @@ board() {
         # shellcheck disable=SC2086
         "$bad_line" "$at/bad" "$at/sock" $line >"$at/line" & local between=$!
         port=$at/bad
-        for _ in $(seq 3000); do [ -e "$port" ] && break; sleep 0.02; done
+        appears "$port"
     fi
     if [ $fault = killed ]; then            # once it has drawn something
         "$loft" stream "$job" --feed $feed --plan=$plan --port "unix:$port" \

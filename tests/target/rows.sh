@@ -1,6 +1,7 @@
 # tests/target/rows.sh -- rows of measured values, and the emulated ATmega328P behind a port;
 # sourced, with $tmp a folder and $result a file
 # SPDX-License-Identifier: MIT
+. tests/support/appears.sh
 
 # holds VALUE OPERATOR BOUND: exit code 0 if it does
 holds() {
@@ -44,7 +45,7 @@ on_chip() {
         ${starve:+--starve "$starve"} ${touch:+--touch "$touch"} ${jobs:+--jobs "$jobs"} \
         ${eeprom:+--eeprom "$eeprom"} ${states:+--states "$states"} >"$tmp/chip" 2>"$tmp/chip.err" &
     child=$!
-    for _ in $(seq 3000); do [ -e "$tmp/port" ] && break; sleep 0.02; done
+    appears "$tmp/port"
     timeout 900 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; code=$?
     [ -z "${jobs:-}" ] || kill $child
     timeout 300 tail --pid=$child -f /dev/null || kill $child     # it ends when the job is closed

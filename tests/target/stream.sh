@@ -27,7 +27,7 @@ on_arm() {
     "$helpers/arm_chip" "$board" "$(image_of "$board")" --link "$tmp/port" \
         --record "$tmp/chip.csv" $options >"$tmp/chip" 2>"$tmp/chip.err" &
     child=$!
-    for _ in $(seq 3000); do [ -e "$tmp/port" ] && break; sleep 0.02; done
+    appears "$tmp/port"
     timeout -k 5 900 "$@" >"$tmp/out" 2>"$tmp/err" </dev/null; code=$?
     [ -z "${jobs:-}" ] || kill $child 2>/dev/null
     timeout 300 tail --pid=$child -f /dev/null || kill $child
@@ -78,7 +78,7 @@ rates() {
     # shellcheck disable=SC2046
     "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --slots "$2" \
         $(numbers "$1") >"$tmp/log" & local here=$!
-    for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
+    appears "$tmp/here"
     timeout 600 "$helpers/rate" "$tmp/here" 3 "$2" >"$tmp/planned" 2>&1
     kill $here 2>/dev/null; wait $here 2>/dev/null
     if [ "$1" = nrf51 ]; then           # its queue is short, so a real line makes its start slower
@@ -97,7 +97,7 @@ draws() {
     # shellcheck disable=SC2046
     "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --slots "$2" \
         $(numbers "$1") >"$tmp/log" & local here=$!
-    for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
+    appears "$tmp/here"
     timeout 600 "$loft" stream "$drawing" --feed $feed --port "$tmp/here" >"$tmp/planned" 2>&1
     wait $here
     on_arm "$1" "${late:+--late $late}" "$loft" stream "$drawing" --feed $feed --port "$tmp/port"
@@ -181,7 +181,7 @@ mills() {
     # shellcheck disable=SC2046
     "$loft" simulate --link "$tmp/here" --record "$tmp/here.csv" --once --slots "$2" \
         $(numbers "$1") >"$tmp/log" & local here=$!
-    for _ in $(seq 3000); do [ -e "$tmp/here" ] && break; sleep 0.02; done
+    appears "$tmp/here"
     timeout 600 "${@:3}" --port "$tmp/here" >"$tmp/planned" 2>&1
     wait $here
     on_arm "$1" "" "${@:3}" --port "$tmp/port" --log "$tmp/line"
