@@ -132,7 +132,7 @@ export class Curves {
     }
 
     draw(curve, walk) {
-        const { points, state = this.state } = { points: this.state.points }
+        const { state } = this, { points } = state
         const flat = Array.from({ length: 201 }, (_, i) => curve.eval(i / 200))
         const parts = [line(points, 'polygon')]
         if (state.comb)

@@ -5,11 +5,11 @@ export const raw = x => BigInt(Math.round(x * 65536))
 
 const binomial = (n, k) => k === 0 ? 1n : binomial(n, k - 1) * BigInt(n - k + 1) / BigInt(k)
 
-// Numerators of the points j / n, j = 1..n, in units of 2^-16; the denominator is n^degree.
-export function exactPoints(control, n) {
+// Numerators of the points j / n, j = 1..count, in units of 2^-16; the denominator is n^degree.
+export function exactPoints(control, n, count = n) {
     const degree = control.length - 1, out = [], N = BigInt(n)
     const weighted = control.map((p, k) => raw(p) * binomial(degree, k))
-    for (let j = 1n; j <= N; j++) {
+    for (let j = 1n; j <= count; j++) {
         let sum = 0n
         for (let k = 0; k <= degree; k++)
             sum += weighted[k] * j ** BigInt(k) * (N - j) ** BigInt(degree - k)
@@ -27,10 +27,7 @@ export function off(value, numerator, denominator) {
 // The exact forward differences at 0 for n steps: numbers, in units of 2^-16.
 function differences(control, n) {
     const degree = control.length - 1, N = BigInt(n) ** BigInt(degree)
-    const value = [raw(control[0]) * N, ...exactPoints(control, n)].slice(0, degree + 1)
-    while (value.length < degree + 1)       // fewer steps than the degree: not walked this way
-        value.push(0n)
-    const out = []
+    const value = [raw(control[0]) * N, ...exactPoints(control, n, degree)], out = []
     for (let row = value; row.length; row = row.slice(1).map((v, i) => v - row[i]))
         out.push(Number(row[0] * 2n ** 30n / N) / 2 ** 30)
     return out

@@ -11,7 +11,7 @@ import { row, ended, serve, site } from './site.mjs'
 const [loft, playwright, executablePath, shots] = process.argv.slice(2)
 const { chromium } = (await import(pathToFileURL(playwright))).default
 const { load } = await import(new URL('loft.mjs', site))
-const { exactPoints, off } = await import('../../host-tools/page/exact.js')
+const { exactPoints, naiveFixed, naiveFloat, off } = await import('../../host-tools/page/exact.js')
 const { paths } = await import('../../host-tools/page/paths.js')
 const { trapezoid } = await import('../../host-tools/page/trapezoid.js')
 const library = await load(await readFile(new URL('loft-q16.wasm', site)), 'q16')
@@ -50,6 +50,14 @@ await row('200 walks of 2^m steps are within 1/2 unit of exact fractions', () =>
             const exact = exactPoints(points.map(p => p[k]), n)
             walk.forEach((p, j) => assert(Math.abs(off(p[k] * 65536, exact[j], power)) <= 0.5))
         }
+    }
+})
+await row('walks that round go off, but not far in 4 steps', () => {
+    for (let i = 0; i < 100; i++) {
+        const points = drawn(), n = 4, power = BigInt(n) ** BigInt(points.length - 1)
+        const control = points.map(p => p[0]), exact = exactPoints(control, n)
+        for (const walk of [naiveFixed(control, n), naiveFloat(control, n)])
+            walk.forEach((x, j) => assert(Math.abs(off(x, exact[j], power)) <= 20))
     }
 })
 await row('a split curve and a raised one lie on the curve', () => {
