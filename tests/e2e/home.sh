@@ -211,10 +211,10 @@ case_home_says_what_is_wrong() {
     halted slow 500; kill -INT $homing; until_log slow 'asked to'; go_on slow; wait $homing
     [ $? = 75 ] || job_fails "stopped with another code"
     says err '^loft: stopped: the tool is at -[0-9]*\.[0-9]* 0.000 0.000$'
-    # killed without warning: the machine ends its move at the switch, and is free for the next one
-    machine killed --speed fast --limits x-=-33
-    "$loft" home x --port "$tmp/killed" "${file[@]}" >/dev/null 2>&1 & homing=$!
-    disown $homing; until_log killed ' begun'; kill -9 $homing; gone $homing
+    # killed without warning, when the machine has the whole move: it ends it at the switch
+    machine killed --speed fast --halt 500 --limits x-=-33
+    drawing_on=killed job=("$loft" home x --port "$tmp/killed" "${file[@]}")
+    cut_off_when_sent 500
     until_rest killed
     run 0 "$loft" home x --port "$tmp/killed" "${file[@]}"
     says out '^homed: the tool is at 0.000 0.000 0.000$'
