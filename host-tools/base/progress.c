@@ -14,6 +14,7 @@
 #include "base/progress.h"
 #include "base/say.h"
 #include "base/tool.h"           /* tool_clock */
+#include "host/duration.h"      /* host_duration */
 
 #define BAR 24
 
@@ -62,7 +63,7 @@ static void measure(progress *p, double done, double now)
 void progress_show(progress *p, double done, const char *text)
 {
     const double now = tool_clock();
-    char bar[BAR + 1], line[256], eta[32] = "--:--";
+    char bar[BAR + 1], line[256], left[HOST_DURATION];
 
     measure(p, done, now);
     if (!p->shown || now - p->drawn < 0.1)
@@ -73,10 +74,8 @@ void progress_show(progress *p, double done, const char *text)
     for (int i = 0; i < BAR; i++)
         bar[i] = part * BAR >= i + 1 ? '#' : '.';
     bar[BAR] = '\0';
-    if (p->left < 360000)
-        snprintf(eta, sizeof eta, "%d:%02d", (int)p->left / 60, (int)p->left % 60);
     const int used = snprintf(line, sizeof line, "[%s] %3.0f %%  %s left  ", bar, floor(100 * part),
-                              eta);
+                              host_duration(left, p->left, 0));
     say_copy(line + used, sizeof line - (size_t)used, text);
     fprintf(stderr, "\r%.*s\033[K", columns() - 1, line);
     fflush(stderr);
@@ -114,20 +113,18 @@ static struct {
 static void tell_silence(int number)
 {
     const int before = errno;
-    char line[160], digits[12];
-    size_t used = 0, count = 0;
+    char line[192], time[HOST_DURATION];
+    size_t used = 0;
 
     (void)number;
     watched.seconds = watched.seconds + 1;
     if (!drawn && watched.seconds >= watched.due) {
         watched.due = 10 * watched.due;
-        for (int n = watched.seconds; n > 0; n /= 10)
-            digits[count++] = (char)('0' + n % 10);
         for (; used < watched.size; used++)
             line[used] = watched.text[used];
-        while (count > 0)
-            line[used++] = digits[--count];
-        for (const char *rest = " s by now; ^C ends it\n"; *rest != '\0'; rest++)
+        for (const char *rest = host_duration(time, watched.seconds, 0); *rest != '\0'; rest++)
+            line[used++] = *rest;
+        for (const char *rest = " by now; ^C ends it\n"; *rest != '\0'; rest++)
             line[used++] = *rest;
         if (write(STDERR_FILENO, line, used) < 0)
             watched.due = 0;

@@ -11,6 +11,7 @@
 #include "base/say.h"
 #include "base/source.h"         /* source_name */
 #include "draw/plan_plot.h"      /* plan_plot */
+#include "host/duration.h"      /* host_duration */
 #include "plan/certify.h"        /* certify_make */
 #include "plan/planning.h"
 #include "plan/trace.h"
@@ -46,11 +47,12 @@ typedef struct {
 
 static void print_row(const trace *t, const char *name, const char *line, const trace_part *p)
 {
-    char words[160];
+    char words[160], time[HOST_DURATION];
 
     trace_words(t, p, words, sizeof words);
-    (void)say(stdout, "%-8s %6s %11.3f %10.3f %9.2f  %s\n", name, line, p->length, p->seconds,
-              p->top, words);
+    host_duration(time, p->seconds, 1);
+    (void)say(stdout, "%-8s %6s %11.3f %10.3f %9.2f  %s%s%s\n", name, line, p->length, p->seconds,
+              p->top, words, strchr(time, ':') ? "; takes " : "", strchr(time, ':') ? time : "");
 }
 
 static void take_part(void *context, size_t n, const trace_part *p)

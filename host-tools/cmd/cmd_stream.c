@@ -19,6 +19,7 @@
 #include "cmd/report.h"         /* report_start */
 #include "send/stream.h"         /* stream_run */
 #include "plan/toolpath.h"       /* toolpath_make */
+#include "host/duration.h"      /* host_duration */
 
 /* Plan the first portion of a part, from the position of the motors. */
 static int plan_work(const stream_options *o, const stream_parts *all, size_t k,
@@ -49,13 +50,13 @@ static int plan_work(const stream_options *o, const stream_parts *all, size_t k,
 
 static void print_plan(const job *j, const toolpath *path, double tol)
 {
-    char text[160];
+    char text[160], time[HOST_DURATION];
 
-    printf("planned: %zu curve%s, %.3f m drawn, %.3f m travelled, %.1f s, %zu %s, %s, job "
+    printf("planned: %zu curve%s, %.3f m drawn, %.3f m travelled, %s, %zu %s, %s, job "
            "%08x\n",
            path->curves, tool_s(path->curves), path->drawn / 1000, path->travelled / 1000,
-           job_seconds(j), j->count, job_words(j), job_words_of_plan(j, tol, text),
-           (unsigned)j->head.id);
+           host_duration(time, job_seconds(j), 1), j->count, job_words(j),
+           job_words_of_plan(j, tol, text), (unsigned)j->head.id);
 }
 
 /* What a machine does beside motion. `s` NULL: a dry run, for one that does all of it. */
@@ -150,6 +151,7 @@ static int dry_run(const stream_options *o, const drawing *d, const stream_parts
     double start[ENGINE_AXES] = { 0, 0, 0 }, seconds = 0;
     job_options as = { .patch = NULL };
     toolpath sum = { 0 };
+    char time[HOST_DURATION];
 
     planning_machine(&o->p, &as.limits);
     for (int i = 0; i < ENGINE_AXES; i++)
@@ -174,8 +176,9 @@ static int dry_run(const stream_options *o, const drawing *d, const stream_parts
         job_work_free(&w);
     }
     if (code == 0 && all->count - all->first > 1)
-        printf("in all: %zu curve%s, %.3f m drawn, %.3f m travelled, %.1f s\n", sum.curves,
-               tool_s(sum.curves), sum.drawn / 1000, sum.travelled / 1000, seconds);
+        printf("in all: %zu curve%s, %.3f m drawn, %.3f m travelled, %s\n", sum.curves,
+               tool_s(sum.curves), sum.drawn / 1000, sum.travelled / 1000,
+               host_duration(time, seconds, 1));
     return code;
 }
 

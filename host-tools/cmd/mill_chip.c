@@ -11,6 +11,7 @@
 #include "cmd/mill_chip.h"
 #include "cmd/report.h"         /* report_start */
 #include "geometry/surface_text.h"
+#include "host/duration.h"      /* host_duration */
 #include "send/settings.h"       /* settings_adopt */
 #include "send/stream.h"         /* stream_run */
 
@@ -81,6 +82,7 @@ static int dry_run(mill_chip *c, const surfaces *all, const char *file)
     engine_limits limits            = { .tol = 0 };
     milling m                       = { .d.count = 0 };
     int code                        = 0;
+    char time[HOST_DURATION];
 
     planning_machine(&c->p, &limits);
     c->o.columns = COLUMNS;
@@ -93,7 +95,7 @@ static int dry_run(mill_chip *c, const surfaces *all, const char *file)
                               all->surface[k].line, engine_status(status, ENGINE_NO_MOTION));
         if (code == 0) {
             tell(&m, &all->surface[k], file);
-            printf("planned: %.1f s\n", job_seconds(&m.w.j));
+            printf("planned: %s\n", host_duration(time, job_seconds(&m.w.j), 1));
         }
     }
     free_milling(&m);

@@ -12,6 +12,7 @@
 #include "cmd/screen.h"         /* screen_put */
 #include "base/tool.h"           /* tool_grow */
 #include "send/near_move.h"      /* near_move */
+#include "host/duration.h"      /* host_duration */
 #include "cmd/view.h"
 
 #define ABOVE 2         /* rows above the drawing, and */
@@ -126,18 +127,16 @@ static void put_bar(int row, int columns, const report_facts *f, double left)
 {
     const double part = f->total > 0 ? fmin(f->done / f->total, 1) : 1;
     const int width   = columns > 60 ? columns - 40 : 20;
-    char text[512], of[32] = "", eta[32] = "--:--";
+    char text[512], of[32] = "", time[HOST_DURATION];
     size_t used = 0;
 
     text[used++] = '[';
     for (int i = 0; i < width && used < 400; i++)
         text[used++] = part * width >= i + 1 ? '#' : '.';
-    if (left < 360000)
-        snprintf(eta, sizeof eta, "%d:%02d", (int)left / 60, (int)left % 60);
     if (f->items > 0)
         snprintf(of, sizeof of, " of %u", f->items);
     snprintf(text + used, sizeof text - used, "] %3.0f %%  %s left  item %u%s", floor(100 * part),
-             eta, f->item, of);
+             host_duration(time, left, 0), f->item, of);
     screen_put(row, 0, text);
 }
 

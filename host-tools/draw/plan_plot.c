@@ -8,6 +8,7 @@
 
 #include "draw/plan_plot.h"
 #include "base/tool.h"           /* tool_grow */
+#include "host/duration.h"      /* host_duration */
 
 #define COLUMNS 1100        /* of a strip: motion within one column is drawn as a vertical line */
 #define LOOKS   400         /* samples in a column at most */
@@ -388,14 +389,14 @@ static void jerk_strip(strip s)
 static void draw_title(const plot_view *v, const plan_picture *p)
 {
     trace_part all = { .length = 0 };
-    char words[400], limits[200];
+    char words[400], limits[200], time[HOST_DURATION];
 
     for (size_t k = 0; k < p->t->moves; k++)
         trace_add(&all, &p->t->part[k]);
     plot_ink(v, 0.1);
-    snprintf(words, sizeof words, "%.80s: %zu curve%s, %.3f m drawn, %.3f m travelled, %.1f s",
+    snprintf(words, sizeof words, "%.80s: %zu curve%s, %.3f m drawn, %.3f m travelled, %s",
              plot_base_name(p->name), p->path->curves, tool_s(p->path->curves),
-             p->path->drawn / 1000, p->path->travelled / 1000, all.seconds);
+             p->path->drawn / 1000, p->path->travelled / 1000, host_duration(time, all.seconds, 1));
     plot_text(v, PLOT_LARGE, v->left, 30 * v->u, 0, words);
     trace_words(p->t, &all, limits, sizeof limits);
     snprintf(words, sizeof words, "limited, of the time, by %s", limits);

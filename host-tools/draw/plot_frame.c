@@ -8,6 +8,7 @@
 #include "engine/curve.h"
 #include "draw/plot.h"
 #include "base/source.h"     /* source_name */
+#include "host/duration.h"   /* host_duration */
 
 #define SMALL PLOT_SMALL
 #define LARGE PLOT_LARGE
@@ -82,7 +83,7 @@ static void draw_title(const plot_view *v)
 {
     const drawing *d = v->o->d;
     const record *r = v->o->r;
-    char words[256], worst[32], mean[32], time[32] = "";
+    char words[256], worst[32], mean[32], time[HOST_DURATION], took[40] = "";
 
     plot_ink(v, 0.1);
     snprintf(words, sizeof words, "%.80s: %zu curves in %u paths, %.3f m",
@@ -94,11 +95,11 @@ static void draw_title(const plot_view *v)
     small_length(worst, sizeof worst, v->found.worst);
     small_length(mean, sizeof mean, v->found.mean);
     if (r->slot_hz > 0)
-        snprintf(time, sizeof time, "%.1f s, ", record_seconds(r));
+        snprintf(took, sizeof took, "%s, ", host_duration(time, record_seconds(r), 1));
     snprintf(words, sizeof words,
              "machine: %s%zu pulses, %zu with the pen down; path error %s at worst (at %.2f, "
              "%.2f), %s on average",
-             time, r->count, v->found.drawing_pulses, worst, v->found.worst_point[0],
+             took, r->count, v->found.drawing_pulses, worst, v->found.worst_point[0],
              v->found.worst_point[1], mean);
     plot_ink(v, 0.3);
     plot_text(v, SMALL, v->left, 54 * v->u, 0, words);

@@ -15,6 +15,7 @@
 #include "cmd/report.h"         /* report_show */
 #include "base/tool.h"           /* tool_error, tool_clock */
 #include "base/waits.h"          /* waits_due */
+#include "host/duration.h"      /* host_duration */
 
 #define STUCK       5.0     /* s at rest with unanswered lines */
 #define UNREAD      5.0     /* s without a status that has a meaning */
@@ -287,6 +288,7 @@ static int drive_job(grbl *g, const report_job *job)
 int grbl_run(grbl *g, const gcode *code, const report_job *job)
 {
     const double began = tool_clock();
+    char time[HOST_DURATION];
 
     g->code   = code;
     g->state  = NULL;
@@ -299,11 +301,11 @@ int grbl_run(grbl *g, const gcode *code, const report_job *job)
     report_end();
     g->code = NULL;
     if (result == 0)
-        (void)say(
-            stdout,
-            "drawn: %zu curve%s, %.3f m, %zu lines of G-code in %.1f s, %s at %.3f %.3f %.3f\n",
-            job->path->curves, tool_s(job->path->curves), job->path->drawn / 1000, code->count,
-            tool_clock() - began, g->name[0] != '\0' ? g->name : "the controller is stopped",
-            g->place[0], g->place[1], g->place[2]);
+        (void)say(stdout,
+                  "drawn: %zu curve%s, %.3f m, %zu lines of G-code in %s, %s at %.3f %.3f %.3f\n",
+                  job->path->curves, tool_s(job->path->curves), job->path->drawn / 1000,
+                  code->count, host_duration(time, tool_clock() - began, 1),
+                  g->name[0] != '\0' ? g->name : "the controller is stopped", g->place[0],
+                  g->place[1], g->place[2]);
     return result;
 }

@@ -11,6 +11,7 @@
 #include "read/record.h"         /* record_worst_error */
 #include "send/stream_end.h"
 #include "base/tool.h"
+#include "host/duration.h"      /* host_duration */
 
 void stream_place(const loft_sender *s, const kinematics *k, const int32_t steps[LOFT_AXES],
                   double out[LOFT_AXES])
@@ -101,6 +102,7 @@ static void print_line(const talk *t, const job *j)
     const unsigned baud   = t->line.baud ? t->line.baud : 115200;
     const double part     = 1 - (double)j->first_due / (double)j->ticks;
     const double seconds  = machine_seconds(s) * part;
+    char time[HOST_DURATION];
 
     printf("line: %" PRIu64 " bytes out for %zu %s, %" PRIu64 " in, ", t->written,
            j->count - j->first, job_words(j), t->received);
@@ -109,8 +111,10 @@ static void print_line(const talk *t, const job *j)
     if (s->report.slowed > 0)
         printf("%u ticks slowed because their steps did not fit, ", (unsigned)s->report.slowed);
     if (s->report.elapsed > s->report.ticks + s->machine.tick_hz / 10)
-        printf("%.1f s held or waiting, ",
-               (double)(s->report.elapsed - s->report.ticks) / (double)s->machine.tick_hz);
+        printf("%s held or waiting, ",
+               host_duration(
+                   time, (double)(s->report.elapsed - s->report.ticks) / (double)s->machine.tick_hz,
+                   1));
     printf("%u of %u frames resent\n", (unsigned)s->resent, (unsigned)(s->sent + s->resent));
 }
 
@@ -158,7 +162,7 @@ static int report_drawn(talk *t, job *j, const stream_subject *about)
 {
     const loft_sender *s = &t->sender;
     int32_t want[LOFT_AXES];
-    char text[96], other[96], error[64], plan[160];
+    char text[96], other[96], error[64], plan[160], time[HOST_DURATION];
     int status = LOFT_OK;
 
     if (j->head.kind != LOFT_CURVES || j->first > 0)    /* a job that was drawn before need not be
@@ -177,9 +181,10 @@ static int report_drawn(talk *t, job *j, const stream_subject *about)
     const int code = error_text(s, about, error);
     if (code != 0)
         return code;
-    printf("drawn: %zu curve%s, %.3f m, %.1f s machine time, %s%s, steps %s as commanded\n",
-           about->curves, tool_s(about->curves), about->drawn / 1000, machine_seconds(s),
-           job_words_of_plan(j, about->tol, plan), error, steps_text(want, text));
+    printf("drawn: %zu curve%s, %.3f m, %s machine time, %s%s, steps %s as commanded\n",
+           about->curves, tool_s(about->curves), about->drawn / 1000,
+           host_duration(time, machine_seconds(s), 1), job_words_of_plan(j, about->tol, plan),
+           error, steps_text(want, text));
     print_line(t, j);
     return EX_OK;
 }

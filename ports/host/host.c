@@ -26,6 +26,7 @@
 #include <unistd.h>
 
 #include "host/board.h"         /* struct loft_board    */
+#include "host/duration.h"      /* host_duration        */
 #include "host/line.h"          /* the pseudo terminal  */
 #include "host/memory.h"        /* kept settings        */
 #include "host/record.h"        /* the pulses           */
@@ -250,10 +251,14 @@ static void print_table(const struct host *h)
 /* `output 1: 12.500 s of full power`, since the machine was switched on. */
 static void print_outputs(const struct host *h)
 {
+    char time[HOST_DURATION];
+
     for (int k = 1; k <= h->config.info.outputs; k++)
         if (h->record.energy[k - 1] > 0)
-            printf("output %d: %.3f s of full power\n", k,
-                   h->record.energy[k - 1] / 65535 / ((double)h->o->tick_hz * h->o->slots));
+            printf("output %d: %s of full power\n", k,
+                   host_duration(
+                       time,
+                       h->record.energy[k - 1] / 65535 / ((double)h->o->tick_hz * h->o->slots), 3));
     fflush(stdout);
 }
 
@@ -261,10 +266,12 @@ static void print_outputs(const struct host *h)
 static void print_job(struct host *h, const char *what)
 {
     const loft_drive_report r = loft_drive_poll(&h->machine.drive);
+    char time[HOST_DURATION];
 
-    printf("job %08lx %s: %lu items, %lu ticks in %.3f s, %lu slowed, ",
+    printf("job %08lx %s: %lu items, %lu ticks in %s, %lu slowed, ",
            (unsigned long)h->machine.job.id, what, (unsigned long)r.executed,
-           (unsigned long)r.ticks, r.elapsed / (double)h->o->tick_hz, (unsigned long)r.slowed);
+           (unsigned long)r.ticks, host_duration(time, r.elapsed / (double)h->o->tick_hz, 3),
+           (unsigned long)r.slowed);
     print_position(h);
     if (!h->board && host_world_limited(&h->world))
         print_table(h);

@@ -210,7 +210,14 @@ mills() {
 }
 # said_before WORD [FILE]: the number, and its unit, before it
 said_before() {
-    awk -v name="$1" '{ for (i = 3; i <= NF; i++) if ($i == name) print $(i - 2) }' \
+    awk -v name="$1" '
+        { for (i = 3; i <= NF; i++)
+              if ($i == name) {         # 12.5 s, 3:09 or 3:09:12
+                  n = split($(i - 1) ~ /:/ ? $(i - 1) : $(i - 2), part, ":")
+                  for (sum = k = 0; k++ < n;)
+                      sum = 60 * sum + part[k]
+                  print sum
+              } }' \
         "${2:-$tmp/out}"
 }
 

@@ -1,9 +1,11 @@
 /* tests/tools/test_say.c -- words of others reach a terminal as text alone
  * SPDX-License-Identifier: MIT
  */
+#include <math.h>
 #include <string.h>
 
 #include "base/say.h"
+#include "host/duration.h"
 #include "tools/drawn.h"
 
 /* A code point, often one that a terminal obeys or that hides. */
@@ -104,8 +106,41 @@ static void each_character_is_told_as_it_is(arb *a)
     CHECK(say_character("\xf4\x90\x80\x80", &seen) == 1 && seen < 0);
 }
 
+/* Back from `12.5 s`, `3:09` and `3:09:12`. */
+static double seconds_of(const char *text)
+{
+    double sum = 0, part;
+    int used;
+
+    for (; sscanf(text, "%lf%n", &part, &used) == 1; text += used + (text[used] == ':'))
+        sum = 60 * sum + part;
+    return sum;
+}
+
+static void a_duration_above_a_minute_has_minutes(arb *a)
+{
+    static const double edges[] = { 0, 59.4, 59.6, 59.96, 60, 3599.4, 3599.6, 3600, 11352, 1e9 };
+    const double s = arb_below(a, 4) == 0 ? edges[arb_below(a, 10)]
+                                          : pow(10, arb_below(a, 9000) * 1e-3);
+    const int decimals = (int)arb_below(a, 4);
+    char text[HOST_DURATION];
+    int fields = 1;
+
+    host_duration(text, s, decimals);
+    for (const char *c = text; *c != '\0'; c++)
+        fields += *c == ':';
+    const double told = seconds_of(text), half = 0.5 * (fields > 1 ? 1 : pow(10, -decimals));
+    CHECK(strlen(text) < HOST_DURATION && fabs(told - s) <= half * (1 + 1e-9) + 1e-9);
+    CHECK(fields == (told < 60 ? 1 : told < 3600 ? 2 : 3));
+    CHECK((strstr(text, " s") != NULL) == (fields == 1));
+    CHECK(strcmp(host_duration(text, 11352, decimals), "3:09:12") == 0);
+    CHECK(strcmp(host_duration(text, 189, decimals), "3:09") == 0);
+    CHECK(strcmp(host_duration(text, a->state & 1 ? NAN : HUGE_VAL, decimals), "--:--") == 0);
+}
+
 int main(void)
 {
+    PROPERTY(a_duration_above_a_minute_has_minutes, 500);
     PROPERTY(nothing_hidden_comes_out, 500);
     PROPERTY(printf_for_people_says_one_line, 200);
     PROPERTY(each_character_is_told_as_it_is, 500);
