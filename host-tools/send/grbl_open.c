@@ -10,7 +10,7 @@
 #include "base/tool.h"           /* tool_error, tool_clock */
 #include "base/waits.h"          /* waits_for */
 
-#define OFFSET_WAIT 2.0     /* s */
+#define OFFSET_TOLD 64      /* statuses: it tells its offset with each 10th or 30th */
 
 static const char *const questions[GRBL_QUESTIONS] = { "$I\n", "$$\n" };
 
@@ -94,12 +94,15 @@ static int greet_controller(grbl *g, double seconds)
                       g->port, g->word, *g->state->text ? ": " : "", g->state->text);
 }
 
-/* With soft limits, the offset tells where the table is in work coordinates. */
+/* With soft limits, the offset tells where the table is in work coordinates. One that never tells
+ * it has no table that is known. */
 static int await_offset(grbl *g)
 {
-    const double until = tool_clock() + OFFSET_WAIT;
+    const double until = tool_clock() + GRBL_DEAF;
 
-    while (grbl_settings_number(&g->settings, 20, 0) > 0 && !g->offsetted && tool_clock() < until)
+    if (grbl_settings_number(&g->settings, 20, 0) <= 0)
+        return 0;
+    while (!g->offsetted && g->idles < OFFSET_TOLD && tool_clock() < until)
         if (!grbl_pump(g, 20))
             return grbl_report_vanished(g);
     return 0;

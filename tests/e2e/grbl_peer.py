@@ -3,15 +3,18 @@
 # documentation describes it
 # SPDX-License-Identifier: MIT
 """usage: grbl_peer.py LINK PATH_FILE [--g5] [--locked] [--error LINE] [--alarm LINE] [--reset LINE]
-                    [--mute LINE] [--mpos] [--nowco] [--late MS] [--twice] [--babble]
-                    [--table MM] [--corner] [--inches] [--words] [--coloured]
+                    [--mute LINE] [--mpos] [--nowco] [--late COUNT] [--twice] [--babble]
+                    [--table MM] [--corner] [--inches] [--words] [--coloured] [--held LINE]
+                    [--paced]
 
 Written from grbl's wiki (Interface, Commands, Configuration) alone. A line takes a millisecond to
 be read, the machine draws at 40 times the feed; 15 moves are planned ahead, then lines wait in a
 buffer of 128 bytes: one more and the job has failed.
 --words: errors are words, as some firmware writes them; --coloured: its greeting has control bytes.
---late: as a boot loader it hears nothing for so long after the first byte; --twice: it answers, and
-is reset when it is first asked for $I; --nowco: MPos, and WCO never; --babble: another baud rate.
+--late: as a boot loader it hears nothing until it has been asked for its status so often; --twice:
+it answers, and is reset when it is first asked for $I; --held: it stands before this line until it
+has been held and released; --paced: a line is read when its status was asked for since the line
+before; --nowco: MPos, and WCO never; --babble: another baud rate.
 --table: x and y have MM of travel and soft limits, and the work coordinates begin 10 mm from the
 lowest corner; --corner: that corner is 0 (HOMING_FORCE_SET_ORIGIN); --inches: reports them ($13=1).
 At the end (a hang-up or SIGTERM) PATH_FILE has the places that were drawn, and a last line
@@ -38,7 +41,7 @@ class Peer:
         self.at, self.feed, self.motion, self.path = [0.0, 0.0, 0.0], 0.0, None, [(0.0, 0.0, 0.0)]
         self.blocks, self.polls, self.rate = [], 0, 100
         self.state = "Alarm" if options.get("locked") else "Idle"
-        self.deaf = None
+        self.released, self.stands, self.seen = False, False, 0
         if not (self.o.get("late") or self.o.get("babble")):
             self.greet()
 
@@ -78,7 +81,7 @@ class Peer:
             unit = 25.4 if self.o.get("inches") else 1.0
             place = [a / unit for a in place]
             name = "MPos" if machine else "WPos"
-            moving = "Run" if self.blocks else "Idle"
+            moving = "Run" if self.blocks or self.stands else "Idle"
             state = self.state if self.state in ("Alarm", "Hold:0") else moving
             text = (f"<{state}|{name}:{place[0]:.3f},{place[1]:.3f},{place[2]:.3f}"
                     f"|FS:{self.feed if self.blocks else 0:.0f},0")
@@ -88,6 +91,7 @@ class Peer:
         elif byte == ord("!"):
             self.state = "Hold:0"
         elif byte == ord("~"):
+            self.released = self.released or self.state == "Hold:0"
             self.state = "Idle"
         elif byte == 0x18:
             self.buffer, self.blocks, self.state = b"", [], "Idle"
@@ -99,24 +103,20 @@ class Peer:
             return False
         return True
 
-    def booting(self):
+    def booting(self, data):
         """Is it not there yet?"""
-        now = time.monotonic()
-        self.deaf = self.deaf or now + self.o.get("late", 0) / 1000
-        if self.o.get("late") and now >= self.deaf:
-            self.o["late"] = 0
-            self.greet()
-        return self.deaf > now
-
-    def tick(self):
-        if self.deaf and self.o.get("late"):
-            self.booting()
+        if self.o.get("late", 0) > 0:
+            self.o["late"] -= data.count(b"?")
+            if self.o["late"] <= 0:
+                self.greet()
+            return True
+        return False
 
     def take(self, data):
         if self.o.get("babble"):
             os.write(self.master, bytes(b ^ 0x96 for b in data) + b"\r\n")
             return
-        if self.booting():
+        if self.booting(data):
             return
         for byte in data:
             if byte in b"?!~" or byte == 0x18 or byte >= 0x80:
@@ -132,6 +132,11 @@ class Peer:
             self.blocks.pop(0)
         if b"\n" not in self.buffer or len(self.blocks) >= BLOCKS or self.state == "Hold:0":
             return
+        self.stands = (self.lines + 1 == self.o.get("held") and not self.released
+                       or self.o.get("paced") and self.lines > 0 and self.seen == self.polls)
+        if self.stands:
+            return
+        self.seen = self.polls
         line, self.buffer = self.buffer.split(b"\n", 1)
         text = line.decode("ascii", "replace").strip().upper()
         if text == "$I" and self.o.pop("twice", False):
@@ -242,7 +247,6 @@ def main():
         while True:
             if select.select([master], [], [], 0.001)[0]:
                 peer.take(os.read(master, 1024))
-            peer.tick()
             peer.work()
     finally:
         with open(out, "w") as f:

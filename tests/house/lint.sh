@@ -247,7 +247,7 @@ flags_that_are_missing | rule "every rule heeds CPPFLAGS, CFLAGS and LDFLAGS"
 # 8. a whole job never waits for a time: it waits for what a machine or a command says
 timed() {               # timed FILE..: lines that sleep, or type a key at a time
     grep -nwE 'sleep|usleep|time\.sleep' "$@" |
-        grep -vE '^tests/e2e/(e2e_pty\.c|grbl_peer\.py):|: *#'
+        grep -vE '^tests/e2e/(e2e_pty\.c|grbl_peer\.py|pauses\.py):|: *#'
     grep -nE "[\"' ][0-9]*\\.?[0-9]+:(\\^.|[^0-9 /\"'])([\"' ]|\$)" "$@"
 }
 timed tests/e2e/* | rule "no whole job waits for a time"
