@@ -243,18 +243,18 @@ static int home_axis(mover *v, int axis, unsigned touches)
 // ------------------------
 
 /* The switches of a delta and of a polar machine are those of its motors. */
-static bool by_motors(const mover *v)
-{
-    return v->p.machine.k.kind == ENGINE_DELTA || v->p.machine.k.kind == ENGINE_POLAR;
-}
+static bool by_motors(const mover *v) { return !v->p.machine.k.kind->linear; }
 
 static int check_motors(const mover *v, const bool axis[ENGINE_AXES])
 {
     const machine_file *m = &v->p.machine;
 
-    if (m->k.kind == ENGINE_DELTA && !(axis[0] && axis[1] && axis[2]))
-        return tool_error(EX_CONFIG, "kinematics = delta: its three carriages are homed together: "
-                                     "name no axis, and give home_order = 1");
+    if (!m->k.kind->lifts && !(axis[0] && axis[1] && axis[2]))
+        return tool_error(
+            EX_CONFIG,
+            "kinematics = %s: its three carriages are homed together: name no axis, and give "
+            "home_order = 1",
+            kinematics_name(&m->k));
     for (int i = 0; i < ENGINE_AXES; i++)
         if (axis[i] && (isnan(m->home_at[i]) || !(m->home_search[i] > 0)))
             return tool_error(
@@ -304,11 +304,11 @@ static int home_motors(mover *v, const bool axis[ENGINE_AXES], unsigned touches)
 
     if (code != 0)
         return code;
-    v->p.machine.k.kind = ENGINE_CARTESIAN;
+    v->p.machine.k.kind = &kinematics_cartesian;
     memset(v->p.machine.travel, 0, sizeof v->p.machine.travel);
     memset(v->p.machine.zero, 0, sizeof v->p.machine.zero);
     code = mover_ready(v);
-    if (code == 0 && kept.k.kind == ENGINE_DELTA)
+    if (code == 0 && !kept.k.kind->lifts)
         code = raise_carriages(v);
     if (code == 0)
         code = home_axes(v, axis, touches);

@@ -325,13 +325,12 @@ static const option plan_rows[] = {
 /* Can that be drawn, and judged? Returns 0, or an exit code after printing one line. */
 static int check_plan(const plan_options *o)
 {
-    const enum engine_kinematics kind = o->p.machine.k.kind;
     bool png;
 
     if (o->picture != NULL && !plot_known(o->picture, &png))
         return tool_error(EX_USAGE, "--plot %s: give a name that ends with .png, .svg or .pdf",
                           o->picture);
-    if (o->certify && kind != ENGINE_CARTESIAN && kind != ENGINE_COREXY)
+    if (o->certify && !o->p.machine.k.kind->linear)
         return tool_error(EX_USAGE,
                           "--certify: the tool of a %s machine does not move on cubics: give the "
                           "limits to a cartesian one",

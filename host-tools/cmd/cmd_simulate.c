@@ -218,7 +218,7 @@ static int run_simulate(void *options)
     take_machine(w, &m, &o);
     kinematics_text(&m.k, text);
     o.note       = text;
-    o.tool       = m.k.kind == ENGINE_COREXY ? tool_of : NULL;
+    o.tool       = m.k.kind->linear && !m.k.kind->direct ? tool_of : NULL;
     o.kinematics = &m.k;
     if (o.curves > 0 && o.curves < 4)
         return tool_error(EX_USAGE, "a plan of %u curves: give 0 for none, or 4 to 4096", o.curves);

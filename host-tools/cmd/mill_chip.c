@@ -107,7 +107,7 @@ static int check_machine(mill_chip *c, const talk *t)
 {
     const loft_welcome *m = &t->sender.machine;
 
-    if (c->p.machine.k.kind != ENGINE_CARTESIAN)
+    if (!c->p.machine.k.kind->direct)
         return tool_error(EX_CONFIG,
                           "%s: the motors of a %s machine are not its axes: leave out --plan chip, "
                           "and stream the path",

@@ -102,7 +102,6 @@ const engine ENGINE_OF(engine) = { .name = ENGINE_TEXT(LOFT_TAG),
                                    .solid   = ENGINE_OF(engine_solid_eval),
                                    .ellipse = ellipse,
                                    .surface = &ENGINE_OF(engine_surfaces),
-                                   .maps = &ENGINE_OF(engine_maps),
                                    .flatten = flatten,
                                    .plan = &ENGINE_OF(engine_plans),
                                    .steps = steps };

@@ -181,20 +181,6 @@ typedef struct {
                    engine_doubt *doubt, engine_contour_sink *sink, void *context);
 } engine_surfaces;
 
-/* From the tool to the motors and back, as in lib/kinematics/kinematics.h. Geometry: polar: the
- * units of a turn; delta: the arm, and x and y of three towers. Returns false if a number does not
- * fit, or if the motors cannot be in that position. */
-enum engine_kinematics { ENGINE_CARTESIAN, ENGINE_COREXY, ENGINE_POLAR, ENGINE_DELTA };
-#define ENGINE_GEOMETRY 7
-
-typedef struct {
-    bool (*motors)(enum engine_kinematics kind, const double geometry[ENGINE_GEOMETRY],
-                   const double tool[ENGINE_AXES], double out[ENGINE_AXES]);
-    bool (*tool)(enum engine_kinematics kind, const double geometry[ENGINE_GEOMETRY],
-                 const double motors[ENGINE_AXES], double out[ENGINE_AXES]);
-} engine_maps;
-
-extern const engine_maps engine_maps_q16, engine_maps_f32, engine_maps_f64;
 extern const engine_surfaces engine_surfaces_q16, engine_surfaces_f32, engine_surfaces_f64;
 extern const engine_curves engine_curves_q16, engine_curves_f32, engine_curves_f64;
 extern const engine_pieces engine_pieces_q16, engine_pieces_f32, engine_pieces_f64;
@@ -276,7 +262,6 @@ typedef struct {
     const engine_surfaces *surface;
     /* The point at v, w, x of a tetrahedron. */
     int (*solid)(const struct surface *s, const double at[3], double out[ENGINE_AXES]);
-    const engine_maps *maps;
     int (*flatten)(const double p[4][ENGINE_AXES], double tol, engine_point_sink *sink,
                    void *context);
     const engine_plans *plan;

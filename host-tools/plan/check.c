@@ -70,7 +70,7 @@ void check_print(const machine_file *m, const char *file, const drawing *d, cons
                 note(&low, c->line, z, 0, 2);
             continue;
         }
-        const double may = m->k.kind == ENGINE_CARTESIAN ? allowed(m, c, &axis) : HUGE_VAL;
+        const double may = m->k.kind->direct ? allowed(m, c, &axis) : HUGE_VAL;
         least            = fmin(least, asked);
         most             = fmax(most, asked);
         if (asked > may * (1 + 1e-9))

@@ -200,7 +200,7 @@ double job_feed(const job *j, size_t n)
         return j->of->move[n].feed;
     if (n < j->low || n >= j->timed || j->head.kind == LOFT_POINTS || (n > 0 && n == j->low))
         return 0;
-    if (j->head.kind == LOFT_CURVES && j->k->kind == ENGINE_CARTESIAN)
+    if (j->head.kind == LOFT_CURVES && j->k->kind->direct)
         return entry_of(j, n)->item.ticks / 60.0;
     tool_at(j, n > 0 ? entry_of(j, n - 1)->item.p[2] : j->start, from);
     tool_at(j, entry_of(j, n)->item.p[2], to);

@@ -226,8 +226,8 @@ static int check_reach(const mapping *m, engine_move *move)
     const double length = space_distance(move->p[0], move->p[1]) +
                           space_distance(move->p[1], move->p[2]) +
                           space_distance(move->p[2], move->p[3]);
-    const int n = (int)fmin(
-        fmax(m->j->k->kind == ENGINE_POLAR ? 2 * length / m->j->k->inside : length, 8), 10000);
+    const int n = (int)fmin(fmax(m->j->k->kind->pole ? 2 * length / m->j->k->inside : length, 8),
+                            10000);
     char why[160];
 
     for (int i = 0; i <= n; i++) {
@@ -305,7 +305,7 @@ static int map_linear(mapping *m, engine_move *move)
     memcpy(p.move.p[0], m->at, sizeof p.move.p[0]);
     for (int n = 1; n < 4; n++)
         kinematics_motors(m->j->k, move->p[n], m->at, p.move.p[n]);
-    for (int n = 0; n <= LOOKS && m->j->k->kind != ENGINE_CARTESIAN; n++)
+    for (int n = 0; n <= LOOKS && !m->j->k->kind->direct; n++)
         compare_lengths(m->j, move, (double)n / LOOKS, &p);
     return add_piece(m, &p, move->feed, move->p[3]);
 }
@@ -340,9 +340,9 @@ static int map_move(mapping *m, engine_move *move)
     const kinematics *k = m->j->k;
     const bool travels  = m->path->curve[m->number] == TOOLPATH_TRAVEL;
 
-    if (k->kind == ENGINE_CARTESIAN || k->kind == ENGINE_COREXY)
+    if (k->kind->linear)
         return map_linear(m, move);
-    if (k->kind == ENGINE_POLAR && travels &&
+    if (k->kind->pole && travels &&
         (pole_distance(k, move->p[0]) < POLE || pole_distance(k, move->p[3]) < POLE ||
          is_upright(move)))
         return map_radial(m, move);
@@ -370,13 +370,13 @@ int joints_make(joints *out, toolpath *path, const kinematics *k, const joints_o
 
     *out = (joints){ .k = k, .path = path, .scale = { 1, 1, 1 }, .least = 1 };
     memcpy(m.at, o->start, sizeof m.at);
-    if (k->kind == ENGINE_POLAR)
+    if (k->kind->pole)
         lead_travels_through_pole(path, k);
-    if (k->kind != ENGINE_CARTESIAN) {
-        out->within = k->kind == ENGINE_COREXY ? 0 : o->within;
+    if (!k->kind->direct) {
+        out->within = k->kind->linear ? 0 : o->within;
         if (!o->chip)
             kinematics_scale(k, farthest_radius(path, k), out->scale);
-        out->least  = k->kind == ENGINE_POLAR ? out->scale[0] : HUGE_VAL;
+        out->least  = k->kind->pole ? out->scale[0] : HUGE_VAL;
     }
     for (int i = 0; i < ENGINE_AXES; i++)
         out->scaled = out->scaled || out->scale[i] > 1;
@@ -403,19 +403,19 @@ static double rounding_error(const joints *j)
     return sqrt(sum) * ENGINE_LSB / 2;
 }
 
-/* What of a tolerance of the tool is left for the plan. */
+/* The share of the tool's tolerance that is left for the plan. */
 static double planned_tol(const joints *j, double tol)
 {
     return fmin((tol - j->within) * j->least - rounding_error(j), TOL_MAX);
 }
 
-/* Where one motor lifts the pen, it does not go deeper than it is told. */
+/* Where one motor lifts the pen, the pen goes no deeper than planned. */
 engine_limits joints_limits(const joints *j, const engine_limits *motors)
 {
     engine_limits l = *motors;
 
-    l.one_sided = j->k->kind == ENGINE_DELTA ? 0 : UPRIGHT;
-    if (j->k->kind == ENGINE_CARTESIAN)
+    l.one_sided = j->k->kind->lifts ? UPRIGHT : 0;
+    if (j->k->kind->direct)
         return l;
     for (int i = 0; i < ENGINE_AXES; i++) {
         l.max_speed[i] = fmin(l.max_speed[i] * j->scale[i], SPEED_MAX);

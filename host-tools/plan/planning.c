@@ -132,7 +132,7 @@ static void obey_program(planning *p, const drawing *d)
  * maps need more (planning_joints). */
 static int smooth_within(const planning *p, double *within)
 {
-    const bool straight = p->machine.k.kind == ENGINE_CARTESIAN;
+    const bool straight = p->machine.k.kind->direct;
     const double spare = straight ? fmax(p->tol * (1 - 1e-12) - TOL_MIN, 0) : p->tol;
 
     *within = p->smooth < 0 ? fmin(SMOOTH_PART * p->tol, spare) : p->smooth;
@@ -288,7 +288,7 @@ int planning_joints(const planning *p, const char *file, const drawing *d,
     if (code != 0)
         return code;
     const double tol = joints_limits(out, limits).tol;
-    if (tol < TOL_MIN && p->machine.k.kind != ENGINE_CARTESIAN)
+    if (tol < TOL_MIN && !p->machine.k.kind->direct)
         return tool_error(EX_DATAERR,
                           "%s: for these motors %g mm are %.5f: give --tol %.2g or more%s",
                           source_name(file), limits->tol, tol,

@@ -21,61 +21,57 @@ typedef struct {
     size_t at;
     bool   axes, whole, limits;
     double least, most;
-    unsigned kinds;             /* bits: the kinematics that have it; 0: all */
+    const char *of;             /* the kinematics that have it, as "delta or polar"; NULL: all */
     const char *word[2];        /* the value is one of these, as 0 and 1 */
 } row;
 
 #define AT(field) offsetof(machine_file, field)
-#define POLAR     (1u << ENGINE_POLAR)
-#define DELTA     (1u << ENGINE_DELTA)
-#define ARM       0.99      /* the radius of a delta, over its arm, at most */
-#define HOME_SEARCH 1.1     /* times travel                                 */
-#define APART     30        /* degrees between towers, at least             */
+#define HOME_SEARCH 1.1     /* times travel */
 
 static const row rows[] = {
-    { "steps_per_mm", "steps/mm", AT(steps_per_mm), true, false, false, 0.01, 30000, 0, { 0 } },
-    { "max_speed", "mm/s", AT(max_speed), true, false, true, 1 / 64.0, 16383, 0, { 0 } },
-    { "max_accel", "mm/s^2", AT(max_accel), true, false, true, 1, 16383, 0, { 0 } },
-    { "max_jerk", "mm/s^3", AT(max_jerk), true, false, true, 0, 1e7, 0, { 0 } },
-    { "corner", "mm", AT(corner), false, false, false, 0, 1, 0, { 0 } },
-    { "tolerance", "mm", AT(tol), false, false, false, 1 / 1024.0, 1, 0, { 0 } },
-    { "travel", "mm", AT(travel), true, false, false, 0, 16383, 0, { 0 } },
-    { "min", "mm", AT(min), true, false, false, -16383, 16383, 0, { 0 } },
-    { "zero", "mm", AT(zero), true, false, false, -16383, 16383, 0, { 0 } },
-    { "home_order", "", AT(home_order), true, true, false, 0, 3, 0, { 0 } },
-    { "home_end", "", AT(home_end), true, true, false, 0, 1, 0, { "low", "high" } },
-    { "home_at", "mm", AT(home_at), true, false, false, -16383, 16383, 0, { 0 } },
-    { "home_seek", "mm/s", AT(home_seek), true, false, false, 1 / 64.0, 1000, 0, { 0 } },
-    { "home_touch", "mm/s", AT(home_touch), true, false, false, 1 / 64.0, 1000, 0, { 0 } },
-    { "home_back", "mm", AT(home_back), true, false, false, 0.01, 100, 0, { 0 } },
-    { "home_search", "mm", AT(home_search), true, false, false, 0, 16383, 0, { 0 } },
-    { "square", "", AT(square), true, true, false, 0, 1, 0, { "no", "yes" } },
-    { "limit_stop", "", AT(hard_stop), false, true, false, 0, 1, 0, { "ramp", "hard" } },
-    { "park", "mm", AT(park), true, false, false, -16383, 16383, 0, { 0 } },
-    { "reversed", "", AT(reversed), true, true, false, 0, 1, 0, { "no", "yes" } },
-    { "limit", "", AT(limit_opens), true, true, false, 0, 1, 0, { "closes", "opens" } },
-    { "probe", "", AT(probe_opens), false, true, false, 0, 1, 0, { "closes", "opens" } },
-    { "buttons", "", AT(buttons_open), false, true, false, 0, 1, 0, { "closes", "opens" } },
-    { "drive", "", AT(drive), true, true, false, 0, 1, 0, { "step", "servo" } },
-    { "servo_zero", "us", AT(servo_zero), false, true, false, 10, 2550, 0, { 0 } },
-    { "idle", "s", AT(idle), false, true, false, 0, 254, 0, { 0 } },
-    { "pulse", "us", AT(pulse), false, true, false, 1, 254, 0, { 0 } },
-    { "pen_up", "mm", AT(pen_up), false, false, false, -16383, 16383, 0, { 0 } },
-    { "pen_down", "mm", AT(pen_down), false, false, false, -16383, 16383, 0, { 0 } },
-    { "s_max", "of S", AT(s_max), false, false, false, 1, 1e6, 0, { 0 } },
-    { "spin_up", "s", AT(spin_up), false, false, false, 0, 600, 0, { 0 } },
-    { "laser", "", AT(laser), false, true, false, 0, 1, 0, { "no", "yes" } },
-    { "tick_hz", "ticks/s", AT(tick_hz), false, true, false, 50, 50000, 0, { 0 } },
-    { "slots", "per tick", AT(slots), false, true, false, 1, 4096, 0, { 0 } },
-    { "ramp", "ticks", AT(ramp), false, true, false, 1, 32767, 0, { 0 } },
-    { "queue", "items", AT(queue), false, true, false, 2, 32768, 0, { 0 } },
-    { "curves", "curves", AT(curves), false, true, false, 0, 4096, 0, { 0 } },
-    { "center", "mm", AT(k.center), true, false, false, -8191, 8191, POLAR | DELTA, { 0 } },
-    { "arm_length", "mm", AT(k.arm_length), false, false, false, 1, 8191, DELTA, { 0 } },
-    { "delta_radius", "mm", AT(k.delta_radius), false, false, false, 1, 8191, DELTA, { 0 } },
-    { "tower_angle", "degrees", AT(k.tower_angle), true, false, false, -360, 360, DELTA, { 0 } },
-    { "turn", "per turn", AT(k.turn), false, false, false, 6, 8191, POLAR, { 0 } },
-    { "inside", "mm", AT(k.inside), false, false, false, 0.01, 1000, POLAR, { 0 } },
+    { "steps_per_mm", "steps/mm", AT(steps_per_mm), true, false, false, 0.01, 30000, NULL, { 0 } },
+    { "max_speed", "mm/s", AT(max_speed), true, false, true, 1 / 64.0, 16383, NULL, { 0 } },
+    { "max_accel", "mm/s^2", AT(max_accel), true, false, true, 1, 16383, NULL, { 0 } },
+    { "max_jerk", "mm/s^3", AT(max_jerk), true, false, true, 0, 1e7, NULL, { 0 } },
+    { "corner", "mm", AT(corner), false, false, false, 0, 1, NULL, { 0 } },
+    { "tolerance", "mm", AT(tol), false, false, false, 1 / 1024.0, 1, NULL, { 0 } },
+    { "travel", "mm", AT(travel), true, false, false, 0, 16383, NULL, { 0 } },
+    { "min", "mm", AT(min), true, false, false, -16383, 16383, NULL, { 0 } },
+    { "zero", "mm", AT(zero), true, false, false, -16383, 16383, NULL, { 0 } },
+    { "home_order", "", AT(home_order), true, true, false, 0, 3, NULL, { 0 } },
+    { "home_end", "", AT(home_end), true, true, false, 0, 1, NULL, { "low", "high" } },
+    { "home_at", "mm", AT(home_at), true, false, false, -16383, 16383, NULL, { 0 } },
+    { "home_seek", "mm/s", AT(home_seek), true, false, false, 1 / 64.0, 1000, NULL, { 0 } },
+    { "home_touch", "mm/s", AT(home_touch), true, false, false, 1 / 64.0, 1000, NULL, { 0 } },
+    { "home_back", "mm", AT(home_back), true, false, false, 0.01, 100, NULL, { 0 } },
+    { "home_search", "mm", AT(home_search), true, false, false, 0, 16383, NULL, { 0 } },
+    { "square", "", AT(square), true, true, false, 0, 1, NULL, { "no", "yes" } },
+    { "limit_stop", "", AT(hard_stop), false, true, false, 0, 1, NULL, { "ramp", "hard" } },
+    { "park", "mm", AT(park), true, false, false, -16383, 16383, NULL, { 0 } },
+    { "reversed", "", AT(reversed), true, true, false, 0, 1, NULL, { "no", "yes" } },
+    { "limit", "", AT(limit_opens), true, true, false, 0, 1, NULL, { "closes", "opens" } },
+    { "probe", "", AT(probe_opens), false, true, false, 0, 1, NULL, { "closes", "opens" } },
+    { "buttons", "", AT(buttons_open), false, true, false, 0, 1, NULL, { "closes", "opens" } },
+    { "drive", "", AT(drive), true, true, false, 0, 1, NULL, { "step", "servo" } },
+    { "servo_zero", "us", AT(servo_zero), false, true, false, 10, 2550, NULL, { 0 } },
+    { "idle", "s", AT(idle), false, true, false, 0, 254, NULL, { 0 } },
+    { "pulse", "us", AT(pulse), false, true, false, 1, 254, NULL, { 0 } },
+    { "pen_up", "mm", AT(pen_up), false, false, false, -16383, 16383, NULL, { 0 } },
+    { "pen_down", "mm", AT(pen_down), false, false, false, -16383, 16383, NULL, { 0 } },
+    { "s_max", "of S", AT(s_max), false, false, false, 1, 1e6, NULL, { 0 } },
+    { "spin_up", "s", AT(spin_up), false, false, false, 0, 600, NULL, { 0 } },
+    { "laser", "", AT(laser), false, true, false, 0, 1, NULL, { "no", "yes" } },
+    { "tick_hz", "ticks/s", AT(tick_hz), false, true, false, 50, 50000, NULL, { 0 } },
+    { "slots", "per tick", AT(slots), false, true, false, 1, 4096, NULL, { 0 } },
+    { "ramp", "ticks", AT(ramp), false, true, false, 1, 32767, NULL, { 0 } },
+    { "queue", "items", AT(queue), false, true, false, 2, 32768, NULL, { 0 } },
+    { "curves", "curves", AT(curves), false, true, false, 0, 4096, NULL, { 0 } },
+    { "center", "mm", AT(k.center), true, false, false, -8191, 8191, "delta or polar", { 0 } },
+    { "arm_length", "mm", AT(k.arm_length), false, false, false, 1, 8191, "delta", { 0 } },
+    { "delta_radius", "mm", AT(k.delta_radius), false, false, false, 1, 8191, "delta", { 0 } },
+    { "tower_angle", "degrees", AT(k.tower_angle), true, false, false, -360, 360, "delta", { 0 } },
+    { "turn", "per turn", AT(k.turn), false, false, false, 6, 8191, "polar", { 0 } },
+    { "inside", "mm", AT(k.inside), false, false, false, 0.01, 1000, "polar", { 0 } },
 };
 #define ROWS (sizeof rows / sizeof rows[0])
 
@@ -216,6 +212,14 @@ static int unknown_key(const reading *r, const char *s, size_t length)
                       near_text(&near, "", meant));
 }
 
+static int unknown_kinematics(const reading *r)
+{
+    char names[KINEMATICS_NAMES];
+
+    kinematics_names(names);
+    return tool_error(EX_DATAERR, "%s:%u: write kinematics = %s", r->file, r->line, names);
+}
+
 /* `s` is after the key. */
 static int read_kinematics(reading *r, const char *s)
 {
@@ -227,9 +231,7 @@ static int read_kinematics(reading *r, const char *s)
         return tool_error(EX_DATAERR, "%s:%u: kinematics is given in line %u already: remove one",
                           r->file, r->line, r->named);
     if (word == s || !number_ends(word + length) || !kinematics_find(&r->m->k, word, length))
-        return tool_error(EX_DATAERR,
-                          "%s:%u: write kinematics = cartesian, corexy, hbot, delta or polar",
-                          r->file, r->line);
+        return unknown_kinematics(r);
     r->named = r->line;
     return 0;
 }
@@ -300,19 +302,21 @@ static unsigned line_of(const reading *r, size_t key)
     return line;
 }
 
+/* Has a machine of these kinematics the key? No name is a part of another. */
+static bool has_key(const kinematics *k, const row *key)
+{
+    return key->of == NULL || strstr(key->of, kinematics_name(k)) != NULL;
+}
+
 /* Refuse keys of other kinematics: they would have no effect. */
 static int check_keys(const reading *r)
 {
     for (size_t i = 0; i < ROWS; i++)
-        if (line_of(r, i) > 0 && rows[i].kinds != 0 && !(rows[i].kinds & 1u << r->m->k.kind))
+        if (line_of(r, i) > 0 && !has_key(&r->m->k, &rows[i]))
             return tool_error(
                 EX_DATAERR,
                 "%s:%u: %s is for kinematics = %s, and this machine is %s: remove one of them",
-                r->file, line_of(r, i), rows[i].key,
-                rows[i].kinds == DELTA   ? "delta"
-                : rows[i].kinds == POLAR ? "polar"
-                                         : "delta or polar",
-                kinematics_name(&r->m->k));
+                r->file, line_of(r, i), rows[i].key, rows[i].of, kinematics_name(&r->m->k));
     return 0;
 }
 
@@ -342,28 +346,15 @@ static int check_drive(const reading *r)
     return 0;
 }
 
-static int check_delta(const reading *r)
+static int check_geometry(const reading *r)
 {
-    const kinematics *k = &r->m->k;
-    const unsigned angles = line_of(r, (size_t)(find_row("tower_angle", 11) - rows));
+    kinematics_fault why;
 
-    if (!(k->arm_length > 0 && k->delta_radius > 0))
-        return tool_error(EX_DATAERR, "%s:%u: kinematics = delta needs %s as well: give it in mm",
-                          r->file, r->named, k->arm_length > 0 ? "delta_radius" : "arm_length");
-    if (k->delta_radius > ARM * k->arm_length)
-        return tool_error(EX_DATAERR,
-                          "%s:%u: arms of %g mm do not reach the middle from %g mm: give a "
-                          "delta_radius of at most %g times arm_length",
-                          r->file, line_of(r, (size_t)(find_row("delta_radius", 12) - rows)),
-                          k->arm_length, k->delta_radius, ARM);
-    for (int i = 0; i < ENGINE_AXES; i++)
-        if (fabs(remainder(k->tower_angle[i] - k->tower_angle[(i + 1) % ENGINE_AXES], 360)) < APART)
-            return tool_error(EX_DATAERR,
-                              "%s:%u: two towers at %g and %g degrees: give them angles %d degrees "
-                              "apart, as 210, 330 and 90",
-                              r->file, angles ? angles : r->named, k->tower_angle[i],
-                              k->tower_angle[(i + 1) % ENGINE_AXES], APART);
-    return 0;
+    if (!kinematics_faulty(&r->m->k, &why))
+        return 0;
+    const unsigned line = why.key ? line_of(r, (size_t)(find_row(why.key, strlen(why.key)) - rows))
+                                  : 0;
+    return tool_error(EX_DATAERR, "%s:%u: %s", r->file, line > 0 ? line : r->named, why.text);
 }
 
 /* Both motors of a CoreXY move x and y, so both have one limit, the smaller one. It holds for
@@ -387,9 +378,9 @@ static int check_machine(const reading *r)
         code = check_table(r);
     if (code == 0)
         code = check_drive(r);
-    if (code == 0 && r->m->k.kind == ENGINE_DELTA)
-        code = check_delta(r);
-    if (code == 0 && r->m->k.kind == ENGINE_COREXY)
+    if (code == 0)
+        code = check_geometry(r);
+    if (code == 0 && r->m->k.kind->paired)
         share_limits(r->m);
     kinematics_ready(&r->m->k);
     return code;
@@ -520,7 +511,7 @@ void machine_print(const machine_file *m, enum machine_keeper of, FILE *out)
     if (of == MACHINE_TEXT && m->k.kind != usual.k.kind)
         fprintf(out, "kinematics = %s\n", kinematics_name(&m->k));
     for (size_t i = 0; i < ROWS; i++)
-        if (keeper_of(&rows[i]) == of && (rows[i].kinds == 0 || rows[i].kinds & 1u << m->k.kind))
+        if (keeper_of(&rows[i]) == of && has_key(&m->k, &rows[i]))
             print_row(&rows[i], values_of(m, &rows[i]),
                       of == MACHINE_TEXT ? values_of(&usual, &rows[i]) : NULL, out);
 }

@@ -175,20 +175,19 @@ static const double *place_before(const record *r, size_t i)
     return i > 0 ? r->pulse[i - 1].at : r->start;
 }
 
-/* A step of a delta moves x, y and z. There a pulse draws if the tool moves more sideways than up
+/* A step of a motor that does not only lift moves x, y and z. There a pulse draws if the tool moves more sideways than up
  * over a few steps. */
 bool record_draws(const record *r, size_t i)
 {
-    const size_t from = r->machine.k.kind != ENGINE_DELTA ? i : i > AROUND ? i - AROUND : 0;
-    const size_t to = r->machine.k.kind != ENGINE_DELTA ? i + 1
-                      : r->count - i > AROUND           ? i + AROUND
-                                                        : r->count;
+    const bool lifts  = r->machine.k.kind->lifts;
+    const size_t from = lifts ? i : i > AROUND ? i - AROUND : 0;
+    const size_t to   = lifts ? i + 1 : r->count - i > AROUND ? i + AROUND : r->count;
     const double *before = place_before(r, from), *after = place_before(r, to),
                  *now = r->pulse[i].at;
 
     if (now[2] > r->pen_down)
         return false;
-    if (r->machine.k.kind == ENGINE_DELTA)
+    if (!lifts)
         return hypot(after[0] - before[0], after[1] - before[1]) > fabs(after[2] - before[2]);
     return after[0] != before[0] || after[1] != before[1];
 }

@@ -275,7 +275,7 @@ int mover_place(mover *v, unsigned axes, const double at[ENGINE_AXES])
         code = steps_there(v, at, steps);
     if (code != 0)
         return code;
-    if (v->p.machine.k.kind != ENGINE_CARTESIAN)
+    if (!v->p.machine.k.kind->direct)
         axes = ALL;
     if (loft_sender_place(s, (uint8_t)axes, steps) != LOFT_OK)
         return tool_error(EX_SOFTWARE, "the place could not be sent: please report this");
@@ -296,7 +296,7 @@ int mover_table(mover *v, int axis, bool counts)
     int code = 0;
 
     table_ends(m, axis, &ends[0], &ends[1]);
-    if (m->k.kind != ENGINE_CARTESIAN || !(s->machine.kinds & LOFT_TAKES_TABLE) ||
+    if (!m->k.kind->direct || !(s->machine.kinds & LOFT_TAKES_TABLE) ||
         (counts && !(ends[1] < HUGE_VAL)))
         return 0;
     for (int high = 0; high <= counts && code == 0; high++) {

@@ -22,14 +22,14 @@
 static double random_unit(arb *a)      { return (double)(arb_next(a) >> 11) / 9007199254740992.0; }
 static double random_signed(arb *a, double size)     { return (2 * random_unit(a) - 1) * size; }
 
-static kinematics kind_of(enum engine_kinematics kind)
+static kinematics kind_of(const kinematics_kind *kind)
 {
     kinematics k = kinematics_usual();
 
     k.kind = kind;
     k.arm_length = 200;
     k.delta_radius = 95;
-    if (kind == ENGINE_POLAR)
+    if (kind->pole)
         k.center[0] = k.center[1] = -80;
     kinematics_ready(&k);
     return k;
@@ -117,7 +117,7 @@ static double distance_to_move(engine_move *m, const double at[ENGINE_AXES])
 
 static void the_tool_stays_within(arb *a)
 {
-    const kinematics k = kind_of(arb_below(a, 2) ? ENGINE_DELTA : ENGINE_POLAR);
+    const kinematics k = kind_of(arb_below(a, 2) ? &kinematics_delta_f64 : &kinematics_polar_f64);
     double at[ENGINE_AXES], v[ENGINE_AXES], tool[ENGINE_AXES];
     toolpath path;
     joints j;
@@ -138,7 +138,7 @@ static void the_tool_stays_within(arb *a)
  * path ends. */
 static void pieces_meet(arb *a)
 {
-    const kinematics k = kind_of(arb_below(a, 2) ? ENGINE_DELTA : ENGINE_POLAR);
+    const kinematics k = kind_of(arb_below(a, 2) ? &kinematics_delta_f64 : &kinematics_polar_f64);
     double at[ENGINE_AXES], before[ENGINE_AXES], after[ENGINE_AXES];
     toolpath path;
     joints j;
@@ -176,8 +176,8 @@ static double tool_length(const kinematics *k, const engine_move *m)
  * except in short pieces. */
 static void the_tool_has_its_feed(arb *a)
 {
-    const kinematics k = kind_of(
-        (enum engine_kinematics[]){ ENGINE_DELTA, ENGINE_POLAR, ENGINE_COREXY }[arb_below(a, 3)]);
+    const kinematics k = kind_of((const kinematics_kind *const[]){
+        &kinematics_delta_f64, &kinematics_polar_f64, &kinematics_corexy_f64 }[arb_below(a, 3)]);
     double v[ENGINE_AXES], scaled[ENGINE_AXES];
     kinematics_moving motors = { .a = { 0 } }, tool;
     toolpath path;
@@ -203,7 +203,7 @@ static void the_tool_has_its_feed(arb *a)
 
 static void a_matrix_keeps_every_curve(arb *a)
 {
-    const kinematics k = kind_of(ENGINE_COREXY);
+    const kinematics k = kind_of(&kinematics_corexy_f64);
     toolpath path;
     joints j;
 
@@ -223,7 +223,7 @@ static void a_matrix_keeps_every_curve(arb *a)
 /* A quarter of a circle around the pole in each move; turns add up. */
 static void turns_around_the_pole_are_counted(arb *a)
 {
-    const kinematics k = kind_of(ENGINE_POLAR);
+    const kinematics k = kind_of(&kinematics_polar_f64);
     const double r = 5 + 40 * random_unit(a), handle = 0.5522847498 * r,
                  way = arb_below(a, 2) ? 1 : -1, begin = random_signed(a, 3);
     toolpath path;
@@ -250,7 +250,7 @@ static void turns_around_the_pole_are_counted(arb *a)
 /* A travel leads over the pole, and stops there while the table turns. */
 static void a_travel_goes_through_the_pole(arb *a)
 {
-    const kinematics k = kind_of(ENGINE_POLAR);
+    const kinematics k = kind_of(&kinematics_polar_f64);
     const double way = 7 * random_unit(a);
     size_t turned = 0;
     toolpath path;
@@ -278,7 +278,7 @@ static void a_travel_goes_through_the_pole(arb *a)
 
 static void out_of_reach_is_refused(arb *a)
 {
-    const kinematics delta = kind_of(ENGINE_DELTA), polar = kind_of(ENGINE_POLAR);
+    const kinematics delta = kind_of(&kinematics_delta_f64), polar = kind_of(&kinematics_polar_f64);
     toolpath path;
     joints j;
 
@@ -341,7 +341,7 @@ static void take_place(const engine_span *s, double t, double low[], double high
 static void plan_lines(engine_move *move, size_t count, const engine_limits *l, double low[],
                        double high[])
 {
-    const kinematics k = kind_of(ENGINE_CARTESIAN);
+    const kinematics k = kind_of(&kinematics_cartesian);
     joints j = { .k = &k, .move = move, .count = count, .scale = { 1, 1, 1 }, .least = 1 };
     joints_planning p;
     engine_span s;

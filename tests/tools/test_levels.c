@@ -46,7 +46,7 @@ static void arb_row(row *r, arb *a, double pixel)
 
     memset(r, 0, sizeof *r);
     r->k      = kinematics_usual();
-    r->k.kind = arb_below(a, 2) ? ENGINE_COREXY : ENGINE_CARTESIAN;
+    r->k.kind = arb_below(a, 2) ? &kinematics_corexy_f64 : &kinematics_cartesian;
     kinematics_ready(&r->k);
     for (int i = 0; i < ENGINE_AXES; i++) {
         r->line.p[0][i] = 100 * (random_unit(a) - 0.5);

@@ -17,6 +17,7 @@ static record_pulse pulse[301];
 static void machine(record *r)
 {
     *r = (record){ .pulse = pulse,
+                   .machine = machine_usual(),
                    .count = 301,
                    .slot_hz = 1000,
                    .steps_per_mm = { 100, 100, 100 },

@@ -130,7 +130,9 @@ static void make_record(record *r, const drawing_curve *c, double off, double fr
 {
     const size_t points = 2000;
 
-    *r = (record){ .pulse = tool_grow(NULL, (points + 2) * sizeof(record_pulse)), .slot_hz = 1000 };
+    *r = (record){ .pulse   = tool_grow(NULL, (points + 2) * sizeof(record_pulse)),
+                   .machine = machine_usual(),
+                   .slot_hz = 1000 };
     for (size_t i = 0; i <= points; i++) {
         const double t = (double)i / (double)points;
         double p[2], v[2];

@@ -94,7 +94,7 @@ static void lines_stay_over_the_block(arb *a)
 static void blocks_end_at_their_top_and_sides(arb *a)
 {
     static record_pulse pulse[203];
-    const record r = { .pulse = pulse, .count = 203 };
+    const record r = { .pulse = pulse, .count = 203, .machine = machine_usual() };
     const mesh_vertex below = { .p = { 10, 1, 2.5 }, .normal = { 0, 0, 1 } },
                       never = { .p = { 10, 6, 2.5 }, .normal = { 0, 0, 1 } },
                       beside = { .p = { 10, 9, 2.5 }, .normal = { 0, 0, 1 } };
