@@ -184,15 +184,9 @@ static void control_cubics(const plot_view *v)
     cairo_fill(v->cairo);
 }
 
-static bool has_derivatives(const curve *c)
-{
-    return c->kind == CURVE_HERMITE3 || c->kind == CURVE_HERMITE5;
-}
-
 static bool has_control_polygon(const curve *c)
 {
-    return c->kind == CURVE_BEZIER || c->kind == CURVE_RATIONAL || c->kind == CURVE_BSPLINE ||
-           c->kind == CURVE_NURBS;
+    return curve_kinds[c->kind].bezier || curve_has_knots(c);
 }
 
 /* The end of the first derivative, drawn as long as the handle of a cubic. */
@@ -209,7 +203,7 @@ static void control_lines(const plot_view *v, const curve *c)
         double handle[2];
         if (has_control_polygon(c)) {
             (k ? cairo_line_to : cairo_move_to)(v->cairo, plot_x(v, p[0]), plot_y(v, p[1]));
-        } else if (has_derivatives(c)) {
+        } else if (curve_kinds[c->kind].slopes) {
             handle_of(&c->point[k], handle);
             cairo_move_to(v->cairo, plot_x(v, p[0]), plot_y(v, p[1]));
             cairo_line_to(v->cairo, plot_x(v, handle[0]), plot_y(v, handle[1]));
@@ -221,11 +215,10 @@ static void control_dots(const plot_view *v, const curve *c)
 {
     for (unsigned k = 0; k < c->count; k++) {
         const bool on = !has_control_polygon(c) ||
-                        ((c->kind == CURVE_BEZIER || c->kind == CURVE_RATIONAL) &&
-                         (k == 0 || k + 1 == c->count));
+                        (curve_kinds[c->kind].bezier && (k == 0 || k + 1 == c->count));
         double handle[2];
         (on ? draw_square : draw_disc)(v, c->point[k].p, 1.6 * v->u);
-        if (has_derivatives(c)) {
+        if (curve_kinds[c->kind].slopes) {
             handle_of(&c->point[k], handle);
             draw_disc(v, handle, 1.3 * v->u);
         }

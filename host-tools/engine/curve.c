@@ -6,35 +6,50 @@
 #include "engine/curve.h"
 #include "base/tool.h"       /* tool_grow */
 
-static const char *const names[CURVE_KINDS] = {
-    "bezier",   "line",     "rational",        "parabola",      "hermite3",
-    "hermite5", "cardinal", "natural uniform", "natural chord", "bspline",
-    "nurbs",    "arc",      "spline",          "tcb",           "catmull"
+#define KNOTS "knots that do not descend"
+#define STEPS "and at least one step"
+
+const curve_row curve_kinds[CURVE_KINDS] = {
+    [CURVE_BEZIER] = { .name = "bezier", .bezier = true, .extends = true },
+    [CURVE_LINE] = { .name = "line", .degree = 1, .joins = true },
+    [CURVE_RATIONAL] = { .name     = "rational",
+                         .rational = true,
+                         .bezier   = true,
+                         .remedy   = "give degree 1 to 9, weights above 0, " KNOTS ", " STEPS },
+    [CURVE_PARABOLA] = { .name = "parabola", .degree = 2, .extends = true },
+    [CURVE_HERMITE3] = { .name = "hermite3", .degree = 3, .joins = true, .slopes = true },
+    [CURVE_HERMITE5] = { .name = "hermite5", .degree = 5, .joins = true, .slopes = true },
+    [CURVE_CARDINAL] = { .name = "cardinal", .degree = 3, .joins = true, .hides_ends = true },
+    [CURVE_NATURAL] = { .name = "natural uniform", .degree = 3, .joins = true },
+    [CURVE_CHORD] = { .name = "natural chord", .degree = 3, .joins = true },
+    [CURVE_BSPLINE] = { .name   = "bspline",
+                        .knots  = true,
+                        .remedy = "give degree 1 to 9, " KNOTS ", " STEPS },
+    [CURVE_NURBS] = { .name     = "nurbs",
+                      .rational = true,
+                      .knots    = true,
+                      .remedy   = "give degree 1 to 9, weights above 0, " KNOTS ", " STEPS },
+    [CURVE_ARC] = { .name   = "arc",
+                    .degree = 3,
+                    .remedy = "its ends differ in their distance from the centre by more than "
+                              "1/256: write more digits, or correct the centre" },
+    [CURVE_SPLINE] = { .name = "spline", .degree = 3, .joins = true },
+    [CURVE_TCB] = { .name = "tcb", .degree = 3, .joins = true, .hides_ends = true },
+    [CURVE_CATMULL] = { .name = "catmull", .degree = 3, .joins = true, .hides_ends = true },
 };
-
-const char *curve_name(enum curve_kind kind) { return names[kind]; }
-
-bool curve_is_rational(const curve *c)
-{
-    return c->kind == CURVE_RATIONAL || c->kind == CURVE_NURBS;
-}
 
 bool curve_is_high(const curve *c)
 {
-    return (c->kind == CURVE_BEZIER || c->kind == CURVE_RATIONAL) && c->degree > CURVE_DEGREE_MAX;
+    return curve_kinds[c->kind].bezier && c->degree > CURVE_DEGREE_MAX;
 }
-
-bool curve_extends(const curve *c) { return c->kind == CURVE_BEZIER || c->kind == CURVE_PARABOLA; }
 
 bool curve_hides_ends(const curve *c)
 {
-    return c->kind == CURVE_CARDINAL || c->kind == CURVE_TCB || c->kind == CURVE_CATMULL ||
+    return curve_kinds[c->kind].hides_ends ||
            (c->kind == CURVE_SPLINE && (c->ends == CURVE_THROUGH || c->ends == CURVE_SLOPE));
 }
 
 bool curve_is_closed(const curve *c) { return c->kind == CURVE_SPLINE && c->ends == CURVE_CLOSED; }
-
-static bool has_knots(const curve *c) { return c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS; }
 
 
 // Pieces
@@ -60,36 +75,30 @@ static double knot_break(const curve *c, unsigned i)
 
 unsigned curve_pieces(const curve *c)
 {
-    switch (c->kind) {
-    case CURVE_BSPLINE:
-    case CURVE_NURBS: return knot_pieces(c);
-    case CURVE_CARDINAL:
-    case CURVE_TCB:
-    case CURVE_CATMULL: return c->count - 3;
-    case CURVE_SPLINE: return c->count - (curve_hides_ends(c) ? 3 : curve_is_closed(c) ? 0 : 1);
-    case CURVE_LINE:
-    case CURVE_HERMITE3:
-    case CURVE_HERMITE5:
-    case CURVE_NATURAL:
-    case CURVE_CHORD: return c->count - 1;
-    default: return 1;
-    }
+    if (curve_has_knots(c))
+        return knot_pieces(c);
+    if (!curve_kinds[c->kind].joins)
+        return 1;
+    return c->count - (curve_hides_ends(c) ? 3 : curve_is_closed(c) ? 0 : 1);
 }
 
 double curve_break(const curve *c, unsigned i)
 {
-    if (has_knots(c))
+    if (curve_has_knots(c))
         return knot_break(c, i);
     if (c->kind == CURVE_PARABOLA)
         return c->point[i == 0 ? 0 : 2].w;
     return i;
 }
 
-double curve_from(const curve *c) { return has_knots(c) ? c->knot[c->degree] : curve_break(c, 0); }
+double curve_from(const curve *c)
+{
+    return curve_has_knots(c) ? c->knot[c->degree] : curve_break(c, 0);
+}
 
 double curve_to(const curve *c)
 {
-    return has_knots(c) ? c->knot[c->count] : curve_break(c, curve_pieces(c));
+    return curve_has_knots(c) ? c->knot[c->count] : curve_break(c, curve_pieces(c));
 }
 
 /* The piece of a B-spline that contains t, and its ends. */
@@ -114,7 +123,7 @@ unsigned curve_locate(const curve *c, long double t, long double *local)
     double end[2] = { 0, 1 };
     unsigned i;
 
-    if (has_knots(c)) {
+    if (curve_has_knots(c)) {
         i = knot_locate(c, t, end);
     } else {
         i = pieces == 1 || !(t >= 1) ? 0 : t >= pieces ? pieces - 1 : (unsigned)t;

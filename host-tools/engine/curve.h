@@ -83,14 +83,31 @@ typedef struct curves {
     bool drawn;                 /* asked for: degrees up to CURVE_DRAWN_MAX              */
 } curves;
 
-const char *curve_name(enum curve_kind kind);
+/* What all curves of a kind have in common: a row of curve.c. */
+typedef struct {
+    const char *name;
+    unsigned degree;            /* of the pieces; 0: its file says it                           */
+    bool rational;              /* it has weights                                               */
+    bool bezier;                /* it is one Bezier curve                                       */
+    bool knots;                 /* a B-spline, with or without weights                          */
+    bool joins;                 /* a piece from each point to the next; otherwise it is one     */
+    bool hides_ends;            /* the first and the last point only give directions            */
+    bool extends;               /* it has points beyond its ends                                */
+    bool slopes;                /* points have derivatives, d                                   */
+    const char *remedy;         /* of LOFT_ERR_ARG; NULL: as most                               */
+} curve_row;
+
+extern const curve_row curve_kinds[CURVE_KINDS];
+
+static inline const char *curve_name(enum curve_kind kind) { return curve_kinds[kind].name; }
 
 /* What the library says of this curve, and the remedy (engine_status). */
 const char *curve_status(const curve *c, int status);
 
-/* Does it have weights? Is it a single Bezier curve, which extends beyond its ends? */
-bool curve_is_rational(const curve *c);
-bool curve_extends(const curve *c);
+/* Does it have weights? Has it points beyond its ends? Is it a B-spline? */
+static inline bool curve_is_rational(const curve *c) { return curve_kinds[c->kind].rational; }
+static inline bool curve_extends(const curve *c) { return curve_kinds[c->kind].extends; }
+static inline bool curve_has_knots(const curve *c) { return curve_kinds[c->kind].knots; }
 
 /* Is it a Bezier curve of a degree above those of the library? */
 bool curve_is_high(const curve *c);

@@ -61,6 +61,19 @@ typedef struct {
 } part;
 
 
+/* A kind of curve in the library. NULL: the points suffice; take `cubic`; the Bezier piece has the
+ * points. */
+typedef struct {
+    int (*prepare)(engine_curve *e);
+    int (*piece)(const engine_curve *e, unsigned i, part *out);
+    int (*cubic)(const engine_curve *e, unsigned i, loft_cubic *out);
+    int (*eval)(const engine_curve *e, unsigned i, loft_unit local, loft_vec *out);
+    int (*eval_at)(const engine_curve *e, double t, loft_vec *out);     /* of its own parameter */
+} library_row;
+
+static const library_row library_rows[CURVE_KINDS];
+
+
 // Open and close
 // --------------
 
@@ -168,43 +181,49 @@ static int prepare_spline(engine_curve *e)
 }
 
 /* Tension, continuity and bias are parameters, not lengths. */
-static void prepare_ways(engine_curve *e)
+static int prepare_tcb(engine_curve *e)
 {
     e->way = tool_grow(NULL, e->c->count * sizeof *e->way);
     for (unsigned i = 0; i < e->c->count; i++) {
         const double *d = e->c->point[i].d[0];
         e->way[i] = (loft_tcb){ LOFT_UNIT(d[0]), LOFT_UNIT(d[1]), LOFT_UNIT(d[2]) };
     }
+    return LOFT_OK;
+}
+
+static int prepare_natural(engine_curve *e)
+{
+    const curve *c = e->c;
+
+    e->memory = tool_grow(NULL, c->count * sizeof *e->memory);
+    return loft_natural_init(&e->natural, e->p, c->count,
+                             c->kind == CURVE_CHORD ? LOFT_CHORD : LOFT_UNIFORM, e->memory);
+}
+
+static int prepare_bspline(engine_curve *e)
+{
+    const int status = loft_bspline_init(&e->bspline, e->p, e->c->count, e->knot, e->c->degree);
+
+    if (status == LOFT_OK)
+        list_spans(e, &e->bspline.knots);
+    return status;
+}
+
+static int prepare_nurbs(engine_curve *e)
+{
+    const int status = loft_nurbs_init(&e->nurbs, e->weighted, e->c->count, e->knot, e->c->degree);
+
+    if (status == LOFT_OK)
+        list_spans(e, &e->nurbs.knots);
+    return status;
 }
 
 static int prepare_curve(engine_curve *e)
 {
-    const curve *c = e->c;
-    int status = hold_points(e);
+    const library_row *row = &library_rows[e->c->kind];
+    const int status       = hold_points(e);
 
-    if (status != LOFT_OK)
-        return status;
-    switch (c->kind) {
-    case CURVE_NATURAL:
-    case CURVE_CHORD:
-        e->memory = tool_grow(NULL, c->count * sizeof *e->memory);
-        return loft_natural_init(&e->natural, e->p, c->count,
-                                 c->kind == CURVE_CHORD ? LOFT_CHORD : LOFT_UNIFORM, e->memory);
-    case CURVE_BSPLINE:
-        status = loft_bspline_init(&e->bspline, e->p, c->count, e->knot, c->degree);
-        if (status == LOFT_OK)
-            list_spans(e, &e->bspline.knots);
-        return status;
-    case CURVE_NURBS:
-        status = loft_nurbs_init(&e->nurbs, e->weighted, c->count, e->knot, c->degree);
-        if (status == LOFT_OK)
-            list_spans(e, &e->nurbs.knots);
-        return status;
-    case CURVE_ARC: return prepare_arc(e);
-    case CURVE_SPLINE: return prepare_spline(e);
-    case CURVE_TCB: prepare_ways(e); return LOFT_OK;
-    default: return LOFT_OK;
-    }
+    return status == LOFT_OK && row->prepare != NULL ? row->prepare(e) : status;
 }
 
 static int curve_open(const curve *c, engine_curve **out)
@@ -232,6 +251,18 @@ static void take_points(const engine_curve *e, unsigned first, part *out)
     }
 }
 
+static int piece_bezier(const engine_curve *e, unsigned i, part *out)
+{
+    take_points(e, i, out);
+    return LOFT_OK;
+}
+
+static int piece_parabola(const engine_curve *e, unsigned i, part *out)
+{
+    (void)i;
+    return loft_bezier_from_parabola(e->w, e->p, e->w[0], e->w[2], out->p);
+}
+
 static loft_hermite hermite_of(const engine_curve *e, unsigned i)
 {
     return (loft_hermite){ e->p[i], e->p[i + 1], e->d[i][0], e->d[i + 1][0] };
@@ -243,58 +274,78 @@ static loft_hermite5 hermite5_of(const engine_curve *e, unsigned i)
                             e->d[i + 1][0], e->d[i][1],  e->d[i + 1][1] };
 }
 
-/* The library's conversion of the piece: a cubic. */
-static int cubic_of(const engine_curve *e, unsigned i, loft_cubic *out)
+static int piece_hermite5(const engine_curve *e, unsigned i, part *out)
 {
-    const loft_hermite h = e->c->kind == CURVE_HERMITE3 ? hermite_of(e, i)
-                                                        : (loft_hermite){ .p0 = e->p[0] };
+    const loft_hermite5 h = hermite5_of(e, i);
 
-    switch (e->c->kind) {
-    case CURVE_HERMITE3: return loft_cubic_from_hermite(&h, out);
-    case CURVE_CARDINAL: return loft_cubic_from_cardinal(&e->p[i], e->tension, out);
-    case CURVE_ARC:      *out = e->cubic[i]; return LOFT_OK;
-    case CURVE_SPLINE:   return loft_cubic_from_spline(&e->spline, i, out);
-    case CURVE_TCB:      return loft_cubic_from_tcb(&e->p[i], &e->way[i + 1], &e->way[i + 2], out);
-    case CURVE_CATMULL:  return loft_cubic_from_catmull(&e->p[i], e->tension, out);
-    default:             return loft_cubic_from_natural(&e->natural, i, out);
-    }
+    return loft_bezier_from_hermite5(&h, out->p);
+}
+
+static int piece_bspline(const engine_curve *e, unsigned i, part *out)
+{
+    unsigned span = e->before[i];
+
+    return loft_bspline_next(&e->bspline, &span, out->p) ? LOFT_OK : LOFT_ERR_ARG;
+}
+
+static int piece_nurbs(const engine_curve *e, unsigned i, part *out)
+{
+    unsigned span = e->before[i];
+
+    return loft_nurbs_next(&e->nurbs, &span, out->weighted) ? LOFT_OK : LOFT_ERR_ARG;
+}
+
+static int cubic_hermite(const engine_curve *e, unsigned i, loft_cubic *out)
+{
+    const loft_hermite h = hermite_of(e, i);
+
+    return loft_cubic_from_hermite(&h, out);
+}
+
+static int cubic_cardinal(const engine_curve *e, unsigned i, loft_cubic *out)
+{
+    return loft_cubic_from_cardinal(&e->p[i], e->tension, out);
+}
+
+static int cubic_arc(const engine_curve *e, unsigned i, loft_cubic *out)
+{
+    *out = e->cubic[i];
+    return LOFT_OK;
+}
+
+static int cubic_spline(const engine_curve *e, unsigned i, loft_cubic *out)
+{
+    return loft_cubic_from_spline(&e->spline, i, out);
+}
+
+static int cubic_tcb(const engine_curve *e, unsigned i, loft_cubic *out)
+{
+    return loft_cubic_from_tcb(&e->p[i], &e->way[i + 1], &e->way[i + 2], out);
+}
+
+static int cubic_catmull(const engine_curve *e, unsigned i, loft_cubic *out)
+{
+    return loft_cubic_from_catmull(&e->p[i], e->tension, out);
+}
+
+static int cubic_natural(const engine_curve *e, unsigned i, loft_cubic *out)
+{
+    return loft_cubic_from_natural(&e->natural, i, out);
 }
 
 static int piece_in_type(const engine_curve *e, unsigned i, part *out)
 {
-    loft_hermite5 h;
+    const library_row *row = &library_rows[e->c->kind];
     loft_cubic cubic;
-    unsigned span;
-    int status;
 
     out->degree   = e->c->degree;
     out->rational = curve_is_rational(e->c);
-    switch (e->c->kind) {
-    case CURVE_BEZIER:
-    case CURVE_RATIONAL: take_points(e, 0, out); return LOFT_OK;
-    case CURVE_LINE: take_points(e, i, out); return LOFT_OK;
-    case CURVE_PARABOLA: return loft_bezier_from_parabola(e->w, e->p, e->w[0], e->w[2], out->p);
-    case CURVE_HERMITE5: h = hermite5_of(e, i); return loft_bezier_from_hermite5(&h, out->p);
-    case CURVE_HERMITE3:
-    case CURVE_CARDINAL:
-    case CURVE_NATURAL:
-    case CURVE_CHORD:
-    case CURVE_ARC:
-    case CURVE_SPLINE:
-    case CURVE_TCB:
-    case CURVE_CATMULL:
-        status = cubic_of(e, i, &cubic);
-        for (int k = 0; k < 4; k++)
-            out->p[k] = cubic.p[k];
-        return status;
-    case CURVE_BSPLINE:
-        span = e->before[i];
-        return loft_bspline_next(&e->bspline, &span, out->p) ? LOFT_OK : LOFT_ERR_ARG;
-    case CURVE_NURBS:
-        span = e->before[i];
-        return loft_nurbs_next(&e->nurbs, &span, out->weighted) ? LOFT_OK : LOFT_ERR_ARG;
-    default: return LOFT_ERR_ARG;
-    }
+    if (row->piece != NULL)
+        return row->piece(e, i, out);
+    const int status = row->cubic(e, i, &cubic);
+    for (int k = 0; k < 4; k++)
+        out->p[k] = cubic.p[k];
+    return status;
 }
 
 static unsigned curve_count(const engine_curve *e)
@@ -342,6 +393,17 @@ static int eval_rational(const loft_weighted p[], unsigned degree, double t, lof
     return status;
 }
 
+static int eval_piece(const engine_curve *e, unsigned i, double t, loft_vec *out)
+{
+    part s;
+    const int status = piece_in_type(e, i, &s);
+
+    if (status != LOFT_OK)
+        return status;
+    return s.rational ? eval_rational(s.weighted, s.degree, t, out)
+                      : eval_bezier(s.p, s.degree, t, out);
+}
+
 static int eval_parabola(const engine_curve *e, double t, loft_vec *out)
 {
     int status = LOFT_OK;
@@ -359,38 +421,49 @@ static int eval_parabola(const engine_curve *e, double t, loft_vec *out)
     return status;
 }
 
-static int eval_piece(const engine_curve *e, unsigned i, double t, loft_vec *out)
+static int eval_hermite(const engine_curve *e, unsigned i, loft_unit local, loft_vec *out)
 {
-    part s;
-    const int status = piece_in_type(e, i, &s);
+    const loft_hermite h = hermite_of(e, i);
 
-    if (status != LOFT_OK)
-        return status;
-    return s.rational ? eval_rational(s.weighted, s.degree, t, out)
-                      : eval_bezier(s.p, s.degree, t, out);
+    return loft_hermite_eval(&h, local, out);
 }
 
-/* Evaluate piece i at `local`, by the function for this kind of curve. */
-static int eval_local(const engine_curve *e, unsigned i, double local, loft_vec *out)
+static int eval_hermite5(const engine_curve *e, unsigned i, loft_unit local, loft_vec *out)
 {
-    loft_hermite h;
-    loft_hermite5 h5;
+    const loft_hermite5 h = hermite5_of(e, i);
 
-    switch (e->c->kind) {
-    case CURVE_HERMITE3: h = hermite_of(e, i); return loft_hermite_eval(&h, LOFT_UNIT(local), out);
-    case CURVE_HERMITE5:
-        h5 = hermite5_of(e, i);
-        return loft_hermite5_eval(&h5, LOFT_UNIT(local), out);
-    case CURVE_CARDINAL: return loft_cardinal_eval(&e->p[i], e->tension, LOFT_UNIT(local), out);
-    case CURVE_NATURAL:
-    case CURVE_CHORD: return loft_natural_eval(&e->natural, i, LOFT_UNIT(local), out);
-    case CURVE_ARC: return loft_circle_eval(&e->circle, LOFT_UNIT(local), out);
-    case CURVE_SPLINE: return loft_spline_eval(&e->spline, i, LOFT_UNIT(local), out);
-    case CURVE_CATMULL: return loft_catmull_eval(&e->p[i], e->tension, LOFT_UNIT(local), out);
-    case CURVE_TCB:
-        return loft_tcb_eval(&e->p[i], &e->way[i + 1], &e->way[i + 2], LOFT_UNIT(local), out);
-    default: return eval_piece(e, i, local, out);
-    }
+    return loft_hermite5_eval(&h, local, out);
+}
+
+static int eval_cardinal(const engine_curve *e, unsigned i, loft_unit local, loft_vec *out)
+{
+    return loft_cardinal_eval(&e->p[i], e->tension, local, out);
+}
+
+static int eval_natural(const engine_curve *e, unsigned i, loft_unit local, loft_vec *out)
+{
+    return loft_natural_eval(&e->natural, i, local, out);
+}
+
+static int eval_arc(const engine_curve *e, unsigned i, loft_unit local, loft_vec *out)
+{
+    (void)i;
+    return loft_circle_eval(&e->circle, local, out);
+}
+
+static int eval_spline(const engine_curve *e, unsigned i, loft_unit local, loft_vec *out)
+{
+    return loft_spline_eval(&e->spline, i, local, out);
+}
+
+static int eval_tcb(const engine_curve *e, unsigned i, loft_unit local, loft_vec *out)
+{
+    return loft_tcb_eval(&e->p[i], &e->way[i + 1], &e->way[i + 2], local, out);
+}
+
+static int eval_catmull(const engine_curve *e, unsigned i, loft_unit local, loft_vec *out)
+{
+    return loft_catmull_eval(&e->p[i], e->tension, local, out);
 }
 
 static int eval_bspline(const engine_curve *e, double t, loft_vec *out)
@@ -404,24 +477,40 @@ static int eval_bspline(const engine_curve *e, double t, loft_vec *out)
     return LOFT_OK;
 }
 
+static const library_row library_rows[CURVE_KINDS] = {
+    [CURVE_BEZIER]   = { .piece = piece_bezier },
+    [CURVE_LINE]     = { .piece = piece_bezier },
+    [CURVE_RATIONAL] = { .piece = piece_bezier },
+    [CURVE_PARABOLA] = { .piece = piece_parabola, .eval_at = eval_parabola },
+    [CURVE_HERMITE3] = { .cubic = cubic_hermite, .eval = eval_hermite },
+    [CURVE_HERMITE5] = { .piece = piece_hermite5, .eval = eval_hermite5 },
+    [CURVE_CARDINAL] = { .cubic = cubic_cardinal, .eval = eval_cardinal },
+    [CURVE_NATURAL]  = { prepare_natural, .cubic = cubic_natural, .eval = eval_natural },
+    [CURVE_CHORD]    = { prepare_natural, .cubic = cubic_natural, .eval = eval_natural },
+    [CURVE_BSPLINE]  = { prepare_bspline, .piece = piece_bspline, .eval_at = eval_bspline },
+    [CURVE_NURBS]    = { prepare_nurbs, .piece = piece_nurbs, .eval_at = eval_bspline },
+    [CURVE_ARC]      = { prepare_arc, .cubic = cubic_arc, .eval = eval_arc },
+    [CURVE_SPLINE]   = { prepare_spline, .cubic = cubic_spline, .eval = eval_spline },
+    [CURVE_TCB]      = { prepare_tcb, .cubic = cubic_tcb, .eval = eval_tcb },
+    [CURVE_CATMULL]  = { .cubic = cubic_catmull, .eval = eval_catmull },
+};
+
 static int curve_eval(engine_curve *e, double t, double out[ENGINE_AXES])
 {
-    const bool inside = t >= curve_from(e->c) && t <= curve_to(e->c);
+    const library_row *row = &library_rows[e->c->kind];
+    const bool inside      = t >= curve_from(e->c) && t <= curve_to(e->c);
     long double local;
-    unsigned i;
     loft_vec at;
     int status;
 
     if (!inside && !curve_extends(e->c))
         return LOFT_ERR_ARG;
-    switch (e->c->kind) {
-    case CURVE_PARABOLA: status = eval_parabola(e, t, &at); break;
-    case CURVE_BSPLINE:
-    case CURVE_NURBS: status = eval_bspline(e, t, &at); break;
-    default:
-        i = curve_locate(e->c, (long double)t, &local);
-        status = eval_local(e, i, (double)local, &at);
-        break;
+    if (row->eval_at != NULL) {
+        status = row->eval_at(e, t, &at);
+    } else {
+        const unsigned i = curve_locate(e->c, (long double)t, &local);
+        status = row->eval != NULL ? row->eval(e, i, LOFT_UNIT((double)local), &at)
+                                   : eval_piece(e, i, (double)local, &at);
     }
     if (status == LOFT_OK)
         point_of(at, out);

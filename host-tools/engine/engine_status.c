@@ -24,17 +24,8 @@ const char *engine_status(int status, const char *wrong)
 
 const char *curve_status(const curve *c, int status)
 {
-    switch (c->kind) {
-    case CURVE_ARC:
-        return engine_status(status, "its ends differ in their distance from the centre by more "
-                                     "than 1/256: write more digits, or correct the centre");
-    case CURVE_RATIONAL:
-    case CURVE_NURBS:
-        return engine_status(status, "give degree 1 to 9, weights above 0, knots that do not "
-                                     "descend, and at least one step");
-    case CURVE_BSPLINE:
-        return engine_status(status, "give degree 1 to 9, knots that do not descend, and at least "
-                                     "one step");
-    default: return engine_status(status, "give points of degree 1 to 9 and at least one step");
-    }
+    const char *remedy = curve_kinds[c->kind].remedy;
+
+    return engine_status(status,
+                         remedy ? remedy : "give points of degree 1 to 9 and at least one step");
 }

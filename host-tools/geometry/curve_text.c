@@ -36,15 +36,15 @@ typedef struct {
     unsigned least;             /* points                                        */
     enum behind behind;
     const char *point;          /* the syntax of a point */
+    bool exact;                 /* `least` points, and no more                   */
+    int (*check)(const lines *at, curve *c);    /* a curve that is complete; NULL: nothing */
 } row;
 
-
-static bool has_knots(const curve *c) { return c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS; }
 
 /* The library computes up to degree 9; a picture of a Bezier curve is drawn by the host. */
 static unsigned most_degree(const reading *r, const curve *c)
 {
-    return r->all->drawn && !has_knots(c) ? CURVE_DRAWN_MAX : CURVE_DEGREE_MAX;
+    return r->all->drawn && !curve_has_knots(c) ? CURVE_DRAWN_MAX : CURVE_DEGREE_MAX;
 }
 
 
@@ -62,7 +62,7 @@ static int head_bare(reading *r)
 static int head_degree(reading *r)
 {
     double degree = -1;
-    const bool least = r->now->kind != CURVE_BEZIER, knots = has_knots(r->now);
+    const bool least = r->now->kind != CURVE_BEZIER, knots = curve_has_knots(r->now);
     const unsigned most = most_degree(r, r->now);
     const int count = lines_numbers_alone(&r->at, &degree, 1);
 
@@ -81,12 +81,9 @@ static int head_degree(reading *r)
     return 0;
 }
 
-static int head_cubic(reading *r)
+static int head_fixed(reading *r)
 {
-    r->now->degree = r->now->kind == CURVE_LINE       ? 1
-                     : r->now->kind == CURVE_PARABOLA ? 2
-                     : r->now->kind == CURVE_HERMITE5 ? 5
-                                                      : 3;
+    r->now->degree = curve_kinds[r->now->kind].degree;
     return head_bare(r);
 }
 
@@ -157,27 +154,121 @@ static int head_arc(reading *r)
     return 0;
 }
 
+// Whole curves
+// ------------
+
+/* Default knots: 0 .. 0 1 2 .. m .. m, so that the curve starts at its first point and ends at its
+ * last. */
+static int knots_of(curve *c)
+{
+    const unsigned pieces = c->count - c->degree;
+
+    for (unsigned i = 0; c->knot_count < c->count + c->degree + 1; i++)
+        curve_add_knot(c, i <= c->degree ? 0 : i - c->degree < pieces ? i - c->degree : pieces);
+    return 0;
+}
+
+/* More equal knots would separate a point from the curve. */
+static bool has_too_many_equal_knots(const curve *c)
+{
+    for (unsigned i = 0; i < c->count; i++)
+        if (!(c->knot[i] < c->knot[i + c->degree + 1]))
+            return true;
+    return false;
+}
+
+static int check_knots(const lines *at, curve *c)
+{
+    char words[96];
+
+    if (c->count <= c->degree) {
+        snprintf(words, sizeof words, "degree %u with %u points", c->degree, c->count);
+        return lines_wrong(at, words, "give more points than the degree");
+    }
+    if (c->knot_count == 0)
+        return knots_of(c);
+    if (c->knot_count != c->count + c->degree + 1) {
+        snprintf(words, sizeof words, "%u knots for %u points of degree %u", c->knot_count,
+                 c->count, c->degree);
+        return lines_wrong(at, words, "give as many as points + degree + 1, or none");
+    }
+    if (has_too_many_equal_knots(c))
+        return lines_wrong(at, "too many equal knots", "give each at most degree + 1 times");
+    if (!(c->knot[c->degree] < c->knot[c->count]))
+        return lines_wrong(at, "knots that leave no curve",
+                           "let those behind the first `degree` ascend");
+    return 0;
+}
+
+static int check_parameters(const lines *at, curve *c)
+{
+    const double a = c->point[0].w, b = c->point[1].w, z = c->point[2].w;
+
+    return a < b && b < z ? 0
+                          : lines_wrong(at, "parameters that do not ascend",
+                                        "give the three points in the order of their t");
+}
+
+/* As in the library: the distances of the ends from the centre may differ by the rounding of
+ * numbers with few digits. */
+static int check_radii(const lines *at, curve *c)
+{
+    const curve_point *p = c->point;
+    const double first = hypot(p[0].p[0] - p[1].p[0], p[0].p[1] - p[1].p[1]),
+                 last = hypot(p[2].p[0] - p[1].p[0], p[2].p[1] - p[1].p[1]);
+    char words[96];
+
+    if (first > 0 && fabs(first - last) <= first / 256)
+        return 0;
+    snprintf(words, sizeof words, "an arc whose ends are %.9g and %.9g mm from its centre", first,
+             last);
+    return lines_wrong(at, words, "give start, centre and end so that both are the same");
+}
+
+/* Slopes belong to the ends of a clamped spline, and to no other point. */
+static int check_slopes(const lines *at, curve *c)
+{
+    for (unsigned i = 0; i < c->count; i++) {
+        const bool wanted = c->ends == CURVE_CLAMPED && (i == 0 || i + 1 == c->count);
+        double *d = c->point[i].d[0];
+        if (isnan(d[0]) && wanted)
+            return lines_wrong(at, "a clamped spline without a slope at an end",
+                               "give its first and last point as `x y : dx dy`");
+        if (!isnan(d[0]) && !wanted)
+            return lines_wrong(at, "a slope at a point that takes none",
+                               "give slopes at the ends of `spline clamped` only");
+        d[0] = wanted ? d[0] : 0;
+    }
+    return 0;
+}
+
+
+// Kinds
+// -----
+
 static const row rows[] = {
-    { "bezier", CURVE_BEZIER, head_degree, 1, NOTHING, "`x y` or `x y z`" },
-    { "line", CURVE_LINE, head_cubic, 2, NOTHING, "`x y` or `x y z`" },
+    { "bezier", CURVE_BEZIER, head_degree, 1, NOTHING, "`x y` or `x y z`", false, NULL },
+    { "line", CURVE_LINE, head_fixed, 2, NOTHING, "`x y` or `x y z`", false, NULL },
     { "rational", CURVE_RATIONAL, head_degree, 2, A_WEIGHT,
-      "`x y : weight`, a weight of 1/256 to 256" },
-    { "parabola", CURVE_PARABOLA, head_cubic, 3, A_PARAMETER,
-      "`x y : t`, the point that is reached at t" },
-    { "hermite3", CURVE_HERMITE3, head_cubic, 2, A_VECTOR,
-      "`x y : dx dy`, with the first derivative" },
-    { "hermite5", CURVE_HERMITE5, head_cubic, 2, TWO_VECTORS,
-      "`x y : dx dy : ddx ddy`, with both derivatives" },
-    { "cardinal", CURVE_CARDINAL, head_tension, 4, NOTHING, "`x y` or `x y z`" },
-    { "natural", CURVE_NATURAL, head_natural, 2, NOTHING, "`x y` or `x y z`" },
-    { "bspline", CURVE_BSPLINE, head_degree, 2, NOTHING, "`x y` or `x y z`" },
-    { "nurbs", CURVE_NURBS, head_degree, 2, A_WEIGHT, "`x y : weight`, a weight of 1/256 to 256" },
-    { "arc", CURVE_ARC, head_arc, 3, NOTHING, "`x y` or `x y z`: start, centre, end" },
+      "`x y : weight`, a weight of 1/256 to 256", false, NULL },
+    { "parabola", CURVE_PARABOLA, head_fixed, 3, A_PARAMETER,
+      "`x y : t`, the point that is reached at t", true, check_parameters },
+    { "hermite3", CURVE_HERMITE3, head_fixed, 2, A_VECTOR,
+      "`x y : dx dy`, with the first derivative", false, NULL },
+    { "hermite5", CURVE_HERMITE5, head_fixed, 2, TWO_VECTORS,
+      "`x y : dx dy : ddx ddy`, with both derivatives", false, NULL },
+    { "cardinal", CURVE_CARDINAL, head_tension, 4, NOTHING, "`x y` or `x y z`", false, NULL },
+    { "natural", CURVE_NATURAL, head_natural, 2, NOTHING, "`x y` or `x y z`", false, NULL },
+    { "bspline", CURVE_BSPLINE, head_degree, 2, NOTHING, "`x y` or `x y z`", false, check_knots },
+    { "nurbs", CURVE_NURBS, head_degree, 2, A_WEIGHT, "`x y : weight`, a weight of 1/256 to 256",
+      false, check_knots },
+    { "arc", CURVE_ARC, head_arc, 3, NOTHING, "`x y` or `x y z`: start, centre, end", true,
+      check_radii },
     { "spline", CURVE_SPLINE, head_spline, 2, A_SLOPE,
-      "`x y`, or at the ends of a clamped spline `x y : dx dy`" },
-    { "tcb", CURVE_TCB, head_cubic, 4, A_WAY,
-      "`x y` or `x y : tension continuity bias`, each -2 to 2" },
-    { "catmull", CURVE_CATMULL, head_catmull, 4, NOTHING, "`x y` or `x y z`" }
+      "`x y`, or at the ends of a clamped spline `x y : dx dy`", false, check_slopes },
+    { "tcb", CURVE_TCB, head_fixed, 4, A_WAY,
+      "`x y` or `x y : tension continuity bias`, each -2 to 2", false, NULL },
+    { "catmull", CURVE_CATMULL, head_catmull, 4, NOTHING, "`x y` or `x y z`", false, NULL }
 };
 #define ROWS (sizeof rows / sizeof rows[0])
 
@@ -257,7 +348,7 @@ static bool what_is_behind(reading *r, enum behind behind, curve_point *p)
 
 static unsigned most_points(const curve *c)
 {
-    return has_knots(c) ? CURVE_HUNG_MAX : CURVE_POINTS_MAX;
+    return curve_has_knots(c) ? CURVE_HUNG_MAX : CURVE_POINTS_MAX;
 }
 
 static int point_line(reading *r)
@@ -271,7 +362,7 @@ static int point_line(reading *r)
         return lines_wrong(&r->at, "not a point", kind->point);
     if (r->now->count == most_points(r->now))
         return lines_wrong(
-            &r->at, has_knots(r->now) ? "more than 32000 points" : "more than 4000000 points",
+            &r->at, curve_has_knots(r->now) ? "more than 32000 points" : "more than 4000000 points",
             "begin another curve where this one ends");
     curve_add_point(r->now, &p);
     return 0;
@@ -285,7 +376,7 @@ static int knot_line(reading *r)
 {
     double knot;
 
-    if (r->now == NULL || !has_knots(r->now))
+    if (r->now == NULL || !curve_has_knots(r->now))
         return lines_wrong(&r->at, "knots of no B-spline", "give them below `bspline` or `nurbs`");
     while (read_scalar(r, &knot)) {
         if (r->now->knot_count > CURVE_HUNG_MAX + CURVE_DEGREE_MAX)
@@ -299,91 +390,6 @@ static int knot_line(reading *r)
                : lines_wrong(&r->at, "not a knot", "give numbers, as many as points + degree + 1");
 }
 
-/* Default knots: 0 .. 0 1 2 .. m .. m, so that the curve starts at its first point and ends at its
- * last. */
-static int knots_of(curve *c)
-{
-    const unsigned pieces = c->count - c->degree;
-
-    for (unsigned i = 0; c->knot_count < c->count + c->degree + 1; i++)
-        curve_add_knot(c, i <= c->degree ? 0 : i - c->degree < pieces ? i - c->degree : pieces);
-    return 0;
-}
-
-/* More equal knots would separate a point from the curve. */
-static bool has_too_many_equal_knots(const curve *c)
-{
-    for (unsigned i = 0; i < c->count; i++)
-        if (!(c->knot[i] < c->knot[i + c->degree + 1]))
-            return true;
-    return false;
-}
-
-static int check_knots(const lines *at, curve *c)
-{
-    char words[96];
-
-    if (c->count <= c->degree) {
-        snprintf(words, sizeof words, "degree %u with %u points", c->degree, c->count);
-        return lines_wrong(at, words, "give more points than the degree");
-    }
-    if (c->knot_count == 0)
-        return knots_of(c);
-    if (c->knot_count != c->count + c->degree + 1) {
-        snprintf(words, sizeof words, "%u knots for %u points of degree %u", c->knot_count,
-                 c->count, c->degree);
-        return lines_wrong(at, words, "give as many as points + degree + 1, or none");
-    }
-    if (has_too_many_equal_knots(c))
-        return lines_wrong(at, "too many equal knots", "give each at most degree + 1 times");
-    if (!(c->knot[c->degree] < c->knot[c->count]))
-        return lines_wrong(at, "knots that leave no curve",
-                           "let those behind the first `degree` ascend");
-    return 0;
-}
-
-static int check_parameters(const lines *at, const curve *c)
-{
-    const double a = c->point[0].w, b = c->point[1].w, z = c->point[2].w;
-
-    return a < b && b < z ? 0
-                          : lines_wrong(at, "parameters that do not ascend",
-                                        "give the three points in the order of their t");
-}
-
-/* As in the library: the distances of the ends from the centre may differ by the rounding of
- * numbers with few digits. */
-static int check_radii(const lines *at, const curve *c)
-{
-    const curve_point *p = c->point;
-    const double first = hypot(p[0].p[0] - p[1].p[0], p[0].p[1] - p[1].p[1]),
-                 last = hypot(p[2].p[0] - p[1].p[0], p[2].p[1] - p[1].p[1]);
-    char words[96];
-
-    if (first > 0 && fabs(first - last) <= first / 256)
-        return 0;
-    snprintf(words, sizeof words, "an arc whose ends are %.9g and %.9g mm from its centre", first,
-             last);
-    return lines_wrong(at, words, "give start, centre and end so that both are the same");
-}
-
-/* Slopes belong to the ends of a clamped spline, and to no other point. */
-static int check_slopes(const lines *at, curve *c)
-{
-    for (unsigned i = 0; i < c->count; i++) {
-        const bool wanted = c->ends == CURVE_CLAMPED && (i == 0 || i + 1 == c->count);
-        double *d = c->point[i].d[0];
-        if (isnan(d[0]) && wanted)
-            return lines_wrong(at, "a clamped spline without a slope at an end",
-                               "give its first and last point as `x y : dx dy`");
-        if (!isnan(d[0]) && !wanted)
-            return lines_wrong(at, "a slope at a point that takes none",
-                               "give slopes at the ends of `spline clamped` only");
-        d[0] = wanted ? d[0] : 0;
-    }
-    return 0;
-}
-
 /* The curve is complete: is it valid? */
 static int end_curve(reading *r)
 {
@@ -395,7 +401,7 @@ static int end_curve(reading *r)
     if (c == NULL)
         return 0;
     const row *kind = row_of(c);
-    const bool bezier = kind->head == head_degree && !has_knots(c);
+    const bool bezier = kind->head == head_degree && !curve_has_knots(c);
     if (bezier && !r->counted)
         c->degree = c->count > 0 ? c->count - 1 : 0;
     const unsigned least = bezier && r->counted   ? c->degree + 1
@@ -403,8 +409,8 @@ static int end_curve(reading *r)
                            : curve_is_closed(c)  ? 3
                                                  : kind->least;
     const unsigned most = bezier ? (r->counted ? c->degree + 1 : most_degree(r, c) + 1)
-                          : c->kind == CURVE_PARABOLA || c->kind == CURVE_ARC ? kind->least
-                                                                              : most_points(c);
+                          : kind->exact ? kind->least
+                                        : most_points(c);
     if (c->count < least || c->count > most) {
         char remedy[32];
         snprintf(words, sizeof words, "%s with %u point%s", kind->word, c->count,
@@ -416,14 +422,18 @@ static int end_curve(reading *r)
                  c->count < least ? least : most);
         return lines_wrong(&at, words, remedy);
     }
-    switch (c->kind) {
-    case CURVE_BSPLINE:
-    case CURVE_NURBS: return check_knots(&at, c);
-    case CURVE_PARABOLA:                  return check_parameters(&at, c);
-    case CURVE_ARC:                       return check_radii(&at, c);
-    case CURVE_SPLINE:                    return check_slopes(&at, c);
-    default:                              return 0;
-    }
+    return kind->check != NULL ? kind->check(&at, c) : 0;
+}
+
+/* "give bezier line .. tcb or catmull" */
+static const char *list_kinds(char *out, size_t size)
+{
+    size_t used = (size_t)snprintf(out, size, "give");
+
+    for (size_t i = 0; i < ROWS && used < size; i++)
+        used += (size_t)snprintf(out + used, size - used, "%s %s", i == ROWS - 1 ? " or" : "",
+                                 rows[i].word);
+    return out;
 }
 
 static int word_line(reading *r)
@@ -438,13 +448,12 @@ static int word_line(reading *r)
     if (code != 0)
         return code;
     if (kind == NULL) {
+        char kinds[200];
         snprintf(words, sizeof words, "`%.*s` is not a kind of curve", length > 20 ? 20 : length,
                  r->at.rest);
         return lines_wrong(&r->at, words,
-                           surface_begins(r->at.rest)
-                               ? "surfaces go into a file of their own"
-                               : "give bezier line rational parabola hermite3 hermite5 cardinal "
-                                 "natural bspline nurbs arc spline tcb or catmull");
+                           surface_begins(r->at.rest) ? "surfaces go into a file of their own"
+                                                      : list_kinds(kinds, sizeof kinds));
     }
     r->now     = curves_add(r->all, kind->kind, r->at.line);
     r->counted = false;

@@ -84,11 +84,6 @@ static void eval_bspline(const curve *c, long double t, long double out[CURVE_AX
     project_point(d[n], out);
 }
 
-static bool is_spline(const curve *c)
-{
-    return c->kind == CURVE_NATURAL || c->kind == CURVE_CHORD || c->kind == CURVE_SPLINE;
-}
-
 static long double point_distance(const double a[CURVE_AXES], const double b[CURVE_AXES])
 {
     long double sum = 0;
@@ -112,11 +107,11 @@ static void eval_parabola(const curve *c, long double t, long double out[CURVE_A
     }
 }
 
-static void eval_hermite(const curve *c, unsigned k, long double t, long double out[CURVE_AXES])
+static void eval_hermite(const reference *r, unsigned k, long double t, long double out[CURVE_AXES])
 {
-    const curve_point *a = &c->point[k], *b = a + 1;
+    const curve_point *a = &r->c->point[k], *b = a + 1;
     const long double t2 = t * t, t3 = t2 * t, t4 = t2 * t2, t5 = t4 * t;
-    const bool five      = c->kind == CURVE_HERMITE5;
+    const bool five      = r->c->kind == CURVE_HERMITE5;
     const long double f1 = five ? 10*t3 - 15*t4 + 6*t5 : 3*t2 - 2*t3;
     const long double g0 = five ? t - 6 * t3 + 8 * t4 - 3 * t5 : t - 2 * t2 + t3,
                       g1 = five ? -4 * t3 + 7 * t4 - 3 * t5 : t3 - t2;
@@ -166,22 +161,49 @@ static void catmull_slopes(const curve *c, const curve_point p[], int i, long do
                     ((long double)p[k + 2].p[i] - (long double)p[k].p[i]) / (h[k] + h[k + 1]));
 }
 
-static void eval_slopes(const curve *c, unsigned k, long double t, long double out[CURVE_AXES])
+/* Between two points with slopes. */
+static void eval_between(const curve_point p[], int i, const long double d[2], long double t,
+                         long double out[CURVE_AXES])
 {
-    const curve_point *p = &c->point[k];
+    const long double a = p[1].p[i], b = p[2].p[i];
 
+    out[i] = a + t * (d[0] + t * (3 * (b - a) - 2 * d[0] - d[1] + t * (2 * (a - b) + d[0] + d[1])));
+}
+
+static void eval_cardinal(const reference *r, unsigned k, long double t,
+                          long double out[CURVE_AXES])
+{
     for (int i = 0; i < CURVE_AXES; i++) {
-        const long double a = p[1].p[i], b = p[2].p[i];
         long double d[2];
-        if (c->kind == CURVE_CARDINAL)
-            cardinal_slopes(c, p, i, d);
-        else if (c->kind == CURVE_TCB)
-            tcb_slopes(p, i, d);
-        else
-            catmull_slopes(c, p, i, d);
-        out[i] = a +
-                 t * (d[0] + t * (3 * (b - a) - 2 * d[0] - d[1] + t * (2 * (a - b) + d[0] + d[1])));
+        cardinal_slopes(r->c, &r->c->point[k], i, d);
+        eval_between(&r->c->point[k], i, d, t, out);
     }
+}
+
+static void eval_tcb(const reference *r, unsigned k, long double t, long double out[CURVE_AXES])
+{
+    for (int i = 0; i < CURVE_AXES; i++) {
+        long double d[2];
+        tcb_slopes(&r->c->point[k], i, d);
+        eval_between(&r->c->point[k], i, d, t, out);
+    }
+}
+
+static void eval_catmull(const reference *r, unsigned k, long double t, long double out[CURVE_AXES])
+{
+    for (int i = 0; i < CURVE_AXES; i++) {
+        long double d[2];
+        catmull_slopes(r->c, &r->c->point[k], i, d);
+        eval_between(&r->c->point[k], i, d, t, out);
+    }
+}
+
+static void eval_line(const reference *r, unsigned k, long double t, long double out[CURVE_AXES])
+{
+    const curve_point *p = &r->c->point[k];
+
+    for (int i = 0; i < CURVE_AXES; i++)
+        out[i] = (long double)p[0].p[i] + t * ((long double)p[1].p[i] - (long double)p[0].p[i]);
 }
 
 /* Rotate about the centre by the fraction of the sweep. The difference of the radii at both ends,
@@ -207,10 +229,33 @@ static void eval_arc(const curve *c, long double t, long double out[CURVE_AXES])
     out[2] = (long double)p[0].p[2] + t * ((long double)p[2].p[2] - (long double)p[0].p[2]);
 }
 
+/* A kind by its definition: prepared or not; a point of piece k, or of the whole curve. */
+static const struct {
+    bool (*init)(reference *r);
+    void (*eval)(const reference *r, unsigned k, long double local, long double out[CURVE_AXES]);
+    void (*eval_at)(const curve *c, long double t, long double out[CURVE_AXES]);
+} definitions[CURVE_KINDS] = {
+    [CURVE_BEZIER]   = { .eval_at = eval_bezier },
+    [CURVE_LINE]     = { .eval = eval_line },
+    [CURVE_RATIONAL] = { .eval_at = eval_bezier },
+    [CURVE_PARABOLA] = { .eval_at = eval_parabola },
+    [CURVE_HERMITE3] = { .eval = eval_hermite },
+    [CURVE_HERMITE5] = { .eval = eval_hermite },
+    [CURVE_CARDINAL] = { .eval = eval_cardinal },
+    [CURVE_NATURAL]  = { reference_spline_init, .eval = reference_spline_eval },
+    [CURVE_CHORD]    = { reference_spline_init, .eval = reference_spline_eval },
+    [CURVE_BSPLINE]  = { .eval_at = eval_bspline },
+    [CURVE_NURBS]    = { .eval_at = eval_bspline },
+    [CURVE_ARC]      = { .eval_at = eval_arc },
+    [CURVE_SPLINE]   = { reference_spline_init, .eval = reference_spline_eval },
+    [CURVE_TCB]      = { .eval = eval_tcb },
+    [CURVE_CATMULL]  = { .eval = eval_catmull },
+};
+
 bool reference_init(reference *r, const curve *c)
 {
     *r = (reference){ .c = c };
-    return !is_spline(c) || reference_spline_init(r);
+    return definitions[c->kind].init == NULL || definitions[c->kind].init(r);
 }
 
 void reference_free(reference *r)
@@ -222,31 +267,13 @@ void reference_free(reference *r)
 
 void reference_eval(const reference *r, long double t, long double out[CURVE_AXES])
 {
-    const curve *c = r->c;
-    const bool knots  = c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS;
-    long double local = t;
-    const unsigned k  = knots ? 0 : curve_locate(c, t, &local);
+    const enum curve_kind kind = r->c->kind;
+    long double local;
 
-    switch (c->kind) {
-    case CURVE_BEZIER:
-    case CURVE_RATIONAL: eval_bezier(c, t, out); break;
-    case CURVE_PARABOLA:                      eval_parabola(c, t, out); break;
-    case CURVE_HERMITE3:
-    case CURVE_HERMITE5: eval_hermite(c, k, local, out); break;
-    case CURVE_CARDINAL:
-    case CURVE_TCB:
-    case CURVE_CATMULL: eval_slopes(c, k, local, out); break;
-    case CURVE_NATURAL:
-    case CURVE_CHORD:
-    case CURVE_SPLINE: reference_spline_eval(r, k, local, out); break;
-    case CURVE_BSPLINE:
-    case CURVE_NURBS: eval_bspline(c, t, out); break;
-    case CURVE_LINE:
-        for (int i = 0; i < CURVE_AXES; i++)
-            out[i] = (long double)c->point[k].p[i] +
-                     local * ((long double)c->point[k + 1].p[i] - (long double)c->point[k].p[i]);
-        break;
-    case CURVE_ARC: eval_arc(c, t, out); break;
-    case CURVE_KINDS: break;
+    if (definitions[kind].eval_at != NULL) {
+        definitions[kind].eval_at(r->c, t, out);
+        return;
     }
+    const unsigned k = curve_locate(r->c, t, &local);
+    definitions[kind].eval(r, k, local, out);
 }

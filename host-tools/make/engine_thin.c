@@ -107,8 +107,8 @@ static int read_spline(const curve *c, thinning *x)
 /* A curve with room for so many more points. */
 static int open_spline(const decide_input *in, const curve *c, unsigned more, thinning *x)
 {
-    *x = (thinning){ .weighted = c->kind == CURVE_NURBS, .points = c->count, .degree = c->degree };
-    if (c->kind != CURVE_BSPLINE && c->kind != CURVE_NURBS)
+    *x = (thinning){ .weighted = curve_is_rational(c), .points = c->count, .degree = c->degree };
+    if (!curve_has_knots(c))
         return decide_refuse(in, "a curve is no `bspline` and no `nurbs`: give curves with knots");
     if (c->knot_count != c->count + c->degree + 1)
         return decide_refuse(in, "a B-spline has no knots: give as many as points + degree + 1");
