@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "cmd/commands.h"
+#include "cmd/run_move.h"       /* run_mover, run_go */
 #include "base/scan.h"           /* scan_number */
-#include "send/mover.h"
 
 #define FEED_ROW(s)                                                                                \
     { "feed", OPTION_NUMBER(s, feed), .least = 0.016, .most = 1000, .unit = "mm/s",                \
@@ -45,7 +45,7 @@ static const option go_rows[] = { { "place", OPTION_WORD(go_options, place), .le
                                     .help = "by so much from where the tool is" },
                                   { 0 } };
 
-static int run_go(void *options)
+static int go(void *options)
 {
     const go_options *o = options;
     double to[ENGINE_AXES];
@@ -53,11 +53,11 @@ static int run_go(void *options)
     int code = take_place(o->place, to);
 
     if (code == 0)
-        code = mover_open(&v, &o->move, false);
+        code = run_mover(&v, &o->move, false);
     for (int i = 0; i < ENGINE_AXES; i++)
         to[i] = isnan(to[i]) ? v.at[i] : to[i] + (o->by ? v.at[i] : 0);
     if (code == 0)
-        code = mover_told(&v, mover_to(&v, to, o->feed));
+        code = mover_told(&v, run_to(&v, to, o->feed));
     mover_close(&v);
     return code;
 }
@@ -75,7 +75,7 @@ const command command_go = {
         "that does not lead away from a closed limit switch.\n",
     .options = go_rows,
     .size = sizeof(go_options),
-    .run = run_go,
+    .run = go,
     .talks = true,
 };
 
@@ -100,14 +100,14 @@ static int lift_pen(mover *v, double z, double feed)
 {
     const double to[ENGINE_AXES] = { v->at[0], v->at[1], z };
 
-    return mover_to(v, to, feed);
+    return run_to(v, to, feed);
 }
 
 static int run_pen(void *options)
 {
     const pen_options *o = options;
     mover v              = { .at = { 0 } };
-    int code             = mover_open(&v, &o->move, false);
+    int code             = run_mover(&v, &o->move, false);
     const double z       = strcmp(o->way, "up") == 0 ? v.p.machine.pen_up : v.p.machine.pen_down;
 
     if (code == 0)
@@ -133,7 +133,7 @@ static int park(mover *v, double feed)
     const double to[ENGINE_AXES] = { m->park[0], m->park[1], fmax(v->at[2], m->pen_up) };
     const int code               = lift_pen(v, to[2], feed);
 
-    return code ? code : mover_to(v, to, feed);
+    return code ? code : run_to(v, to, feed);
 }
 
 typedef struct {
@@ -152,7 +152,7 @@ static int run_park(void *options)
 {
     const park_options *o = options;
     mover v               = { .at = { 0 } };
-    int code              = mover_open(&v, &o->move, false);
+    int code              = run_mover(&v, &o->move, false);
 
     if (code == 0)
         code = mover_told(&v, park(&v, o->feed));

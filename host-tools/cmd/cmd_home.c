@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "cmd/commands.h"
-#include "send/mover.h"
+#include "cmd/run_move.h"       /* run_mover, run_go */
 
 #define WAYS "x-|x+|y-|y+|z-|z+"
 #define FILTER 10               /* ms: longer than contacts bounce */
@@ -50,7 +50,7 @@ static int move_axis(const homing *h, double by, double feed, const loft_guard *
     m.away = v->t.sender.closed & LOFT_INPUT_ENDING;
     if (guard)
         m.guard = *guard;
-    return mover_go(v, &m, out);
+    return run_go(v, &m, out);
 }
 
 /* Leave the closed switch, or one of those that are. A machine that does not report which end is
@@ -68,7 +68,7 @@ static int leave_switch(const homing *h)
             "%c: its switch at the %s end stays closed over %g mm: is it stuck, wired "
             "the other way, or does the motor turn the wrong way?",
             "xyz"[h->axis], end_name(h), most);
-    return code ? code : mover_ready(h->v);
+    return code ? code : run_ready(h->v);
 }
 
 static int look_for(const homing *h, double distance, double feed, mover_outcome *out)
@@ -89,7 +89,7 @@ static int look_for(const homing *h, double distance, double feed, mover_outcome
             "%c: looking for the switch at the %s end, the other one closed: the motor "
             "turns the wrong way, or give the other %c.home_end",
             "xyz"[h->axis], end_name(h), "xyz"[h->axis]);
-    return code ? code : mover_ready(h->v);
+    return code ? code : run_ready(h->v);
 }
 
 /* Back off from the switch that was found at `out`, to `back` mm before it. */
@@ -101,7 +101,7 @@ static int back_off(const homing *h, const mover_outcome *out)
                          &moved);
 
     if (code == 0)
-        code = mover_ready(h->v);
+        code = run_ready(h->v);
     if (code == 0 && h->v->t.sender.closed & h->own)
         code = tool_error(EX_UNAVAILABLE,
                           "%c: its switch at the %s end stays closed %g mm before it: is it stuck? "
@@ -152,7 +152,7 @@ static int stop_motors(const homing *h, mover_outcome *out)
             "%c: its two motors differ by more than %g mm, or a switch is stuck: turn "
             "one by hand with the power off, or give a larger %c.home_back",
             name, back_of(h), name);
-    return code ? code : mover_ready(h->v);
+    return code ? code : run_ready(h->v);
 }
 
 /* Both motors touch their switches, once more. *apart: the steps between the first and the last of
@@ -194,11 +194,11 @@ static int set_axis(const homing *h, const mover_outcome *out)
     memcpy(at, h->v->at, sizeof at);
     at[h->axis] += machine_home_at(&h->v->p.machine, h->axis) - out->latched[h->axis];
     const double moved = at[h->axis] - h->v->at[h->axis];
-    int code           = mover_place(h->v, 1u << h->axis, at);
+    int code           = run_place(h->v, 1u << h->axis, at);
     mover_outcome now  = *out;
     now.latched[h->axis] += moved;
     if (code == 0)
-        code = mover_table(h->v, h->axis, true);
+        code = run_table(h->v, h->axis, true);
     return code ? code : back_off(h, &now);
 }
 
@@ -216,7 +216,7 @@ static int home_axis(mover *v, int axis, unsigned touches)
             "%c: how far is its switch at most? give %c.travel, or %c.home_search, in "
             "the machine file",
             "xyz"[axis], "xyz"[axis], "xyz"[axis]);
-    code = mover_table(v, axis, false);
+    code = run_table(v, axis, false);
     for (int motor = 0; motor < 2 && code == 0 && v->t.sender.closed & h.own; motor++)
         code = leave_switch(&h);
     if (code == 0)
@@ -284,14 +284,14 @@ static int raise_carriages(mover *v)
     move = (mover_move){ .feed = feed * sqrt(ENGINE_AXES), .guard = closes };
     for (int i = 0; i < ENGINE_AXES; i++)
         move.to[i] = v->at[i] + homing_of(v, i).sign * way;
-    const int code = mover_go(v, &move, &out);
+    const int code = run_go(v, &move, &out);
     if (code == 0 && out.how == MOVER_ARRIVED)
         return tool_error(
             EX_UNAVAILABLE,
             "no carriage found its switch within %.6g mm: look at switches, wires and "
             "motors, or give a larger home_search",
             way);
-    return code ? code : mover_ready(v);
+    return code ? code : run_ready(v);
 }
 
 static int home_axes(mover *v, const bool axis[ENGINE_AXES], unsigned touches);
@@ -307,13 +307,13 @@ static int home_motors(mover *v, const bool axis[ENGINE_AXES], unsigned touches)
     v->p.machine.k.kind = &kinematics_cartesian;
     memset(v->p.machine.travel, 0, sizeof v->p.machine.travel);
     memset(v->p.machine.zero, 0, sizeof v->p.machine.zero);
-    code = mover_ready(v);
+    code = run_ready(v);
     if (code == 0 && !kept.k.kind->lifts)
         code = raise_carriages(v);
     if (code == 0)
         code = home_axes(v, axis, touches);
     v->p.machine = kept;
-    return code ? code : mover_ready(v);
+    return code ? code : run_ready(v);
 }
 
 static int check_machine(const mover *v)
@@ -374,7 +374,7 @@ static int run_home(void *options)
     int code = o->axes ? mover_axes(o->axes, axis) : 0;
 
     if (code == 0)
-        code = mover_open(&v, &o->move, false);
+        code = run_mover(&v, &o->move, false);
     if (code == 0 && o->axes == NULL)
         code = choose_axes(&v, axis);
     if (code == 0)
@@ -468,7 +468,7 @@ static int run_unlock(void *options)
 {
     const unlock_options *o = options;
     mover v                 = { .at = { 0 } };
-    int code                = mover_open(&v, &o->move, false);
+    int code                = run_mover(&v, &o->move, false);
 
     if (code == 0)
         code = unlock_axes(&v, o->way ? o->way[0] - 'x' : -1, o->way && o->way[1] == '-' ? -1 : 1);

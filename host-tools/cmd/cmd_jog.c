@@ -13,11 +13,11 @@
 #include <unistd.h>
 
 #include "cmd/commands.h"
+#include "cmd/run_move.h"       /* run_mover, run_go */
 #include "cmd/keys.h"           /* keys_next */
 #include "base/say.h"
 #include "base/scan.h"           /* scan_number */
 #include "plan/table.h"          /* table_ends */
-#include "send/mover.h"
 
 #define HELD 0.15               /* s between two repetitions of a held key, at most */
 #define FAR  8000.0             /* mm: as far as a held key leads without a table */
@@ -116,7 +116,7 @@ static int move_by_key(jog *g)
     mover_move m   = { .feed = g->v.p.feed, .ends = ends_now, .context = g };
     mover_outcome out;
     double least, most;
-    int code = mover_ready(&g->v);
+    int code = run_ready(&g->v);
 
     if (code != 0)
         return code;
@@ -126,7 +126,7 @@ static int move_by_key(jog *g)
     m.to[axis] = fmax(fmin(m.to[axis], fmax(most, g->v.at[axis])), fmin(least, g->v.at[axis]));
     m.away     = mover_away(&g->v, g->v.at, m.to);
     code = mover_free(&g->v, m.to);
-    return code ? code : mover_go(&g->v, &m, &out);
+    return code ? code : run_go(&g->v, &m, &out);
 }
 
 /* The key may come again while it moves. */
@@ -196,11 +196,11 @@ static int move_by_line(jog *g, const double by[ENGINE_AXES])
 {
     mover *v = &g->v;
     double to[ENGINE_AXES];
-    const int code = mover_ready(v);
+    const int code = run_ready(v);
 
     for (int i = 0; i < ENGINE_AXES; i++)
         to[i] = v->at[i] + by[i];
-    return code ? code : mover_told(v, mover_to(v, to, g->feed));
+    return code ? code : mover_told(v, run_to(v, to, g->feed));
 }
 
 static int jog_by_lines(jog *g)
@@ -239,7 +239,7 @@ static int run_jog(void *options)
     const jog_options *o = options;
     jog g                = { .size = 2, .feed = o->feed };
     const bool keys      = isatty(STDIN_FILENO);
-    int code             = mover_open(&g.v, &o->move, keys);
+    int code             = run_mover(&g.v, &o->move, keys);
 
     if (code == 0 && keys) {
         code = jog_by_keys(&g);

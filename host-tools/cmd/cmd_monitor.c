@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include <errno.h>
+#include <poll.h>
 #include <signal.h>
 #include <string.h>
 
@@ -19,13 +20,21 @@ typedef struct {
     double began;
 } monitor;
 
+static void wait_line(int fd, short events, int most_ms)
+{
+    struct pollfd p = { .fd = fd, .events = events };
+
+    (void)poll(&p, 1, most_ms);
+}
+
 /* Pass bytes to the machine. Returns false if it is gone. */
 static bool pass_down(monitor *m, const uint8_t byte[], size_t count)
 {
     const double until = tool_clock() + 10;
 
     for (size_t sent = 0; sent < count;) {
-        const long put = m->machine.kind->write(&m->machine, byte + sent, count - sent, 100);
+        wait_line(m->machine.out, POLLOUT, 100);
+        const long put = m->machine.kind->write(&m->machine, byte + sent, count - sent);
         if (put < 0 || tool_clock() > until)
             return false;
         sent += (size_t)put;
@@ -45,7 +54,8 @@ static int relay(monitor *m)
     uint8_t byte[512];
 
     while (!keys_interrupted()) {
-        const long came = m->machine.kind->read(&m->machine, byte, sizeof byte, 2);
+        wait_line(m->machine.in, POLLIN, 2);
+        const long came = m->machine.kind->read(&m->machine, byte, sizeof byte);
         if (came < 0)
             return tool_error(EX_IOERR, "%s: the port has vanished (%s)", m->machine.text,
                               strerror(errno));

@@ -5,7 +5,7 @@
 
 #include "cmd/commands.h"
 #include "base/say.h"
-#include "send/talk.h"           /* talk_open */
+#include "cmd/run.h"            /* run_open */
 #include "send/transport.h"      /* transport_ports */
 
 static const char *state_words(const loft_ack *a)
@@ -21,7 +21,7 @@ static int ask_port(const char *name, unsigned baud)
 {
     char closed[256];
     talk t;
-    const int code = talk_open(&t, &(talk_options){ .port = name, .baud = baud, .wait = 2.5 });
+    const int code = run_open(&t, &(talk_options){ .port = name, .baud = baud, .wait = 2.5 });
 
     if (code != 0)
         return code;

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "cmd/commands.h"
-#include "send/mover.h"
+#include "cmd/run_move.h"       /* run_mover, run_go */
 
 #define FILTER 10               /* ms: longer than contacts bounce */
 
@@ -24,7 +24,7 @@ static int back_off(probing *p, const double touched[ENGINE_AXES])
 
     memcpy(m.to, p->v.at, sizeof m.to);
     m.to[p->axis] = touched[p->axis] - p->sign * p->back;
-    return mover_go(&p->v, &m, &out);
+    return run_go(&p->v, &m, &out);
 }
 
 static int probe_it(probing *p)
@@ -47,7 +47,7 @@ static int probe_it(probing *p)
     m.guard = touch;
     int code = mover_free(v, m.to);
     if (code == 0)
-        code = mover_go(v, &m, &out);
+        code = run_go(v, &m, &out);
     if (code == 0 && out.how != MOVER_GUARDED)
         code = tool_error(EX_UNAVAILABLE,
                           "%s: the probe has touched nothing within %g mm; the tool is at %s: give "
@@ -59,7 +59,7 @@ static int probe_it(probing *p)
         memcpy(now, v->at, sizeof now);
         now[p->axis] += by;
         out.latched[p->axis] = p->at;
-        code = mover_place(v, 1u << p->axis, now);
+        code = run_place(v, 1u << p->axis, now);
     }
     if (code == 0)
         code = back_off(p, out.latched);
@@ -99,7 +99,7 @@ static int run_probe(void *options)
                   .feed = o->feed,
                   .back = o->back,
                   .at = o->at };
-    int code = mover_open(&p.v, &o->move, false);
+    int code = run_mover(&p.v, &o->move, false);
 
     if (code == 0)
         code = probe_it(&p);

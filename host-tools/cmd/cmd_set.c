@@ -6,7 +6,8 @@
 #include <string.h>
 
 #include "cmd/commands.h"
-#include "send/settings.h"
+#include "cmd/run.h"            /* run_open */
+#include "cmd/run_settings.h"
 
 typedef struct {
     talk_options line;
@@ -106,19 +107,19 @@ static void print_gearing(const settings *before, const settings *now, bool defa
 static int set_machine(const set_options *o, talk *t)
 {
     settings before, now;
-    int code = settings_read(&before, t);
+    int code = run_settings_read(&before, t);
 
     if (code != 0)
         return code;
     now = before;
     if (o->defaults) {
-        code = settings_reset(&now, t, o->line.wait);
+        code = run_settings_reset(&now, t, o->line.wait);
     } else {
         code = change_settings(&now, o);
         if (code == 0)
-            code = settings_write(&now, t, o->line.wait);
+            code = run_settings_write(&now, t, o->line.wait);
         if (code == 0)
-            code = settings_read(&now, t);
+            code = run_settings_read(&now, t);
     }
     if (code == 0)
         print_gearing(&before, &now, o->defaults);
@@ -129,7 +130,7 @@ static int run_set(void *options)
 {
     const set_options *o = options;
     talk t;
-    int code = talk_open(&t, &o->line);
+    int code = run_open(&t, &o->line);
 
     if (code != 0)
         return code;

@@ -9,7 +9,8 @@
 #include "base/create.h"
 #include "base/say.h"
 #include "send/grbl.h"
-#include "send/settings.h"
+#include "cmd/run.h"            /* run_open */
+#include "cmd/run_settings.h"
 
 static const char *origin_of(const settings *s)
 {
@@ -63,11 +64,11 @@ static int ask_machine(const settings_options *o, machine_file *m, char *title, 
 {
     settings s;
     talk t;
-    int code = talk_open(&t, &o->line);
+    int code = run_open(&t, &o->line);
 
     if (code != 0)
         return code;
-    code = settings_read(&s, &t);
+    code = run_settings_read(&s, &t);
     talk_close(&t);
     if (code != 0)
         return code;
@@ -79,7 +80,7 @@ static int ask_machine(const settings_options *o, machine_file *m, char *title, 
 static int ask_grbl(const settings_options *o, machine_file *m, char *title, size_t room)
 {
     grbl *g;
-    int code = grbl_open(&g, o->line.port, o->line.baud, o->line.wait);
+    int code = run_controller(&g, &o->line);
 
     if (code != 0)
         return code;

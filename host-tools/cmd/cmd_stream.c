@@ -11,13 +11,13 @@
 #include "cmd/keys.h"           /* keys_start, keys_hasty */
 #include "base/say.h"
 #include "cmd/stream_grbl.h"     /* stream_grbl, stream_parts */
-#include "send/change.h"         /* change_tool */
 #include "plan/check.h"          /* check_print */
 #include "plan/missing.h"        /* missing_tell */
 #include "plan/planning.h"       /* planning_limit */
-#include "send/settings.h"       /* settings_adopt */
+#include "cmd/run.h"            /* run_open */
+#include "cmd/run_settings.h"
 #include "cmd/report.h"         /* report_start */
-#include "send/stream.h"         /* stream_run */
+#include "cmd/run_drawing.h"
 #include "plan/toolpath.h"       /* toolpath_make */
 #include "host/duration.h"      /* host_duration */
 
@@ -255,7 +255,7 @@ static int stream_part(const stream_options *o, const stream_parts *all, size_t 
                                        .port = o->line.port,
                                        .tool = tool ? tool->name : NULL,
                                        .path = &w->path };
-        code = stream_run(t, &w->j, &about);
+        code = run_drawing(t, &w->j, &about);
         if (code == 0)
             take_worst(&w->j, o->p.tol);
     }
@@ -265,11 +265,11 @@ static int stream_part(const stream_options *o, const stream_parts *all, size_t 
 /* Wait until the tool is in, and look where the machine is then. */
 static int change(const stream_options *o, const machine_tool *tool, talk *t)
 {
-    const int code = change_tool(tool, o->asks);
+    const int code = run_change(tool, o->asks);
 
     if (code != 0)
         return code;
-    return talk_again(t, o->line.wait);
+    return run_again(t, o->line.wait);
 }
 
 /* One job for each tool, one after the other. */
@@ -306,10 +306,10 @@ static int control_machine(const stream_options *o)
     const enum loft_verb verb = o->abort ? LOFT_ABORT : o->hold ? LOFT_HOLD : LOFT_RESUME;
     talk t;
 
-    int code = talk_open(&t, &o->line);
+    int code = run_open(&t, &o->line);
     if (code != 0)
         return code;
-    code = stream_control(&t, verb, &o->p.machine.k);
+    code = run_control(&t, verb, &o->p.machine.k);
     talk_close(&t);
     return code;
 }
@@ -334,7 +334,7 @@ static int adopt(stream_options *o, const char *file, talk *t, drawing *d, drawi
                  stream_parts *all)
 {
     const bool laser = o->p.machine.laser > 0;
-    int code         = settings_adopt(&o->p.machine, t);
+    int code         = run_settings_adopt(&o->p.machine, t);
 
     if (code == 0 && o->p.machine.laser > 0 && !laser && d->events > 0 && strcmp(file, "-") != 0) {
         drawing_free(smooth);
@@ -355,7 +355,7 @@ static int draw_file(stream_options *o, const char *file)
         code = stream_grbl(o, &all);
     else if (code == 0 && o->dry)
         code = dry_run(o, &smooth, &all);
-    else if (code == 0 && (code = talk_open(&t, &o->line)) == 0) {
+    else if (code == 0 && (code = run_open(&t, &o->line)) == 0) {
         if (o->p.file == NULL)
             code = adopt(o, file, &t, &d, &smooth, &all);
         if (code == 0)

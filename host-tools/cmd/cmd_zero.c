@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "cmd/commands.h"
-#include "send/mover.h"
-#include "send/settings.h"       /* settings_write */
+#include "cmd/run_move.h"       /* run_mover, run_place */
+#include "cmd/run_settings.h"
 
 /* Let the machine keep where on its table the zero lies: as much farther as the tool's place
  * changes. */
@@ -21,12 +21,12 @@ static int keep_zero(mover *v, const double was[ENGINE_AXES], const double is[EN
                                     : "%s: this machine keeps no settings: give x.zero in a "
                                       "--machine FILE",
                           v->p.file ? v->p.file : v->o.line.port);
-    int code = settings_read(&s, &v->t);
+    int code = run_settings_read(&s, &v->t);
     for (int i = 0; i < ENGINE_AXES; i++)
         s.m.zero[i] += was[i] - is[i];
     if (code == 0)
-        code = settings_write(&s, &v->t, v->o.line.wait);
-    return code ? code : mover_ready(v);
+        code = run_settings_write(&s, &v->t, v->o.line.wait);
+    return code ? code : run_ready(v);
 }
 
 static int zero_axes(mover *v, const bool axis[ENGINE_AXES], double at, bool keep)
@@ -42,7 +42,7 @@ static int zero_axes(mover *v, const bool axis[ENGINE_AXES], double at, bool kee
     }
     int code = keep ? keep_zero(v, was, is) : 0;
     if (code == 0)
-        code = mover_place(v, axes, is);
+        code = run_place(v, axes, is);
     if (code == 0)
         printf("the tool was at %s, and is now at %s\n", mover_text(was, before),
                mover_text(v->at, after));
@@ -75,7 +75,7 @@ static int run_zero(void *options)
     int code               = mover_axes(o->axes, axis);
 
     if (code == 0)
-        code = mover_open(&v, &o->move, false);
+        code = run_mover(&v, &o->move, false);
     if (code == 0)
         code = zero_axes(&v, axis, o->at, o->keep);
     mover_close(&v);

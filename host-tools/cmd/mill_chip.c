@@ -11,9 +11,10 @@
 #include "cmd/mill_chip.h"
 #include "cmd/report.h"         /* report_start */
 #include "geometry/surface_text.h"
+#include "cmd/run.h"            /* run_open */
+#include "cmd/run_settings.h"
+#include "cmd/run_drawing.h"
 #include "host/duration.h"      /* host_duration */
-#include "send/settings.h"       /* settings_adopt */
-#include "send/stream.h"         /* stream_run */
 
 #define COLUMNS 64              /* of a usual machine */
 
@@ -156,7 +157,7 @@ static int run_job(const mill_chip *c, const surface *s, const char *file, talk 
     const int code             = stream_limits(t, c->p.machine.hard_stop > 0, &m->w.j.head);
 
     tell(m, s, file);
-    return code ? code : stream_run(t, &m->w.j, &about);
+    return code ? code : run_drawing(t, &m->w.j, &about);
 }
 
 static int run_jobs(mill_chip *c, const surfaces *all, const char *file, talk *t)
@@ -171,7 +172,7 @@ static int run_jobs(mill_chip *c, const surfaces *all, const char *file, talk *t
     for (size_t k = old < all->count ? old : 0; k < all->count && code == 0; k++) {
         const bool first = k == (old < all->count ? old : 0);
         if (!first)
-            code = talk_again(t, c->a.line.wait);
+            code = run_again(t, c->a.line.wait);
         if (code == 0 && k != old) {
             stream_new_start(&t->sender, start);
             code = plan_work(c, &all->surface[k], file, start, &limits, &m);
@@ -187,11 +188,11 @@ static int connect(mill_chip *c, const surfaces *all, const char *file)
 {
     talk t;
 
-    int code = talk_open(&t, &c->a.line);
+    int code = run_open(&t, &c->a.line);
     if (code != 0)
         return code;
     if (c->p.file == NULL)
-        code = settings_adopt(&c->p.machine, &t);
+        code = run_settings_adopt(&c->p.machine, &t);
     if (code == 0)
         code = talk_certain(&t);
     if (code == 0)

@@ -30,7 +30,7 @@ static struct {
     progress bar;
     bool plans;                 /* the bar counts planned items, not ticks */
     double last;                /* the clock of the last report */
-    report_facts facts;         /* the last, and */
+    send_facts facts;         /* the last, and */
     char line[256];             /* the last event */
     FILE *out;                  /* of JSON */
     report_worst worst;         /* of 0 is none */
@@ -73,7 +73,7 @@ static void put_job(const report_job *job)
                 job->path->drawn, job->path->travelled);
 }
 
-static void put_state(const report_facts *f)
+static void put_state(const send_facts *f)
 {
     put_event("state");
     put_pair("state", f->state);
@@ -144,7 +144,7 @@ void report_planned(const report_job *job, double seconds, uint32_t items)
 
 bool report_shown(void) { return now.form != REPORT_BAR || now.bar.shown; }
 
-void report_show(const report_facts *f, const char *words)
+void report_show(const send_facts *f, const char *words)
 {
     const double clock = tool_clock();
     const bool plans   = strcmp(f->state, "plans") == 0;

@@ -10,6 +10,7 @@
 #include "base/progress.h"      /* progress */
 #include "plan/certify.h"       /* certify */
 #include "plan/toolpath.h"      /* toolpath */
+#include "send/facts.h"         /* send_facts */
 
 enum report_form { REPORT_BAR, REPORT_VIEW, REPORT_JSON };
 
@@ -28,20 +29,6 @@ static inline bool report_draws(const report_job *of, size_t move)
     return of->path != NULL && move < of->path->count && of->path->curve[move] != TOOLPATH_TRAVEL;
 }
 
-/* Where it is. */
-typedef struct {
-    const char *state;              /* "draws", "holds", "held", "pause", "aborts", "waits",
-                                     * "plans" */
-    double done, total;             /* ticks, or items while it plans */
-    uint32_t item, items;           /* items 0: not known yet */
-    uint32_t queued;
-    double feed;                    /* mm/s */
-    unsigned override;              /* % */
-    double at[ENGINE_AXES];         /* of the tool, mm */
-    size_t moves;                   /* of the path, which are behind it */
-    bool rests;                     /* nothing can go on: this time does not count */
-} report_facts;
-
 /* Prepare this form. From then on, standard output is that of a program that reads JSON: what is
  * printed for people goes to standard error. Returns 0, or an exit code after printing one line. */
 int report_start(enum report_form form);
@@ -53,7 +40,7 @@ void report_begin(const report_job *job);
 void report_planned(const report_job *job, double seconds, uint32_t items);
 
 /* Show this, at most ten times a second. The bar is a line of standard error, as `words`. */
-void report_show(const report_facts *f, const char *words);
+void report_show(const send_facts *f, const char *words);
 
 /* Is the state shown, so that a line about it would repeat it? */
 bool report_shown(void);

@@ -7,11 +7,62 @@
 #include "base/say.h"
 #include "base/spool.h"         /* spool_passed */
 #include "base/tool.h"
+#include "cmd/waits.h"         /* waits_due */
+#include "cmd/keys.h"          /* keys_next */
+#include "cmd/report.h"        /* report_show */
+#include "cmd/run.h"           /* run_until, run_controller */
 #include "cmd/stream_grbl.h"
 #include "plan/table.h"         /* table_check */
-#include "send/change.h"        /* change_tool */
+#include "cmd/run_drawing.h"    /* run_change */
 #include "send/gcode_write.h"         /* gcode_make */
-#include "send/grbl.h"          /* grbl_run */
+#include "send/grbl.h"          /* grbl_begin */
+
+typedef struct {
+    grbl *g;
+    waits waiting;
+    bool closed;                /* the report has ended */
+} lines_shown;
+
+static int step_shown(void *context, double now, task_wants *w)
+{
+    lines_shown *x = context;
+    const task t   = grbl_task(x->g);
+    const int code = t.step(t.context, now, w);
+    send_facts f;
+    char words[160];
+
+    if (code == TASK_GOES && !grbl_over(x->g)) {
+        const int key = keys_next();
+        if (key != 0)
+            task_wake(w, now);
+        grbl_key(x->g, key);
+        grbl_facts(x->g, &f, words);
+        report_show(&f, words);
+        if (waits_due(&x->waiting, w->awaits, now))
+            report_line("waiting: %s", x->waiting.what);
+    } else if (!x->closed) {
+        report_end();
+        x->closed = true;
+    }
+    w->awaits[0] = '\0';
+    return code;
+}
+
+static void tell_line(void *context, const char *line)
+{
+    (void)context;
+    report_line("%s", line);
+}
+
+/* Send the lines and wait for the end. Returns an exit code, after one line. */
+static int run_lines(grbl *g, const gcode *lines, const report_job *told)
+{
+    lines_shown x = { .g = g };
+
+    report_begin(told);
+    grbl_begin(g, lines, told->path, &(grbl_teller){ tell_line, NULL, report_shown() });
+    return run_until((task){ step_shown, &x, grbl_task(g).stop });
+}
 
 /* The G-code of a part, sent from where the controller is, or printed in a dry run. */
 static int draw_part(const stream_options *o, const stream_parts *all, size_t k, grbl *g,
@@ -37,11 +88,11 @@ static int draw_part(const stream_options *o, const stream_parts *all, size_t k,
     else
         code = table_check(&o->p.machine, all->file, &p->smooth, &path, o->p.tol);
     if (code == 0 && g != NULL && p->tool != NULL)
-        code = change_tool(p->tool, o->asks);
+        code = run_change(p->tool, o->asks);
     if (code == 0 && g != NULL)
-        code = grbl_run(g, &lines,
-                        &(report_job){ all->file, o->line.port, p->tool ? p->tool->name : NULL,
-                                       &path, o->p.tol, 0 });
+        code = run_lines(g, &lines,
+                         &(report_job){ all->file, o->line.port, p->tool ? p->tool->name : NULL,
+                                        &path, o->p.tol, 0 });
     if (code == 0 && g == NULL && p->tool != NULL)
         (void)say(stdout, "(tool %s)\n", p->tool->name);
     if (code == 0 && g == NULL && p->tool != NULL && *p->tool->pause)
@@ -59,7 +110,7 @@ int stream_grbl(stream_options *o, const stream_parts *all)
 {
     grbl *g = NULL;
     double start[ENGINE_AXES] = { 0, 0, 0 };
-    int code = o->dry ? 0 : grbl_open(&g, o->line.port, o->line.baud, o->line.wait);
+    int code = o->dry ? 0 : run_controller(&g, &o->line);
 
     if (g != NULL && o->p.file == NULL)
         (void)grbl_table(g, &o->p.machine);

@@ -100,7 +100,7 @@ static void lay_out(const report_job *job, int rows, int columns)
             mark_move(&job->path->move[n], 1, '.');
 }
 
-static void put_drawing(const report_facts *f)
+static void put_drawing(const send_facts *f)
 {
     const toolpath *path = shown.job->path;
 
@@ -123,7 +123,7 @@ static void put_drawing(const report_facts *f)
                    (int)(cell - shown.cell) % (shown.columns + 1), down ? "@" : "+");
 }
 
-static void put_bar(int row, int columns, const report_facts *f, double left)
+static void put_bar(int row, int columns, const send_facts *f, double left)
 {
     const double part = f->total > 0 ? fmin(f->done / f->total, 1) : 1;
     const int width   = columns > 60 ? columns - 40 : 20;
@@ -140,7 +140,7 @@ static void put_bar(int row, int columns, const report_facts *f, double left)
     screen_put(row, 0, text);
 }
 
-static void put_numbers(int row, const report_job *job, const report_facts *f)
+static void put_numbers(int row, const report_job *job, const send_facts *f)
 {
     char text[256];
 
@@ -153,7 +153,7 @@ static void put_numbers(int row, const report_job *job, const report_facts *f)
     screen_put(row + 1, 0, text);
 }
 
-void view_show(const report_job *job, const report_facts *f, double left, const char *line)
+void view_show(const report_job *job, const send_facts *f, double left, const char *line)
 {
     int rows, columns;
     char text[256];

@@ -5,10 +5,22 @@
 #define LOFT_CHANGE_H
 
 #include "read/machine_tools.h"
+#include "send/task.h"
 
-/* Print the pause of a tool, and wait for Enter or for an empty line on standard input, then for
- * its delay. `asks`: standard input is free for that. Returns 0, or EX_TEMPFAIL after one line: q,
- * ^C, the end of standard input. */
-int change_tool(const machine_tool *tool, bool asks);
+typedef struct {
+    const machine_tool *tool;
+    enum { CHANGE_ASKS, CHANGE_GOES_ON, CHANGE_LEAVES } state;
+    bool stop;
+    double until;               /* its delay is over; 0: it has not begun */
+} change;
+
+/* The pause of a tool begins: while the state is CHANGE_ASKS, the user is to be asked whether it is
+ * in. `asks`: he can be. Then its delay passes. Stepped, it ends with 0, or with EX_TEMPFAIL after
+ * one line. */
+void change_begin(change *c, const machine_tool *tool, bool asks);
+int  change_step(change *c, double now, task_wants *w);
+
+/* The answer of the user. */
+void change_answer(change *c, bool goes_on);
 
 #endif

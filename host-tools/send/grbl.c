@@ -6,26 +6,27 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "base/say.h"
 #include "send/grbl_talk.h"
 #include "send/near_move.h"      /* near_move */
 #include "send/grbl_words.h"     /* grbl_error_text, grbl_alarm_text */
-#include "cmd/keys.h"           /* keys_next, keys_interrupted */
-#include "cmd/report.h"         /* report_show */
-#include "base/tool.h"           /* tool_error, tool_clock */
-#include "base/waits.h"          /* waits_due */
+#include "base/tool.h"           /* tool_error */
 #include "host/duration.h"      /* host_duration */
 
+#define QUESTIONS   256     /* bytes that are left for questions and keys */
 #define STUCK       5.0     /* s at rest with unanswered lines */
 #define UNREAD      5.0     /* s without a status that has a meaning */
 #define STOPS       5.0     /* s to slow down to a stop, at most, */
 #define STOPS_STILL 1.0     /* and without another place */
 #define STILL       3.0     /* s that it says it runs, without another place or an answer */
 #define IDLES       2       /* "Idle" so often after the last answer: it draws nothing any more */
+#define AGAIN       0.02    /* s between two questions after the last answer, */
+#define LOOK        0.02    /* and between two looks at the controller */
 #define ABREAST     0.05    /* mm: moves that are so much farther may be the ones that it draws */
 
-/* Send as many lines as fit. */
+/* Send as many lines as fit. Returns whether there is no room for the next one here. */
 static bool send_lines(grbl *g)
 {
     char text[160];
@@ -35,37 +36,18 @@ static bool send_lines(grbl *g)
                                                  gcode_text(g->code, g->sent));
         if (g->under_way > 0 && g->under_way + size > g->buffer - 1)
             break;
-        if (!grbl_put(g, text, size))
-            return false;
+        if (size + QUESTIONS > grbl_room(g))
+            return true;
+        grbl_put(g, text, size);
         g->size_of[g->sent++ % GRBL_WAITING] = size;
         g->under_way += size;
     }
-    return true;
+    return false;
 }
 
 static enum grbl_doing doing_of(const grbl *g)
 {
     return g->state != NULL ? g->state->doing : GRBL_RUNS;
-}
-
-/* Slow down, stop, and discard the lines that were sent. The position is kept, since a reset at
- * rest loses no step; *rests: it said that it rests. */
-static bool stop_controller(grbl *g, bool *rests)
-{
-    const double began = tool_clock();
-
-    *rests = false;
-    if (!grbl_put_byte(g, '!'))
-        return false;
-    g->state = NULL;
-    g->moved = began;
-    while (!*rests && tool_clock() - began < STOPS && tool_clock() - g->moved < STOPS_STILL) {
-        if (!grbl_pump(g, 20))
-            return false;
-        *rests = g->state != NULL && g->state->doing != GRBL_RUNS && g->state->doing != GRBL_SLOWS;
-    }
-    g->code = NULL;                     /* the greeting that follows is expected */
-    return grbl_put_byte(g, 0x18);
 }
 
 static bool is_held(const grbl *g)
@@ -87,15 +69,15 @@ static const char *state_word(const grbl *g)
 /* What keeps the job from going on, or NULL. */
 static const char *awaited_event(const grbl *g, char text[200])
 {
-    if (tool_clock() - g->heard > STILL)
+    if (g->now - g->heard > STILL)
         return "the controller does not answer: look at cable and power";
     if (g->state == NULL)
         return NULL;
     if (*g->state->text != '\0')
         snprintf(text, 200, "the controller says %s: %s", g->word, g->state->text);
-    else if (is_held(g) && !report_shown())
+    else if (is_held(g) && !g->to.shown)
         snprintf(text, 200, "the controller is held: its button goes on");
-    else if (doing_of(g) == GRBL_RUNS && tool_clock() - g->moved > STILL)
+    else if (doing_of(g) == GRBL_RUNS && g->now - g->moved > STILL)
         snprintf(text, 200,
                  "the controller says %s, and does not move: a pause of the program, or "
                  "it waits for something",
@@ -108,60 +90,128 @@ static const char *awaited_event(const grbl *g, char text[200])
 /* Tell the current state in one line; it stays on the screen. */
 static void tell_state(const grbl *g)
 {
-    report_line("line %zu of %zu, %zu sent ahead, override %u %%, %s  X %.2f Y %.2f Z %.2f",
-                g->done, g->code->count, g->sent - g->done, g->rate, state_word(g), g->place[0],
-                g->place[1], g->place[2]);
+    char line[256];
+
+    snprintf(line, sizeof line,
+             "line %zu of %zu, %zu sent ahead, override %u %%, %s  X %.2f Y %.2f Z %.2f", g->done,
+             g->lines->count, g->sent - g->done, g->rate, state_word(g), g->place[0], g->place[1],
+             g->place[2]);
+    if (g->to.tell != NULL)
+        g->to.tell(g->to.context, line);
 }
 
-static bool obey_keys(grbl *g, bool *abort)
+void grbl_key(grbl *g, int key)
 {
-    switch (keys_next()) {
-    case 'h': return grbl_put_byte(g, '!');
-    case 'r': return grbl_put_byte(g, '~');
+    switch (key) {
+    case 'h': grbl_put_byte(g, '!'); break;
+    case 'r': grbl_put_byte(g, '~'); break;
     case '+':
-    case '=': return grbl_put_byte(g, 0x91);
+    case '=': grbl_put_byte(g, 0x91); break;
     case '-':
-    case '_': return grbl_put_byte(g, 0x92);
-    case '0': return grbl_put_byte(g, 0x90);
-    case 's': tell_state(g); return true;
-    case 'a': *abort = true; return true;
-    default:  return true;
+    case '_': grbl_put_byte(g, 0x92); break;
+    case '0': grbl_put_byte(g, 0x90); break;
+    case 's': tell_state(g); break;
+    case 'a': g->abort = true; break;
+    default:  break;
     }
 }
 
-/* Stop: the count of answers, or what they say, cannot be right. Returns the exit code. */
-static int stop_after(grbl *g, const char *what)
-{
-    const size_t done = g->done, count = g->code->count;
-    bool rests;
 
-    (void)stop_controller(g, &rests);
+// Stopping
+// --------
+
+/* An answer says that a line of ours is wrong. */
+static int report_wrong(const grbl *g)
+{
+    const bool ours = g->wrong < g->sent;
+
+    return tool_error(EX_PROTOCOL, "%s: error %s at line %zu of %zu%s%s%s%s; the machine %s",
+                      g->port, g->error, g->wrong + ours, g->lines->count, ours ? ", `" : "",
+                      ours ? gcode_text(g->lines, g->wrong) : "", ours ? "`" : "",
+                      grbl_error_text(g->error),
+                      g->rests ? "is stopped" : "did not say that it stopped");
+}
+
+static int report_aborted(const grbl *g)
+{
+    if (!g->rests)
+        return tool_error(EX_TEMPFAIL,
+                          "aborted at line %zu of %zu: the controller did not say that it stopped, "
+                          "and was reset: home it",
+                          g->done, g->lines->count);
+    return tool_error(EX_TEMPFAIL,
+                      "aborted at line %zu of %zu: the machine is stopped at %.3f %.3f %.3f",
+                      g->done, g->lines->count, g->place[0], g->place[1], g->place[2]);
+}
+
+static int report_stopped(const grbl *g, bool gone)
+{
+    if (g->why == GRBL_STOPS_ABORTED)
+        return gone ? grbl_report_vanished(g) : report_aborted(g);
+    if (g->why == GRBL_STOPS_WRONG)
+        return report_wrong(g);
     return tool_error(EX_PROTOCOL,
                       "%s: %s, at line %zu of %zu: what was drawn cannot be trusted; look at cable "
                       "and --baud, home it and begin again",
-                      g->port, what, done, count);
+                      g->port, g->what, g->done, g->lines->count);
 }
 
-/* An answer says that a line of ours is wrong. */
-static int report_failed(grbl *g)
+/* The lines that were sent are discarded. The greeting that follows is expected. */
+static int reset(grbl *g, double now, task_wants *w)
 {
-    const gcode *code = g->code;
-    const bool ours   = g->wrong < g->sent;
-    bool rests;
+    g->now          = now;
+    const bool gone = !grbl_flush(g);
 
-    (void)stop_controller(g, &rests);
-    return tool_error(EX_PROTOCOL, "%s: error %s at line %zu of %zu%s%s%s%s; the machine %s",
-                      g->port, g->error, g->wrong + ours, code->count, ours ? ", `" : "",
-                      ours ? gcode_text(code, g->wrong) : "", ours ? "`" : "",
-                      grbl_error_text(g->error),
-                      rests ? "is stopped" : "did not say that it stopped");
+    w->out = g->line.out;
+    task_wake(w, g->put + GRBL_DEAF);
+    return g->out_size > 0 && !gone ? TASK_GOES : report_stopped(g, gone);
 }
 
-/* Report what is wrong. Returns an exit code after printing one line; 0: nothing is wrong. */
+/* The position is kept, since a reset at rest loses no step. */
+static int await_rest(grbl *g, double now, task_wants *w)
+{
+    if (!grbl_step(g, now, w))
+        return report_stopped(g, true);
+    g->rests = g->state != NULL && g->state->doing != GRBL_RUNS && g->state->doing != GRBL_SLOWS;
+    task_wake(w, now + LOOK);
+    if (!g->rests && now - g->began < STOPS && now - g->moved < STOPS_STILL)
+        return TASK_GOES;
+    g->code = NULL;
+    grbl_put_byte(g, 0x18);
+    g->stage = reset;
+    return reset(g, now, w);
+}
+
+/* Slow down, stop, then tell why. */
+static int stop_controller(grbl *g, enum grbl_stop why)
+{
+    grbl_put_byte(g, '!');
+    g->why   = why;
+    g->over  = true;
+    g->state = NULL;
+    g->rests = false;
+    g->began = g->moved = g->now;
+    g->stage            = await_rest;
+    return TASK_GOES;
+}
+
+/* The count of answers, or what they say, cannot be right. */
+static int stop_after(grbl *g, const char *what)
+{
+    snprintf(g->what, sizeof g->what, "%s", what);
+    return stop_controller(g, GRBL_STOPS_AFTER);
+}
+
+
+// Drawing
+// -------
+
+/* Report what is wrong. Returns an exit code after printing one line; TASK_GOES: it is to stop
+ * first; 0: nothing is wrong. */
 static int report_trouble(grbl *g)
 {
     const gcode *code = g->code;
-    const double now = tool_clock();
+    const double now  = g->now;
 
     if (g->restarted && g->done == 0)
         return tool_error(EX_TEMPFAIL,
@@ -177,7 +227,7 @@ static int report_trouble(grbl *g)
         return tool_error(EX_PROTOCOL, "%s: alarm %s at line %zu of %zu%s", g->port, g->alarm,
                           g->done, code->count, grbl_alarm_text(g->alarm));
     if (g->failed)
-        return report_failed(g);
+        return stop_controller(g, GRBL_STOPS_WRONG);
     if (doing_of(g) == GRBL_ENDS)
         return tool_error(EX_PROTOCOL,
                           "%s: the controller says %s at line %zu of %zu: %s; then "
@@ -186,7 +236,7 @@ static int report_trouble(grbl *g)
     if (g->surplus)
         return stop_after(g, "one answer more than lines were sent: bytes were bent on the line");
     if (g->unread[0] != '\0' && now - g->read > UNREAD) {
-        char text[GRBL_SAID + 64];
+        char text[sizeof g->what];
         snprintf(text, sizeof text, "its report `%s` has no meaning", g->unread);
         return stop_after(g, text);
     }
@@ -219,93 +269,89 @@ static void follow_path(grbl *g, const toolpath *path)
         g->behind++;
 }
 
-static void show_progress(grbl *g, const report_job *job)
+void grbl_facts(grbl *g, send_facts *f, char words[160])
 {
-    char text[128];
-    report_facts f = { .state    = state_word(g),
+    *f = (send_facts){ .state    = state_word(g),
                        .done     = (double)g->done,
-                       .total    = (double)g->code->count,
+                       .total    = (double)g->lines->count,
                        .item     = (uint32_t)g->done,
-                       .items    = (uint32_t)g->code->count,
+                       .items    = (uint32_t)g->lines->count,
                        .queued   = (uint32_t)(g->sent - g->done),
                        .feed     = g->feed / 60,
                        .override = g->rate,
                        .at       = { g->place[0], g->place[1], g->place[2] },
                        .rests    = is_held(g) };
 
-    follow_path(g, job->path);
-    f.moves = g->behind;
+    follow_path(g, g->path);
+    f->moves = g->behind;
     if (is_held(g))
-        snprintf(text, sizeof text, "held, r resumes  X %.2f Y %.2f Z %.2f", g->place[0],
-                 g->place[1], g->place[2]);
+        snprintf(words, 160, "held, r resumes  X %.2f Y %.2f Z %.2f", g->place[0], g->place[1],
+                 g->place[2]);
     else
-        snprintf(text, sizeof text, "feed %5.1f mm/s %3u %% X %.2f Y %.2f Z %.2f", f.feed, g->rate,
+        snprintf(words, 160, "feed %5.1f mm/s %3u %% X %.2f Y %.2f Z %.2f", f->feed, g->rate,
                  g->place[0], g->place[1], g->place[2]);
-    report_show(&f, text);
 }
 
-static int report_aborted(grbl *g)
+bool grbl_over(const grbl *g) { return g->over; }
+
+static int print_end(grbl *g, double now, task_wants *w)
 {
-    const size_t done = g->done, count = g->code->count;
-    bool rests;
+    char time[HOST_DURATION];
 
-    if (!stop_controller(g, &rests))
-        return grbl_report_vanished(g);
-    if (!rests)
-        return tool_error(EX_TEMPFAIL,
-                          "aborted at line %zu of %zu: the controller did not say that it stopped, "
-                          "and was reset: home it",
-                          done, count);
-    return tool_error(EX_TEMPFAIL,
-                      "aborted at line %zu of %zu: the machine is stopped at %.3f %.3f %.3f", done,
-                      count, g->place[0], g->place[1], g->place[2]);
-}
-
-static int drive_job(grbl *g, const report_job *job)
-{
-    bool abort = false;
-    waits waiting = { .told = false };
-    char text[200];
-
-    while (g->done < g->code->count || g->idles < IDLES) {
-        if (!send_lines(g) || !grbl_pump(g, 20) || !obey_keys(g, &abort))
-            return grbl_report_vanished(g);
-        const int code = report_trouble(g);
-        if (code != 0)
-            return code;
-        if (abort || keys_interrupted())
-            return report_aborted(g);
-        if (g->done == g->code->count && doing_of(g) == GRBL_IDLE)
-            g->asked = 0;               /* the last line was answered before it was drawn: ask
-                                         * again */
-        show_progress(g, job);
-        if (waits_due(&waiting, awaited_event(g, text)))
-            report_line("waiting: %s", waiting.what);
-    }
+    (void)w;
+    g->code = NULL;
+    (void)say(stdout,
+              "drawn: %zu curve%s, %.3f m, %zu lines of G-code in %s, %s at %.3f %.3f %.3f\n",
+              g->path->curves, tool_s(g->path->curves), g->path->drawn / 1000, g->lines->count,
+              host_duration(time, now - g->began, 1),
+              g->name[0] != '\0' ? g->name : "the controller is stopped", g->place[0], g->place[1],
+              g->place[2]);
     return 0;
 }
 
-int grbl_run(grbl *g, const gcode *code, const report_job *job)
+static int draw(grbl *g, double now, task_wants *w)
 {
-    const double began = tool_clock();
-    char time[HOST_DURATION];
+    g->now            = now;
+    const bool behind = send_lines(g);
+    if (!grbl_step(g, now, w))
+        return grbl_report_vanished(g);
+    const int code = report_trouble(g);
+    if (code != 0)
+        return code;
+    if (g->abort || g->stop)
+        return stop_controller(g, GRBL_STOPS_ABORTED);
+    task_wake(w, behind && g->out_size == 0 ? now : now + LOOK);
+    if (g->done < g->code->count || g->idles < IDLES) {
+        if (g->done == g->code->count && doing_of(g) == GRBL_IDLE)
+            g->asked = fmin(g->asked, now - GRBL_ASK + AGAIN);  /* the last line was answered
+                                                                 * before it was drawn */
+        const char *what = awaited_event(g, w->awaits);
+        if (what != w->awaits)
+            snprintf(w->awaits, sizeof w->awaits, "%s", what ? what : "");
+        return TASK_GOES;
+    }
+    g->over  = true;
+    g->stage = print_end;
+    task_wake(w, now);
+    return TASK_GOES;
+}
 
-    g->code   = code;
-    g->state  = NULL;
-    g->idles  = 0;
-    g->behind = 0;
+static int begin_job(grbl *g, double now, task_wants *w)
+{
+    g->heard = g->moved = g->read = g->began = now;
+    g->stage                                 = draw;
+    return draw(g, now, w);
+}
+
+void grbl_begin(grbl *g, const gcode *code, const toolpath *path, const grbl_teller *to)
+{
+    g->code = g->lines = code;
+    g->path            = path;
+    g->to              = *to;
+    g->state           = NULL;
+    g->idles           = 0;
+    g->behind          = 0;
     g->sent = g->done = 0;
-    g->heard = g->moved = g->read = began;
-    report_begin(job);
-    const int result = drive_job(g, job);
-    report_end();
-    g->code = NULL;
-    if (result == 0)
-        (void)say(stdout,
-                  "drawn: %zu curve%s, %.3f m, %zu lines of G-code in %s, %s at %.3f %.3f %.3f\n",
-                  job->path->curves, tool_s(job->path->curves), job->path->drawn / 1000,
-                  code->count, host_duration(time, tool_clock() - began, 1),
-                  g->name[0] != '\0' ? g->name : "the controller is stopped", g->place[0],
-                  g->place[1], g->place[2]);
-    return result;
+    g->abort = g->over = false;
+    g->stage           = begin_job;
 }

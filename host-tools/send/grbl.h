@@ -12,14 +12,20 @@
 #include "engine/engine.h"  /* ENGINE_AXES */
 #include "read/machine_file.h"  /* machine_file */
 #include "send/gcode_write.h"     /* gcode */
-#include "cmd/report.h"    /* report_job */
+#include "plan/toolpath.h"      /* toolpath */
+#include "send/facts.h"         /* send_facts */
+#include "send/task.h"          /* task */
 
 typedef struct grbl grbl;
 
-/* Open the port and find out which controller answers, the size of its buffer and its position (mm,
- * in its work coordinates). Returns 0, or an exit code after printing one line. */
+/* Open the port. Next it is to be found out which controller answers, the size of its buffer and
+ * its position (mm, in its work coordinates). Returns 0, or an exit code after printing one line. */
 int  grbl_open(grbl **g, const char *port, unsigned baud, double seconds);
 void grbl_close(grbl *g);
+
+/* What was begun, by grbl_open or by grbl_begin. Stepped, it ends with 0 or with an exit code after
+ * printing one line. */
+task grbl_task(grbl *g);
 
 const double *grbl_place(const grbl *g);
 const char   *grbl_name(const grbl *g);     /* its greeting; "": none */
@@ -32,8 +38,24 @@ int  grbl_machine(const grbl *g, machine_file *m);
  * no soft limits ($20=1): then it does not know where it is. */
 bool grbl_table(const grbl *g, machine_file *m);
 
-/* Send all lines, made of the path of `job`, and wait for the end; handles keys and tells how it
- * goes. Returns an exit code, after printing the closing line or one error. */
-int  grbl_run(grbl *g, const gcode *code, const report_job *job);
+/* Who hears of events, one line each. */
+typedef struct {
+    void (*tell)(void *context, const char *line);      /* NULL: nobody */
+    void *context;
+    bool shown;                 /* the state is shown: what is awaited does not repeat it */
+} grbl_teller;
+
+/* Send all lines, made of the path, and wait for the end; both stay until then. At the end the
+ * closing line is printed. */
+void grbl_begin(grbl *g, const gcode *code, const toolpath *path, const grbl_teller *to);
+
+/* Obey a key: h holds, r resumes, a aborts, + - 0 change the override, s tells the state. */
+void grbl_key(grbl *g, int key);
+
+/* How it goes, and the same in words. */
+void grbl_facts(grbl *g, send_facts *f, char words[160]);
+
+/* Is the job over, so that only its end is to be printed? */
+bool grbl_over(const grbl *g);
 
 #endif

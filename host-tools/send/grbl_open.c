@@ -6,16 +6,14 @@
 #include <string.h>
 
 #include "send/grbl_talk.h"
-#include "cmd/keys.h"           /* keys_interrupted */
-#include "base/tool.h"           /* tool_error, tool_clock */
-#include "base/waits.h"          /* waits_for */
+#include "base/tool.h"           /* tool_error */
 
 #define OFFSET_TOLD 64      /* statuses: it tells its offset with each 10th or 30th */
 
 static const char *const questions[GRBL_QUESTIONS] = { "$I\n", "$$\n" };
 
 /* Explain, from the received bytes, why the controller is not ready. */
-static int report_unready(const grbl *g, double seconds)
+static int report_unready(const grbl *g)
 {
     const char *name = g->name[0] != '\0' ? g->name : "the controller";
 
@@ -24,7 +22,7 @@ static int report_unready(const grbl *g, double seconds)
                           "%s: no answer in %g s: look at its power, cable and --baud; one that "
                           "takes longer to start needs --wait; "
                           "or is it a loft machine? Then without --grbl",
-                          g->line.text, seconds);
+                          g->line.text, g->wait);
     if (!g->answered)
         return tool_error(EX_PROTOCOL,
                           "%s: %lu bytes came, but no word of grbl's: is --baud right, and is it a "
@@ -47,42 +45,8 @@ static int report_unready(const grbl *g, double seconds)
                       g->line.text, name);
 }
 
-/* A board that is reset when its port is opened, or whose boot loader listens first, answers late:
- * from its first word on it has the same time again. */
-static int greet_controller(grbl *g, double seconds)
+static int refuse_busy(const grbl *g)
 {
-    double until  = tool_clock() + seconds;
-    bool answered = false;
-    waits waiting = { .told = false };
-    char text[200];
-
-    snprintf(text, sizeof text, "no controller has answered at %s yet: it is asked for %g s",
-             g->line.text, seconds);
-    while (!g->placed || g->inquired < GRBL_QUESTIONS || g->asking) {
-        if (keys_interrupted())
-            return tool_error(EX_TEMPFAIL,
-                              "stopped before the controller answered: nothing was sent");
-        if (!grbl_pump(g, 50))
-            return grbl_report_vanished(g);
-        if (g->answered && !answered)
-            until = tool_clock() + seconds;
-        answered = g->answered;
-        if (!answered)
-            waits_for(&waiting, text);
-        if (answered && !g->asking && g->inquired < GRBL_QUESTIONS) {
-            const char *question = questions[g->inquired++];
-            g->asking            = true;
-            if (!grbl_put(g, question, strlen(question)))
-                return grbl_report_vanished(g);
-        }
-        if (tool_clock() < until)
-            continue;
-        if (g->placed)
-            break;                      /* a question is unknown: do without the answer */
-        return report_unready(g, seconds);
-    }
-    if (g->state->doing == GRBL_IDLE)
-        return 0;
     if (strncmp(g->word, "Alarm", 5) == 0)
         return tool_error(EX_CONFIG,
                           "%s: the controller is locked after an alarm: home it ($H) or unlock it "
@@ -96,30 +60,81 @@ static int greet_controller(grbl *g, double seconds)
 
 /* With soft limits, the offset tells where the table is in work coordinates. One that never tells
  * it has no table that is known. */
-static int await_offset(grbl *g)
+static int await_offset(grbl *g, double now, task_wants *w)
 {
-    const double until = tool_clock() + GRBL_DEAF;
-
-    if (grbl_settings_number(&g->settings, 20, 0) <= 0)
+    if (grbl_settings_number(&g->settings, 20, 0) <= 0 || g->offsetted || g->idles >= OFFSET_TOLD ||
+        now >= g->until)
         return 0;
-    while (!g->offsetted && g->idles < OFFSET_TOLD && tool_clock() < until)
-        if (!grbl_pump(g, 20))
-            return grbl_report_vanished(g);
-    return 0;
+    if (!grbl_step(g, now, w))
+        return grbl_report_vanished(g);
+    task_wake(w, g->offsetted ? now : g->until);
+    return TASK_GOES;
+}
+
+static bool is_known(const grbl *g)
+{
+    return g->placed && g->inquired == GRBL_QUESTIONS && !g->asking;
+}
+
+static void ask_next(grbl *g)
+{
+    const char *question = questions[g->inquired++];
+
+    g->asking = true;
+    grbl_put(g, question, strlen(question));
+}
+
+/* A board that is reset when its port is opened, or whose boot loader listens first, answers late:
+ * from its first word on it has the same time again. */
+static int greet_controller(grbl *g, double now, task_wants *w)
+{
+    const bool answered = g->answered;
+
+    if (g->stop)
+        return tool_error(EX_TEMPFAIL, "stopped before the controller answered: nothing was sent");
+    if (!grbl_step(g, now, w))
+        return grbl_report_vanished(g);
+    if (g->answered && !answered)
+        g->until = now + g->wait;
+    if (g->answered && !g->asking && g->inquired < GRBL_QUESTIONS) {
+        ask_next(g);
+        task_wake(w, now);
+    }
+    if (!is_known(g) && now < g->until) {
+        task_wake(w, g->until);
+        if (!g->answered)
+            snprintf(w->awaits, sizeof w->awaits,
+                     "no controller has answered at %s yet: it is asked for %g s", g->line.text,
+                     g->wait);
+        return TASK_GOES;
+    }
+    if (!g->placed)                     /* a question may be unknown: do without the answer */
+        return report_unready(g);
+    if (g->state->doing != GRBL_IDLE)
+        return refuse_busy(g);
+    g->until = now + GRBL_DEAF;
+    g->stage = await_offset;
+    return await_offset(g, now, w);
+}
+
+static int begin_greeting(grbl *g, double now, task_wants *w)
+{
+    g->until = now + g->wait;
+    g->stage = greet_controller;
+    return greet_controller(g, now, w);
 }
 
 int grbl_open(grbl **out, const char *port, unsigned baud, double seconds)
 {
     grbl *g = tool_grow(NULL, sizeof *g);
 
-    *g = (grbl){ .port = port, .buffer = GRBL_BUFFER, .rate = 100, .unit = 1 };
-    int code = transport_open(&g->line, port, baud);
-    if (code == 0) {
-        code = greet_controller(g, seconds);
-        code = code == 0 ? await_offset(g) : code;
-        if (code != 0)
-            g->line.kind->close(&g->line);
-    }
+    *g = (grbl){ .port = port,
+                 .buffer = GRBL_BUFFER,
+                 .rate = 100,
+                 .unit = 1,
+                 .wait = seconds,
+                 .stage = begin_greeting };
+    const int code = transport_open(&g->line, port, baud);
     if (code != 0) {
         free(g);
         g = NULL;
@@ -127,6 +142,15 @@ int grbl_open(grbl **out, const char *port, unsigned baud, double seconds)
     *out = g;
     return code;
 }
+
+static int step(void *context, double now, task_wants *w)
+{
+    grbl *g = context;
+
+    return g->stage(g, now, w);
+}
+
+task grbl_task(grbl *g) { return (task){ step, g, &g->stop }; }
 
 void grbl_close(grbl *g)
 {

@@ -10,34 +10,48 @@
 
 #include "base/scan.h"           /* scan_number */
 #include "send/grbl_talk.h"
-#include "base/tool.h"           /* tool_error, tool_clock */
+#include "base/tool.h"           /* tool_error */
 
-#define ASK         0.2     /* s between two status queries */
 #define OFFSET_ASK  0.02    /* s, until it has told its offset: with every 10th or 30th answer */
 
 
 // Bytes
 // -----
 
-bool grbl_put(grbl *g, const char *bytes, size_t count)
-{
-    const double until = tool_clock() + GRBL_DEAF;
+size_t grbl_room(const grbl *g) { return sizeof g->out - g->out_size; }
 
-    while (count > 0) {
-        const long n = g->line.kind->write(&g->line, bytes, count, 100);
-        if (n < 0 || tool_clock() > until)
-            return false;
-        bytes += n;
-        count -= (size_t)n;
-    }
-    return true;
+void grbl_put(grbl *g, const char *bytes, size_t count)
+{
+    if (g->out_size == 0)
+        g->put = g->now;
+    if (count > grbl_room(g))
+        return;                     /* only questions, while the line is full for long */
+    memcpy(g->out + g->out_size, bytes, count);
+    g->out_size += count;
 }
 
-bool grbl_put_byte(grbl *g, int byte)
+void grbl_put_byte(grbl *g, int byte)
 {
     const char c = (char)byte;
 
-    return grbl_put(g, &c, 1);
+    grbl_put(g, &c, 1);
+}
+
+bool grbl_flush(grbl *g)
+{
+    if (g->out_size == 0)
+        return true;
+    const long n = g->line.kind->write(&g->line, g->out, g->out_size);
+    if (n < 0)
+        return false;
+    if (n > 0)
+        g->put = g->now;
+    g->out_size -= (size_t)n;
+    memmove(g->out, g->out + n, g->out_size);
+    if (g->out_size == 0 || g->now - g->put <= GRBL_DEAF)
+        return true;
+    errno = ETIMEDOUT;
+    return false;
 }
 
 
@@ -114,7 +128,7 @@ static bool status_read(const grbl *g, const char *text, status *s)
 static void set_place(grbl *g, const double to[ENGINE_AXES])
 {
     if (g->placed && memcmp(g->place, to, sizeof g->place) != 0)
-        g->moved = tool_clock();
+        g->moved = g->now;
     memcpy(g->place, to, sizeof g->place);
     g->placed = true;
 }
@@ -130,7 +144,7 @@ static void take_status(grbl *g, const char *text)
         return;
     }
     g->unread[0] = '\0';
-    g->read      = tool_clock();
+    g->read      = g->now;
     g->state     = grbl_state_of(text);
     g->idles     = g->state->doing == GRBL_IDLE ? g->idles + 1 : 0;
     snprintf(g->word, sizeof g->word, "%.*s", (int)strcspn(text, "|>"), text);
@@ -183,7 +197,7 @@ static void take_answer(grbl *g)
         return;
     }
     g->under_way -= g->size_of[g->done++ % GRBL_WAITING];
-    g->moved = tool_clock();
+    g->moved = g->now;
 }
 
 /* What follows `word`, written in any case, and a colon; NULL: the line does not begin with it. */
@@ -249,7 +263,7 @@ static void take_line(grbl *g, char *text)
 {
     const char *said;
 
-    g->heard    = tool_clock();
+    g->heard    = g->now;
     g->answered = g->answered || is_word(text);
     if (text[0] == '<') {
         take_status(g, text + 1);
@@ -270,28 +284,41 @@ static void take_line(grbl *g, char *text)
     }
 }
 
-bool grbl_pump(grbl *g, int most_ms)
+static double asks_after(const grbl *g)
+{
+    return g->code == NULL && g->answered && !g->offsetted ? OFFSET_ASK : GRBL_ASK;
+}
+
+static void take_byte(grbl *g, char byte)
+{
+    if (byte == '\n' || byte == '\r') {
+        g->text[g->size] = '\0';
+        if (g->size > 0)
+            take_line(g, g->text);
+        g->size = 0;
+    } else if (g->size + 1 < sizeof g->text) {
+        g->text[g->size++] = byte;
+    }
+}
+
+bool grbl_step(grbl *g, double now, task_wants *w)
 {
     char bytes[256];
-    const double now = tool_clock();
 
-    if (now - g->asked >= (g->code == NULL && g->answered && !g->offsetted ? OFFSET_ASK : ASK)) {
+    g->now = now;
+    if (now - g->asked >= asks_after(g)) {
         g->asked = now;
-        if (!grbl_put_byte(g, '?'))
-            return false;
+        grbl_put_byte(g, '?');
     }
-    const long got = g->line.kind->read(&g->line, bytes, sizeof bytes, most_ms);
+    if (!grbl_flush(g))
+        return false;
+    const long got = g->line.kind->read(&g->line, bytes, sizeof bytes);
     g->received += got > 0 ? (unsigned long)got : 0;
-    for (long i = 0; i < got; i++) {
-        if (bytes[i] == '\n' || bytes[i] == '\r') {
-            g->text[g->size] = '\0';
-            if (g->size > 0)
-                take_line(g, g->text);
-            g->size = 0;
-        } else if (g->size + 1 < sizeof g->text) {
-            g->text[g->size++] = bytes[i];
-        }
-    }
+    for (long i = 0; i < got; i++)
+        take_byte(g, bytes[i]);
+    w->in  = g->line.in;
+    w->out = g->out_size > 0 ? g->line.out : -1;
+    task_wake(w, g->asked + asks_after(g));
     return got >= 0;
 }
 

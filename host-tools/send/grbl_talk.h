@@ -15,15 +15,28 @@
 #define GRBL_BUFFER_LEAST 16    /* bytes that are believed */
 #define GRBL_BUFFER_MOST  65536
 #define GRBL_FAR        1e6     /* mm, mm/min: what is beyond has no meaning */
+#define GRBL_ASK        0.2     /* s between two status queries */
 #define GRBL_DEAF       10.0    /* s of silence until we give up */
 #define GRBL_WAITING    512     /* lines in flight at most */
 #define GRBL_QUESTIONS  2       /* $I: the size of its buffer; $$: its settings */
 
 #define GRBL_SAID       80      /* bytes of what it said, as it is repeated */
+#define GRBL_OUT        2048    /* bytes that wait for the line */
+
+enum grbl_stop { GRBL_STOPS_WRONG, GRBL_STOPS_AFTER, GRBL_STOPS_ABORTED };
 
 struct grbl {
     const char *port;
     transport line;
+    double now;                         /* the time of the last step */
+    bool stop;                          /* whoever owns it asks for the end, */
+    bool abort;                         /* or a key does */
+    bool over;                          /* see grbl_over */
+    int (*stage)(struct grbl *g, double now, task_wants *w);
+    double wait, until;                 /* s for an answer; it comes then, or never */
+    char out[GRBL_OUT];                 /* bytes that wait for the line */
+    size_t out_size;
+    double put;                         /* the time when it last took some */
     char text[512];                     /* a line that is being received: the first bytes of it */
     size_t size;
     char name[64];                      /* its greeting                          */
@@ -43,9 +56,16 @@ struct grbl {
     double unit;                        /* mm: of what it reports, 1 or 25.4 ($13) */
     double feed;                        /* mm/min                                */
     unsigned rate;                      /* override in percent                   */
-    double heard, asked, moved;         /* clocks: a line; a question; a place or an answer */
-    double read;                        /* the clock of the last status that has a meaning */
-    const gcode *code;
+    double heard, asked, moved;         /* times: a line; a question; a place or an answer */
+    double read;                        /* the time of the last status that has a meaning */
+    const gcode *code;                  /* that is sent; NULL: none */
+    const gcode *lines;                 /* of the job, also when it is not sent any more, and */
+    const toolpath *path;               /* what they draw */
+    grbl_teller to;
+    double began;                       /* the job, then the stop */
+    enum grbl_stop why;                 /* it is to stop, */
+    char what[GRBL_SAID + 64];          /* since this is wrong */
+    bool rests;                         /* it said that it stopped */
     size_t sent, done, wrong;           /* lines; wrong: the line that the error is about */
     size_t behind;                      /* moves of the path, drawn by now */
     unsigned size_of[GRBL_WAITING], under_way;   /* bytes                             */
@@ -54,13 +74,17 @@ struct grbl {
     bool surplus;                       /* an answer that belongs to no line */
 };
 
-/* Both return whether the port is still there. */
-bool grbl_put(grbl *g, const char *bytes, size_t count);
-bool grbl_put_byte(grbl *g, int byte);
+/* Bytes are put behind those that wait for the line, if there is room for them. */
+size_t grbl_room(const grbl *g);
+void grbl_put(grbl *g, const char *bytes, size_t count);
+void grbl_put_byte(grbl *g, int byte);
 
-/* Ask for the status where it is time to, wait at most so long for bytes, and take all lines that
+/* Give the line what it takes. Returns whether the port is still there. */
+bool grbl_flush(grbl *g);
+
+/* Ask for the status where it is time to, move the bytes that are there, and take all lines that
  * are complete. Returns whether the port is still there. */
-bool grbl_pump(grbl *g, int most_ms);
+bool grbl_step(grbl *g, double now, task_wants *w);
 
 /* The exit code after printing one line: the port is not there any more. */
 int grbl_report_vanished(const grbl *g);

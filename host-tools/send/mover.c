@@ -5,18 +5,16 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cmd/keys.h"           /* keys_start, keys_interrupted */
 #include "base/spool.h"          /* spool_grow */
 #include "base/tool.h"
-#include "plan/job.h"            /* job */
 #include "plan/table.h"          /* table_place */
 #include "send/mover.h"
-#include "send/settings.h"       /* settings_adopt */
 #include "send/stream_end.h"     /* stream_ended, stream_place */
 
 #define SILENCE 10.0        /* s of silence until we give up */
 #define OBEYS   5.0         /* s to take a place */
-#define PORTION 0.005       /* s of planning between two looks at the line */
+#define PORTION 0.005       /* s of planning in a step */
+#define LOOK    0.005       /* s between two looks whether the move is to end */
 #define ALL     ((1u << LOFT_AXES) - 1)
 #define TABLE_MORE 0.1      /* mm: what tolerances may need beyond the table */
 
@@ -54,30 +52,100 @@ static int look(mover *v)
     return 0;
 }
 
-int mover_open(mover *v, const mover_options *o, bool keys)
+/* The next step does this. */
+static int go_on(mover *v, int (*stage)(mover *v, double now, task_wants *w))
 {
-    *v       = (mover){ .o = *o };
-    int code = planning_usual(&v->p, o->machine);
+    v->stage = stage;
+    return 0;
+}
+
+static int look_where(mover *v, double now, task_wants *w)
+{
+    (void)now;
+    (void)w;
+    v->stage = v->then;
+    return look(v);
+}
+
+static int greet(mover *v, double now, task_wants *w)
+{
+    const int code = talk_greet(&v->t, now, w);
+
+    return code ? code : go_on(v, look_where);
+}
+
+static int adopt(mover *v, double now, task_wants *w)
+{
+    const int code = settings_step(&v->settings, now, w);
+
+    return code ? code : go_on(v, look_where);
+}
+
+/* The first time the machine is greeted. */
+static int greet_first(mover *v, double now, task_wants *w)
+{
+    const int code = talk_greet(&v->t, now, w);
 
     if (code != 0)
         return code;
-    keys_start(keys);
-    code = talk_open(&v->t, &o->line);
-    if (code == 0 && v->p.file == NULL)
-        code = settings_adopt(&v->p.machine, &v->t);
-    return code ? code : look(v);
+    if (v->p.file != NULL)
+        return go_on(v, look_where);
+    settings_adopt(&v->settings, &v->p.machine, &v->t);
+    return go_on(v, adopt);
+}
+
+int mover_open(mover *v, const mover_options *o, double now)
+{
+    *v = (mover){ .o = *o, .stage = greet_first };
+    const int code = planning_usual(&v->p, o->machine);
+
+    return code ? code : talk_open(&v->t, &v->o.line, now);
 }
 
 void mover_close(mover *v)
 {
+    settings_leave(&v->settings);
+    job_work_free(&v->w);
     if (v->t.port != NULL)
         talk_close(&v->t);
 }
 
-int mover_ready(mover *v)
+int mover_step(mover *v, double now, task_wants *w)
 {
-    const int code = talk_again(&v->t, v->o.line.wait);
-    return code ? code : look(v);
+    int code = 0;
+
+    while (code == 0 && v->stage != NULL)
+        code = v->stage(v, now, w);
+    if (code != TASK_GOES) {
+        job_work_free(&v->w);
+        v->stage = NULL;
+    }
+    return code;
+}
+
+static int step_mover(void *context, double now, task_wants *w)
+{
+    return mover_step(context, now, w);
+}
+
+task mover_task(mover *v) { return (task){ step_mover, v, &v->t.stop }; }
+
+static void greet_before(mover *v, int (*then)(mover *v, double now, task_wants *w))
+{
+    v->then  = then;
+    v->stage = greet;
+    talk_again(&v->t, v->o.line.wait);
+}
+
+void mover_ready(mover *v) { greet_before(v, NULL); }
+
+/* Do this, with a machine that is greeted. */
+static void begin(mover *v, int (*stage)(mover *v, double now, task_wants *w))
+{
+    if (v->t.sender.phase == LOFT_PHASE_READY)
+        v->stage = stage;
+    else
+        greet_before(v, stage);
 }
 
 
@@ -90,9 +158,11 @@ static void limits_of(const mover *v, engine_limits *l)
     planning_limit(&v->p, l);
 }
 
-static int plan_move(const mover *v, const mover_move *m, job_work *w)
+static int plan_move(mover *v)
 {
     const drawing nothing = { 0 };
+    const mover_move *m   = &v->m;
+    job_work *w           = &v->w;
     planning p            = v->p;
     job_options as        = { .e = v->p.e, .kind = LOFT_SPANS };
     double start[ENGINE_AXES], from[ENGINE_AXES];
@@ -129,8 +199,11 @@ static int plan_move(const mover *v, const mover_move *m, job_work *w)
 // ------
 
 /* A job with a guard is for this run alone: nobody may continue it. */
-static int guard_job(const mover *v, const mover_move *m, job *j)
+static int guard_job(mover *v)
 {
+    const mover_move *m = &v->m;
+    job *j              = &v->w.j;
+
     j->head.away  = m->away;
     j->head.guard = m->guard;
     if (m->guard.inputs == 0)
@@ -140,85 +213,106 @@ static int guard_job(const mover *v, const mover_move *m, job *j)
     return 0;
 }
 
-/* Loop until the job is over. *ended: we asked for its end. */
-static int run_job(mover *v, const mover_move *m, job *j, bool *ended)
-{
-    loft_sender *s = &v->t.sender;
-    int planned    = LOFT_OK;
-
-    if (m->guard.inputs == 0 && m->ends == NULL)    /* the user sees to the others */
-        talk_begins(&v->t, j->head.id, "");
-    if (loft_sender_begin(s, &j->head, job_items(j), job_source, j) != LOFT_OK)
-        return tool_error(EX_SOFTWARE, "the move could not begin: please report this");
-    while (s->phase < LOFT_PHASE_DONE) {
-        const bool more = s->phase == LOFT_PHASE_STREAMING && planned == LOFT_OK && job_waits(j, 0);
-        if (more)
-            planned = job_plan(j, 0, PORTION);
-        loft_sender_extend(s, (uint32_t)job_ready(j), job_items(j));
-        if (!talk_pump(&v->t, more ? 0 : 5))
-            return talk_vanished(&v->t, "in the middle of a move ");
-        if (talk_silence(&v->t) > SILENCE)
-            return tool_error(
-                EX_IOERR,
-                "%s: the machine has been silent for %g s: it stops on the path; look "
-                "at cable and power",
-                v->o.line.port, SILENCE);
-        if (!*ended && s->phase == LOFT_PHASE_STREAMING &&
-            (planned != LOFT_OK || keys_interrupted() || (m->ends && m->ends(m->context)))) {
-            loft_sender_control(s, LOFT_ABORT);
-            *ended = true;
-        }
-    }
-    talk_over(&v->t);
-    return planned == LOFT_OK ? 0 : job_refuse(j, v->o.line.port, planned, "");
-}
-
 /* What the report says. Other ends than those of mover_end are errors, in the words of a stream. */
-static int take_report(mover *v, const mover_move *m, job *j, bool ended, mover_outcome *out)
+static int take_report(mover *v)
 {
-    const loft_sender *s       = &v->t.sender;
-    const stream_subject about = { .file = v->o.line.port, .k = &v->p.machine.k };
+    const loft_sender *s = &v->t.sender;
     const bool done = s->phase == LOFT_PHASE_DONE, over = s->phase == LOFT_PHASE_ABORTED;
+    mover_outcome *out = &v->out;
     char text[96];
 
     if (done || (over && s->report.job != 0))
         read_place(v, s->report.position);
-    if (over && s->report.guarded && s->report.ended_by & m->guard.inputs) {
+    if (over && s->report.guarded && s->report.ended_by & v->m.guard.inputs) {
         out->how = MOVER_GUARDED;
         out->by  = s->report.ended_by;
         memcpy(out->steps, s->report.latched, sizeof out->steps);
         stream_place(s, &v->p.machine.k, s->report.latched, out->latched);
         return 0;
     }
-    if (keys_interrupted())
+    if (v->t.stop)
         return tool_error(EX_TEMPFAIL, "stopped: the tool is at %s", mover_text(v->at, text));
     out->how = done ? MOVER_ARRIVED : MOVER_ENDED;
-    return done || (over && ended && s->refusal == LOFT_REFUSAL_NONE)
+    return done || (over && v->ended && s->refusal == LOFT_REFUSAL_NONE)
                ? 0
-               : stream_ended(&v->t, j, &about);
+               : stream_ended(&v->t, &v->w.j);
 }
 
-int mover_go(mover *v, const mover_move *m, mover_outcome *out)
+/* The sender has ended. */
+static int end_move(mover *v, double now, task_wants *w)
 {
-    job_work w = { .path = { 0 } };
-    bool ended = false;
-    int code   = 0;
+    (void)now;
+    (void)w;
+    talk_over(&v->t);
+    v->stage = NULL;
+    return v->planned == LOFT_OK ? take_report(v)
+                                 : job_refuse(&v->w.j, v->o.line.port, v->planned, "");
+}
 
-    *out = (mover_outcome){ .how = MOVER_ARRIVED };
-    if (v->t.sender.phase != LOFT_PHASE_READY)
-        code = mover_ready(v);
-    if (code == 0 && memcmp(m->to, v->at, sizeof v->at) == 0)
-        return 0;
+/* Returns whether another portion of the plan is wanted. */
+static bool plan_on(mover *v)
+{
+    loft_sender *s = &v->t.sender;
+    job *j         = &v->w.j;
+    const bool more = s->phase == LOFT_PHASE_STREAMING && v->planned == LOFT_OK && job_waits(j, 0);
+
+    if (more)
+        v->planned = job_plan(j, 0, PORTION);
+    loft_sender_extend(s, (uint32_t)job_ready(j), job_items(j));
+    return more;
+}
+
+static int run_move(mover *v, double now, task_wants *w)
+{
+    loft_sender *s = &v->t.sender;
+
+    if (!talk_step(&v->t, now, w))
+        return talk_vanished(&v->t, "in the middle of a move ");
+    if (talk_silence(&v->t) > SILENCE)
+        return tool_error(EX_IOERR,
+                          "%s: the machine has been silent for %g s: it stops on the path; look "
+                          "at cable and power",
+                          v->o.line.port, SILENCE);
+    task_wake(w, plan_on(v) ? now : now + LOOK);
+    if (!v->ended && s->phase == LOFT_PHASE_STREAMING &&
+        (v->planned != LOFT_OK || v->t.stop || (v->m.ends && v->m.ends(v->m.context)))) {
+        loft_sender_control(s, LOFT_ABORT);
+        v->ended = true;
+    }
+    talk_wants(&v->t, w);
+    return s->phase < LOFT_PHASE_DONE ? TASK_GOES : go_on(v, end_move);
+}
+
+static int begin_move(mover *v, double now, task_wants *w)
+{
+    job *j   = &v->w.j;
+    int code = 0;
+
+    (void)now;
+    (void)w;
+    v->out = (mover_outcome){ .how = MOVER_ARRIVED };
+    if (memcmp(v->m.to, v->at, sizeof v->at) == 0)
+        return go_on(v, NULL);
+    v->w       = (job_work){ .path = { 0 } };
+    v->planned = LOFT_OK;
+    v->ended   = false;
+    code       = plan_move(v);
     if (code == 0)
-        code = plan_move(v, m, &w);
-    if (code == 0)
-        code = guard_job(v, m, &w.j);
-    if (code == 0)
-        code = run_job(v, m, &w.j, &ended);
-    if (code == 0)
-        code = take_report(v, m, &w.j, ended, out);
-    job_work_free(&w);
-    return code;
+        code = guard_job(v);
+    if (code != 0)
+        return code;
+    if (v->m.guard.inputs == 0 && v->m.ends == NULL)    /* the user sees to the others */
+        talk_begins(&v->t, j->head.id, "");
+    if (loft_sender_begin(&v->t.sender, &j->head, job_items(j), job_source, j) != LOFT_OK)
+        return tool_error(EX_SOFTWARE, "the move could not begin: please report this");
+    (void)plan_on(v);
+    return go_on(v, run_move);
+}
+
+void mover_go(mover *v, const mover_move *m)
+{
+    v->m = *m;
+    begin(v, begin_move);
 }
 
 
@@ -240,74 +334,110 @@ static int steps_there(const mover *v, const double at[ENGINE_AXES], int32_t ste
     return 0;
 }
 
-/* Wait until the machine has obeyed a place. */
-static int wait_place(mover *v)
+/* TASK_GOES until the machine has obeyed a place. */
+static int obey(mover *v, double now, task_wants *w)
 {
-    const double until = tool_clock() + OBEYS;
-    loft_sender *s     = &v->t.sender;
+    loft_sender *s = &v->t.sender;
 
-    while (s->verb != 0) {
-        if (!talk_pump(&v->t, 20))
-            return talk_vanished(&v->t, "before the machine obeyed ");
-        if (tool_clock() > until)
-            return tool_error(EX_IOERR,
-                              "%s: the machine did not obey in %g s: run the same command again",
-                              v->o.line.port, OBEYS);
-    }
+    if (s->verb != 0 && !talk_step(&v->t, now, w))
+        return talk_vanished(&v->t, "before the machine obeyed ");
+    task_wake(w, v->until);
+    if (s->verb != 0)
+        return now <= v->until
+                   ? TASK_GOES
+                   : tool_error(EX_IOERR,
+                                "%s: the machine did not obey in %g s: run the same command again",
+                                v->o.line.port, OBEYS);
     return s->ack.refusal == LOFT_REFUSAL_NONE
                ? 0
                : tool_error(EX_TEMPFAIL, "%s: the machine refused: a job has begun meanwhile",
                             v->o.line.port);
 }
 
-int mover_place(mover *v, unsigned axes, const double at[ENGINE_AXES])
+static int obey_place(mover *v, double now, task_wants *w)
+{
+    const int code = obey(v, now, w);
+
+    if (code != 0)
+        return code;
+    talk_placed(&v->t, v->axes);
+    read_place(v, v->steps);
+    return go_on(v, NULL);
+}
+
+static int send_place(mover *v, double now, task_wants *w)
 {
     loft_sender *s = &v->t.sender;
-    int32_t steps[LOFT_AXES];
-    int code = s->phase == LOFT_PHASE_READY ? 0 : mover_ready(v);
+    int code       = 0;
 
-    if (code == 0 && !(s->machine.kinds & LOFT_TAKES_PLACES))
+    (void)w;
+    if (!(s->machine.kinds & LOFT_TAKES_PLACES))
         code = tool_error(EX_CONFIG,
                           "%s: this machine cannot be told where it stands: give it a newer "
                           "firmware",
                           v->o.line.port);
     if (code == 0)
-        code = steps_there(v, at, steps);
+        code = steps_there(v, v->place, v->steps);
     if (code != 0)
         return code;
     if (!v->p.machine.k.kind->direct)
-        axes = ALL;
-    if (loft_sender_place(s, (uint8_t)axes, steps) != LOFT_OK)
-        return tool_error(EX_SOFTWARE, "the place could not be sent: please report this");
-    code = wait_place(v);
-    if (code == 0) {
-        talk_placed(&v->t, axes);
-        read_place(v, steps);
-    }
-    return code;
+        v->axes = ALL;
+    v->until = now + OBEYS;
+    return loft_sender_place(s, (uint8_t)v->axes, v->steps) == LOFT_OK
+               ? go_on(v, obey_place)
+               : tool_error(EX_SOFTWARE, "the place could not be sent: please report this");
 }
 
-int mover_table(mover *v, int axis, bool counts)
+void mover_place(mover *v, unsigned axes, const double at[ENGINE_AXES])
 {
-    const machine_file *m = &v->p.machine;
-    loft_sender *s        = &v->t.sender;
+    v->axes = axes;
+    memcpy(v->place, at, sizeof v->place);
+    begin(v, send_place);
+}
+
+static int send_table(mover *v, double now, task_wants *w);
+
+static int obey_table(mover *v, double now, task_wants *w)
+{
+    const int code  = obey(v, now, w);
+    const bool over = v->high == v->counts;
+
+    if (code != 0)
+        return code;
+    v->high = true;
+    return go_on(v, over ? NULL : send_table);
+}
+
+static int send_table(mover *v, double now, task_wants *w)
+{
+    loft_sender *s = &v->t.sender;
     int32_t steps[LOFT_AXES] = { 0 };
     double ends[2];
-    int code = 0;
 
-    table_ends(m, axis, &ends[0], &ends[1]);
-    if (!m->k.kind->direct || !(s->machine.kinds & LOFT_TAKES_TABLE) ||
-        (counts && !(ends[1] < HUGE_VAL)))
-        return 0;
-    for (int high = 0; high <= counts && code == 0; high++) {
-        const double at = ends[high] + (high ? TABLE_MORE : -TABLE_MORE);
-        if (counts)
-            steps[axis] = (int32_t)lround(at * (double)s->axis[axis].steps_per_mm / 65536);
-        code            = loft_sender_table(s, high, (uint8_t)(1u << axis), steps) == LOFT_OK
-                   ? wait_place(v)
-                   : tool_error(EX_SOFTWARE, "the table could not be sent: please report this");
-    }
-    return code;
+    (void)w;
+    table_ends(&v->p.machine, v->axis, &ends[0], &ends[1]);
+    const double at = ends[v->high] + (v->high ? TABLE_MORE : -TABLE_MORE);
+    if (v->counts)
+        steps[v->axis] = (int32_t)lround(at * (double)s->axis[v->axis].steps_per_mm / 65536);
+    v->until = now + OBEYS;
+    return loft_sender_table(s, v->high, (uint8_t)(1u << v->axis), steps) == LOFT_OK
+               ? go_on(v, obey_table)
+               : tool_error(EX_SOFTWARE, "the table could not be sent: please report this");
+}
+
+void mover_table(mover *v, int axis, bool counts)
+{
+    const machine_file *m = &v->p.machine;
+    double low, high;
+
+    table_ends(m, axis, &low, &high);
+    v->axis   = axis;
+    v->counts = counts;
+    v->high   = false;
+    v->stage  = m->k.kind->direct && v->t.sender.machine.kinds & LOFT_TAKES_TABLE &&
+                       (!counts || high < HUGE_VAL)
+                   ? send_table
+                   : NULL;
 }
 
 uint16_t mover_away(const mover *v, const double from[ENGINE_AXES], const double to[ENGINE_AXES])
@@ -338,18 +468,27 @@ int mover_free(const mover *v, const double to[ENGINE_AXES])
                                   v->o.line.port, talk_inputs(held, text), v->o.line.port);
 }
 
-int mover_to(mover *v, const double to[ENGINE_AXES], double feed)
+static int refuse(mover *v, double now, task_wants *w)
+{
+    (void)now;
+    (void)w;
+    return v->code;
+}
+
+void mover_to(mover *v, const double to[ENGINE_AXES], double feed)
 {
     mover_move m = { .feed = feed, .away = mover_away(v, v->at, to) };
-    mover_outcome out;
-    int code = talk_certain(&v->t);
 
     memcpy(m.to, to, sizeof m.to);
-    if (code == 0)
-        code = table_place(&v->p.machine, v->at, to, v->p.tol);
-    if (code == 0)
-        code = mover_free(v, to);
-    return code ? code : mover_go(v, &m, &out);
+    v->code = talk_certain(&v->t);
+    if (v->code == 0)
+        v->code = table_place(&v->p.machine, v->at, to, v->p.tol);
+    if (v->code == 0)
+        v->code = mover_free(v, to);
+    if (v->code == 0)
+        mover_go(v, &m);
+    else
+        v->stage = refuse;
 }
 
 int mover_told(const mover *v, int code)

@@ -1,5 +1,5 @@
-/* host-tools/send/mover.h -- single straight moves of the tool, each a job that is waited for, with
- * or without a guard
+/* host-tools/send/mover.h -- single straight moves of the tool, each a job of its own, with or
+ * without a guard
  * SPDX-License-Identifier: MIT
  *
  * Homing, probing and jogging are such moves. They are planned like a drawing, and the machine
@@ -8,7 +8,9 @@
 #ifndef LOFT_MOVER_H
 #define LOFT_MOVER_H
 
+#include "plan/job.h"           /* job_work */
 #include "plan/planning.h"      /* planning */
+#include "send/settings.h"      /* settings_work */
 #include "send/talk.h"          /* talk */
 
 /* The options of a command that moves. */
@@ -19,27 +21,11 @@ typedef struct {
 extern const option mover_rows[];
 
 typedef struct {
-    mover_options o;
-    planning p;
-    talk t;
-    double at[ENGINE_AXES];     /* mm: where the tool is */
-} mover;
-
-/* Read the machine's file, if there is one, and greet the machine, which must be at rest. `keys`:
- * also read single keys (base/keys.h). Returns 0, or an exit code after printing one line; call
- * mover_close in any case. */
-int  mover_open(mover *v, const mover_options *o, bool keys);
-void mover_close(mover *v);
-
-/* Greet it again: its position and its closed inputs are those of now. Results as above. */
-int mover_ready(mover *v);
-
-typedef struct {
     double to[ENGINE_AXES];     /* mm */
     double feed;                /* mm/s */
     loft_guard guard;           /* without inputs: none */
     uint16_t away;              /* closed inputs that it leads away from */
-    bool (*ends)(void *context);    /* asked again and again: end it now? NULL: never */
+    bool (*ends)(void *context);    /* asked in each step: end it now? NULL: never */
     void *context;
 } mover_move;
 
@@ -52,18 +38,58 @@ typedef struct {
     uint16_t by;                    /* the inputs that did */
 } mover_outcome;
 
-/* Move the tool straight from where it is, and wait for the end. Then v->at is the new place.
- * Returns 0, or an exit code after printing one line: also if a limit switch or ^C ended it. */
-int mover_go(mover *v, const mover_move *m, mover_outcome *out);
+/* It does one thing at a time. It must not move while it does. */
+typedef struct mover {
+    mover_options o;
+    planning p;
+    talk t;
+    double at[ENGINE_AXES];     /* mm: where the tool is */
+    mover_outcome out;          /* of the last move */
+    /* ---- */
+    int (*stage)(struct mover *v, double now, task_wants *w);   /* NULL: it does nothing */
+    int (*then)(struct mover *v, double now, task_wants *w);    /* when the machine is greeted */
+    int code;                   /* of something that was refused before it began */
+    settings_work settings;
+    mover_move m;
+    job_work w;
+    int planned;                /* enum loft_status */
+    bool ended;                 /* we asked for its end */
+    unsigned axes;              /* that are placed, */
+    double place[ENGINE_AXES];  /* there; */
+    int32_t steps[LOFT_AXES];
+    int axis;                   /* whose table is told */
+    bool high, counts;
+    double until;               /* the machine obeys, or never */
+} mover;
+
+/* Read the machine's file, if there is one, and open the port; next the machine is greeted, which
+ * must be at rest. Returns 0, or an exit code after printing one line; call mover_close in any
+ * case. */
+int  mover_open(mover *v, const mover_options *o, double now);
+void mover_close(mover *v);
+
+/* Go on with what was begun by one of the calls below, or by mover_open: TASK_GOES, 0, or an exit
+ * code after printing one line. */
+int  mover_step(mover *v, double now, task_wants *w);
+task mover_task(mover *v);
+
+/* Greet it again: its position and its closed inputs are those of now. */
+void mover_ready(mover *v);
+
+/* Move the tool straight from where it is. At the end v->at is the new place, and v->out tells how
+ * it ended. It is an error if a limit switch or the user did. */
+void mover_go(mover *v, const mover_move *m);
 
 /* Tell the machine where the tool is, on the axes of `axes` (bit i: axis i; all of them, if motors
- * are not axes). Results as above. */
-int mover_place(mover *v, unsigned axes, const double at[ENGINE_AXES]);
+ * are not axes). */
+void mover_place(mover *v, unsigned axes, const double at[ENGINE_AXES]);
 
 /* Tell a machine whose motors are axes where its table begins and ends on this one: it then refuses
- * what leaves it. Without `counts` it has no table any more. Results as above; one that cannot is
- * not told. */
-int mover_table(mover *v, int axis, bool counts);
+ * what leaves it. Without `counts` it has no table any more. One that cannot is not told. */
+void mover_table(mover *v, int axis, bool counts);
+
+/* Move straight to a place that table and closed switches allow. */
+void mover_to(mover *v, const double to[ENGINE_AXES], double feed);
 
 /* The closed limit switches and, of them, those that a move from `from` to `to` leads away from. A
  * switch for both ends of its axis leads nowhere. */
@@ -73,16 +99,14 @@ uint16_t mover_away(const mover *v, const double from[ENGINE_AXES], const double
  * exit code after printing one line. */
 int mover_free(const mover *v, const double to[ENGINE_AXES]);
 
-/* Move straight to a place that table and closed switches allow. Results as of mover_go. */
-int mover_to(mover *v, const double to[ENGINE_AXES], double feed);
-
 /* Unless `code` tells of a failure, print where the tool is; returns `code`. */
 int mover_told(const mover *v, int code);
 
 /* "3.000 0.000 -2.500" */
 const char *mover_text(const double at[ENGINE_AXES], char text[96]);
 
-/* Read `xy`: letters of axes, each once, into axis[]. Results as above. */
+/* Read `xy`: letters of axes, each once, into axis[]. Returns 0, or an exit code after printing one
+ * line. */
 int mover_axes(const char *text, bool axis[ENGINE_AXES]);
 
 #endif

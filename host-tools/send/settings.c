@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "machine/settings.h"   /* LOFT_SETTINGS_AXES */
-#include "cmd/keys.h"          /* keys_interrupted */
 #include "base/tool.h"
 #include "send/settings.h"
 
@@ -18,63 +17,49 @@
 #define JERK_MAX 1e7            /* mm/s^3, of lib/path/limits.h */
 #define JERK_PER 20             /* 1/s times the acceleration, as in plan/planning.c */
 
-/* Send one SET and wait for its answer, in t->sender.kept. */
-static int ask(talk *t, unsigned at, const uint8_t byte[], unsigned count)
+/* Send one SET. Its answer comes into t->sender.kept. */
+static int ask(settings_work *k, const uint8_t byte[], unsigned count, double now)
 {
-    const double until = tool_clock() + ANSWERS;
+    talk *t = k->t;
 
-    if (loft_sender_set(&t->sender, (uint16_t)at, byte, (uint8_t)count) != LOFT_OK)
-        return tool_error(EX_CONFIG,
-                          "%s: this machine keeps no settings: give a newer firmware, or --machine "
-                          "FILE to each command",
-                          t->port);
-    while (t->sender.asking) {
-        if (keys_interrupted())
-            return tool_error(EX_TEMPFAIL, "stopped: the machine has its old settings");
-        if (!talk_pump(t, 20))
-            return talk_vanished(t, "before the machine answered ");
-        if (talk_silence(t) > SILENCE || tool_clock() > until ||
-            t->sender.phase == LOFT_PHASE_UNFIT)
-            return tool_error(
-                EX_IOERR,
-                "%s: the machine did not answer: look at cable and power, and run the "
-                "same command again",
-                t->port);
-    }
-    return 0;
+    k->until = now + ANSWERS;
+    return loft_sender_set(&t->sender, (uint16_t)k->at, byte, (uint8_t)count) == LOFT_OK
+               ? 0
+               : tool_error(EX_CONFIG,
+                            "%s: this machine keeps no settings: give a newer firmware, or "
+                            "--machine FILE to each command",
+                            t->port);
+}
+
+/* TASK_GOES until the answer is here. */
+static int hear(settings_work *k, double now, task_wants *w)
+{
+    talk *t = k->t;
+
+    if (t->sender.asking && t->stop)
+        return tool_error(EX_TEMPFAIL, "stopped: the machine has its old settings");
+    if (t->sender.asking && !talk_step(t, now, w))
+        return talk_vanished(t, "before the machine answered ");
+    if (!t->sender.asking)
+        return 0;
+    task_wake(w, k->until);
+    return talk_silence(t) <= SILENCE && now <= k->until && t->sender.phase != LOFT_PHASE_UNFIT
+               ? TASK_GOES
+               : tool_error(EX_IOERR,
+                            "%s: the machine did not answer: look at cable and power, and run the "
+                            "same command again",
+                            t->port);
+}
+
+static void begin(settings_work *k, settings *s, talk *t,
+                  int (*stage)(settings_work *k, double now, task_wants *w))
+{
+    *k = (settings_work){ .s = s, .t = t, .stage = stage };
 }
 
 
 // Reading
 // -------
-
-/* All bytes, in *block, which the caller frees. */
-static int read_block(settings *s, talk *t, uint8_t **block)
-{
-    unsigned have = 0;
-
-    s->size = LOFT_KEPT_MOST;
-    do {
-        const int code = ask(t, have, NULL, 0);
-        if (code != 0)
-            return code;
-        const loft_kept *k = &t->sender.kept;
-        if (have == 0) {
-            s->origin = k->origin;
-            s->room   = k->room;
-            s->size   = (unsigned)(k->byte[6] | k->byte[7] << 8);
-            if (s->size < LOFT_SETTINGS_TEXT)       /* the firmware's: see WIRE.md */
-                s->size = LOFT_SETTINGS_TEXT;
-            *block    = tool_grow(NULL, MOST + LOFT_KEPT_MOST);
-        }
-        if (k->count == 0)
-            return tool_error(EX_PROTOCOL, "%s: its settings end early: please report this",
-                              t->port);
-        memcpy(*block + have, k->byte, k->count);
-        have += k->count;
-    } while (have < s->size);
-    return 0;
-}
 
 static uint32_t word_at(const uint8_t *byte)
 {
@@ -131,43 +116,105 @@ static void read_wiring(settings *s, const uint8_t *wiring)
     m->pulse        = obeys(s, LOFT_WIRING_PULSE) ? wiring[LOFT_WIRING_PULSE] : -1;
 }
 
-int settings_read(settings *s, talk *t)
+static int take_block(settings_work *k)
 {
-    uint8_t *block = NULL;
+    settings *s = k->s;
     char name[200];
 
-    *s = (settings){ .m = machine_usual() };
-    int code = read_block(s, t, &block);
-    if (code == 0) {
-        s->number = block[4];
-        read_axes(s, block);
-        read_wiring(s, block + LOFT_SETTINGS_WIRING);
-        block[s->size] = '\0';
-        snprintf(name, sizeof name, "the settings of %s", t->port);
-        if (s->size > LOFT_SETTINGS_TEXT)
-            code = machine_text(&s->m, name, (const char *)block + LOFT_SETTINGS_TEXT);
-    }
-    free(block);
-    return code;
+    s->number = k->block[4];
+    read_axes(s, k->block);
+    read_wiring(s, k->block + LOFT_SETTINGS_WIRING);
+    k->block[s->size] = '\0';
+    snprintf(name, sizeof name, "the settings of %s", k->t->port);
+    return s->size > LOFT_SETTINGS_TEXT
+               ? machine_text(&s->m, name, (const char *)k->block + LOFT_SETTINGS_TEXT)
+               : 0;
 }
 
-int settings_adopt(machine_file *m, talk *t)
+/* The first answer tells of all of them. */
+static void take_head(settings_work *k, const loft_kept *kept)
 {
-    settings s;
+    settings *s = k->s;
 
-    if (!settings_kept(t))
-        return 0;
-    const int code = settings_read(&s, t);
+    s->origin = kept->origin;
+    s->room   = kept->room;
+    s->size   = (unsigned)(kept->byte[6] | kept->byte[7] << 8);
+    if (s->size < LOFT_SETTINGS_TEXT)       /* the firmware's: see WIRE.md */
+        s->size = LOFT_SETTINGS_TEXT;
+    k->block = tool_grow(k->block, MOST + LOFT_KEPT_MOST);
+}
+
+static int ask_piece(settings_work *k, double now, task_wants *w);
+static int end_reading(settings_work *k, double now, task_wants *w);
+
+static int hear_piece(settings_work *k, double now, task_wants *w)
+{
+    const loft_kept *kept = &k->t->sender.kept;
+    const int code        = hear(k, now, w);
+
     if (code != 0)
         return code;
-    if (s.origin == LOFT_SETTINGS_KEPT)
-        *m = s.m;
-    if (s.origin == LOFT_SETTINGS_DAMAGED)
+    if (k->at == 0)
+        take_head(k, kept);
+    if (kept->count == 0)
+        return tool_error(EX_PROTOCOL, "%s: its settings end early: please report this",
+                          k->t->port);
+    memcpy(k->block + k->at, kept->byte, kept->count);
+    k->at += kept->count;
+    k->stage = k->at < k->s->size ? ask_piece : end_reading;
+    return 0;
+}
+
+static int ask_piece(settings_work *k, double now, task_wants *w)
+{
+    (void)w;
+    k->stage = hear_piece;
+    return ask(k, NULL, 0, now);
+}
+
+static int begin_reading(settings_work *k, double now, task_wants *w)
+{
+    *k->s = (settings){ .m = machine_usual() };
+    k->at = 0;
+    return ask_piece(k, now, w);
+}
+
+/* Damaged settings are not adopted. */
+static int adopt(settings_work *k)
+{
+    if (k->s->origin == LOFT_SETTINGS_KEPT)
+        *k->adopts = k->s->m;
+    if (k->s->origin == LOFT_SETTINGS_DAMAGED)
         (void)tool_error(EX_OK,
                          "%s: its settings are damaged: it runs with those of its firmware, until "
                          "`loft set` gives it new ones",
-                         t->port);
+                         k->t->port);
     return 0;
+}
+
+static int end_reading(settings_work *k, double now, task_wants *w)
+{
+    const int code = take_block(k);
+
+    (void)now;
+    (void)w;
+    k->stage = NULL;
+    if (code == 0 && k->adopts != NULL)
+        return adopt(k);
+    if (code == 0 && k->resets && k->s->origin == LOFT_SETTINGS_KEPT)
+        return tool_error(EX_CONFIG,
+                          "%s: its firmware cannot go back to its own settings: give a newer one, "
+                          "or set each of them",
+                          k->t->port);
+    return code;
+}
+
+void settings_read(settings_work *k, settings *s, talk *t) { begin(k, s, t, begin_reading); }
+
+void settings_adopt(settings_work *k, machine_file *m, talk *t)
+{
+    begin(k, NULL, t, settings_kept(t) ? begin_reading : NULL);
+    k->adopts = m;
 }
 
 
@@ -246,33 +293,6 @@ static int too_long(const settings *s, const talk *t, unsigned size)
         t->port, size, s->room);
 }
 
-static int write_piece(talk *t, const uint8_t *block, unsigned at, unsigned count)
-{
-    const loft_kept *k = &t->sender.kept;
-    const int code     = ask(t, at, block + at, count);
-
-    if (code != 0)
-        return code;
-    if (k->busy)
-        return tool_error(EX_TEMPFAIL, "%s: a job is running: wait for its end", t->port);
-    if (k->count == count && memcmp(k->byte, block + at, count) == 0)
-        return 0;
-    return tool_error(EX_IOERR,
-                      "%s: the machine's memory does not keep what is written: it has its old "
-                      "settings",
-                      t->port);
-}
-
-/* All but the check; then the check, which puts the block in force. */
-static int write_block(talk *t, const uint8_t *block, unsigned size)
-{
-    int code = 0;
-
-    for (unsigned at = CHECK_BYTES; at < size && code == 0; at += LOFT_KEPT_MOST)
-        code = write_piece(t, block, at, size - at < LOFT_KEPT_MOST ? size - at : LOFT_KEPT_MOST);
-    return code ? code : write_piece(t, block, 0, CHECK_BYTES);
-}
-
 static void seal(uint8_t *block, unsigned size)
 {
     uint32_t crc = 0xFFFFFFFFu;
@@ -290,51 +310,136 @@ static void begin_block(const settings *s, uint8_t *block, unsigned size)
     block[7] = (uint8_t)(size >> 8);
 }
 
-int settings_reset(settings *s, talk *t, double wait)
+static unsigned piece_of(const settings_work *k)
 {
-    uint8_t block[LOFT_SETTINGS_AXES];
+    return k->at < CHECK_BYTES                  ? CHECK_BYTES
+           : k->size - k->at < LOFT_KEPT_MOST ? k->size - k->at
+                                              : LOFT_KEPT_MOST;
+}
 
-    begin_block(s, block, sizeof block);
-    seal(block, sizeof block);
-    int code = write_block(t, block, sizeof block);
+static int send_piece(settings_work *k, double now, task_wants *w);
+
+static int greet_again(settings_work *k, double now, task_wants *w)
+{
+    const int code = talk_greet(k->t, now, w);
+
     if (code == 0)
-        code = talk_again(t, wait);
-    if (code == 0)
-        code = settings_read(s, t);
-    if (code == 0 && s->origin == LOFT_SETTINGS_KEPT)
-        code = tool_error(EX_CONFIG,
-                          "%s: its firmware cannot go back to its own settings: give a newer one, "
-                          "or set each of them",
-                          t->port);
+        k->stage = k->resets ? begin_reading : NULL;
     return code;
 }
 
-int settings_write(const settings *s, talk *t, double wait)
+/* All but the check; then the check, which puts the block in force. */
+static int hear_written(settings_work *k, double now, task_wants *w)
+{
+    const loft_kept *kept = &k->t->sender.kept;
+    const unsigned count  = piece_of(k);
+    const int code        = hear(k, now, w);
+
+    if (code != 0)
+        return code;
+    if (kept->busy)
+        return tool_error(EX_TEMPFAIL, "%s: a job is running: wait for its end", k->t->port);
+    if (kept->count != count || memcmp(kept->byte, k->block + k->at, count) != 0)
+        return tool_error(EX_IOERR,
+                          "%s: the machine's memory does not keep what is written: it has its old "
+                          "settings",
+                          k->t->port);
+    if (k->at == 0) {
+        talk_again(k->t, k->wait);
+        k->stage = greet_again;
+        return 0;
+    }
+    k->at += count;
+    if (k->at == k->size)
+        k->at = 0;
+    k->stage = send_piece;
+    return 0;
+}
+
+static int send_piece(settings_work *k, double now, task_wants *w)
+{
+    (void)w;
+    k->stage = hear_written;
+    return ask(k, k->block + k->at, piece_of(k), now);
+}
+
+void settings_reset(settings_work *k, settings *s, talk *t, double wait)
+{
+    begin(k, s, t, send_piece);
+    k->wait   = wait;
+    k->resets = true;
+    k->size   = LOFT_SETTINGS_AXES;
+    k->at     = CHECK_BYTES;
+    k->block  = tool_grow(NULL, k->size);
+    memset(k->block, 0, k->size);
+    begin_block(s, k->block, k->size);
+    seal(k->block, k->size);
+}
+
+static void fill_block(settings_work *k, const char *text, size_t length)
+{
+    k->size  = LOFT_SETTINGS_TEXT + (unsigned)length;
+    k->block = tool_grow(NULL, k->size);
+    memset(k->block, 0, k->size);
+    begin_block(k->s, k->block, k->size);
+    write_axes(&k->s->m, k->block);
+    write_wiring(&k->s->m, k->block + LOFT_SETTINGS_WIRING);
+    memcpy(k->block + LOFT_SETTINGS_TEXT, text, length);
+    seal(k->block, k->size);
+}
+
+static int begin_writing(settings_work *k, double now, task_wants *w)
 {
     char *text = NULL;
     size_t length;
-    FILE *out = open_memstream(&text, &length);
-    int code  = check_obeyed(s, t);
+    const int code = check_obeyed(k->s, k->t);
+    FILE *out      = code == 0 ? open_memstream(&text, &length) : NULL;
 
+    if (code != 0)
+        return code;
     if (out == NULL)
         return tool_error(EX_OSERR, "out of memory");
-    machine_print(&s->m, MACHINE_TEXT, out);
+    machine_print(&k->s->m, MACHINE_TEXT, out);
     fclose(out);
-    const unsigned size = LOFT_SETTINGS_TEXT + (unsigned)length;
-    uint8_t *block      = tool_grow(NULL, size);
-    memset(block, 0, size);
-    begin_block(s, block, size);
-    write_axes(&s->m, block);
-    write_wiring(&s->m, block + LOFT_SETTINGS_WIRING);
-    memcpy(block + LOFT_SETTINGS_TEXT, text, length);
-    seal(block, size);
-    if (code == 0 && size > s->room)
-        code = too_long(s, t, size);
-    if (code == 0)
-        code = write_block(t, block, size);
-    if (code == 0)
-        code = talk_again(t, wait);
-    free(block);
+    fill_block(k, text, length);
     free(text);
+    k->at = CHECK_BYTES;
+    return k->size > k->s->room ? too_long(k->s, k->t, k->size) : send_piece(k, now, w);
+}
+
+void settings_write(settings_work *k, settings *s, talk *t, double wait)
+{
+    begin(k, s, t, begin_writing);
+    k->wait = wait;
+}
+
+
+// Steps
+// -----
+
+int settings_step(settings_work *k, double now, task_wants *w)
+{
+    int code = 0;
+
+    if (k->s == NULL)
+        k->s = &k->own;
+    while (code == 0 && k->stage != NULL)
+        code = k->stage(k, now, w);
+    if (code != TASK_GOES)
+        settings_leave(k);
     return code;
+}
+
+static int step_settings(void *context, double now, task_wants *w)
+{
+    return settings_step(context, now, w);
+}
+
+task settings_task(settings_work *k) { return (task){ step_settings, k, &k->t->stop }; }
+
+void settings_leave(settings_work *k)
+{
+    free(k->block);
+    k->block = NULL;
+    k->stage = NULL;
 }

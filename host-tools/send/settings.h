@@ -24,18 +24,39 @@ static inline bool settings_kept(const talk *t)
     return t->sender.machine.kinds & LOFT_TAKES_SETTINGS;
 }
 
-/* Read them; the machine was greeted. Returns 0, or an exit code after printing one line. */
-int settings_read(settings *s, talk *t);
+/* Reading or writing them, stepped. */
+typedef struct settings_work {
+    settings *s;                /* that are read; NULL: own */
+    settings own;
+    talk *t;
+    machine_file *adopts;
+    uint8_t *block;             /* that is read or written, */
+    unsigned size, at;          /* up to here by now */
+    double until;               /* the answer comes, or never */
+    double wait;                /* s, for the greeting behind a write */
+    bool resets;
+    int (*stage)(struct settings_work *k, double now, task_wants *w);
+} settings_work;
 
-/* Write s->m, which follows those that were read, and greet the machine again. Results as above:
- * also if the board does not obey one of them. */
-int settings_write(const settings *s, talk *t, double wait);
+/* Read them; the machine was greeted. */
+void settings_read(settings_work *k, settings *s, talk *t);
 
-/* Put the settings of the firmware in force again, and read them. Results as settings_write. */
-int settings_reset(settings *s, talk *t, double wait);
+/* Write s->m, which follows those that were read, and greet the machine again. It is refused if the
+ * board does not obey one of them. */
+void settings_write(settings_work *k, settings *s, talk *t, double wait);
 
-/* For a command without --machine: read a machine from its settings, if it keeps any. Says so on
- * standard error if they are damaged. Results as above. */
-int settings_adopt(machine_file *m, talk *t);
+/* Put the settings of the firmware in force again, and read them. */
+void settings_reset(settings_work *k, settings *s, talk *t, double wait);
+
+/* For a command without --machine: read a machine from its settings, if it keeps any. Warns if they
+ * are damaged. */
+void settings_adopt(settings_work *k, machine_file *m, talk *t);
+
+/* Go on with what was begun: TASK_GOES, 0, or an exit code after printing one line. */
+int  settings_step(settings_work *k, double now, task_wants *w);
+task settings_task(settings_work *k);
+
+/* Leave it in the middle. */
+void settings_leave(settings_work *k);
 
 #endif

@@ -1,44 +1,38 @@
 /* host-tools/send/stream.c -- sends a job to the machine
  * SPDX-License-Identifier: MIT
  */
+#include <errno.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>              /* isatty */
 
-#include "cmd/keys.h"           /* keys_next, keys_answer */
-#include "cmd/report.h"         /* report_show */
 #include "send/stream.h"
 #include "send/stream_end.h"     /* stream_drawn, stream_place */
 #include "base/tool.h"
-#include "base/waits.h"          /* waits_due */
 
 #define SILENCE 10.0        /* s of silence until we give up */
 #define LIMIT_FILTER 1      /* ms that a limit switch must stay closed: sparks are shorter */
 #define STOP    10.0        /* s for the machine to stop */
-#define PORTION 0.005       /* s of planning between two looks at the line */
+#define PORTION 0.005       /* s of planning in a step */
+#define LOOK    0.02        /* s between two looks at the machine */
+#define RECORD  2.0         /* s until the record of a simulated machine is complete, */
+#define RECORD_LOOK 0.05    /* and between two looks at it */
 /* items before those that the machine has: the sender needs 3, a feed needs 1 */
 #define KEPT    4
 
-typedef struct {
-    talk *t;
-    job *j;
-    const stream_subject *about;
-    waits waiting;
-    int planned;            /* enum loft_status                         */
-    size_t kept;            /* items before it will not be asked for again */
-    double stop_at;         /* the clock when ^C was seen; 0: not yet */
-    double held_at;         /* the clock when the machine stopped; 0: not yet */
-    bool woken;             /* a job that was already running continues */
-    bool resting;           /* it was held then: it goes on, if that is no pause */
-    const char *pause;      /* what the program says of the pause; NULL: there is none */
-    bool answered;          /* by a pipe, and the machine has not told so yet */
-    bool deaf;              /* standard input, which is no terminal, has ended */
-    uint32_t ticks, elapsed;/* of the previous status */
-    double pace;            /* between the last two */
-    double moved;           /* the clock when the ticks last advanced */
-    int percent;            /* that a key last asked for; 0: none */
-} run_state;
+/* Tell an event in one line. */
+static void __attribute__((format(printf, 2, 3))) tell(const stream *r, const char *format, ...)
+{
+    char line[256];
+    va_list values;
+
+    va_start(values, format);
+    vsnprintf(line, sizeof line, format, values);
+    va_end(values);
+    if (r->tell != NULL)
+        r->tell(r->context, line);
+}
 
 static bool machine_is_stopped(const loft_sender *s)
 {
@@ -46,7 +40,7 @@ static bool machine_is_stopped(const loft_sender *s)
 }
 
 /* The state of the machine, padded to a fixed width so that the numbers after it do not move. */
-static void state_text(const run_state *r, char text[32])
+static void state_text(const stream *r, char text[32])
 {
     const loft_sender *s = &r->t->sender;
 
@@ -66,12 +60,12 @@ static void state_text(const run_state *r, char text[32])
 }
 
 /* Ticks of the plan per tick of time, between two answers. */
-static void measure_pace(run_state *r)
+static void measure_pace(stream *r)
 {
     const loft_machine_status *now = &r->t->sender.status;
 
     if (now->ticks != r->ticks)
-        r->moved = tool_clock();
+        r->moved = r->t->now;
     if (now->elapsed == r->elapsed)
         return;
     r->pace    = (double)(now->ticks - r->ticks) / (double)(now->elapsed - r->elapsed);
@@ -80,7 +74,7 @@ static void measure_pace(run_state *r)
 }
 
 /* Does the job rest until somebody or something lets it continue? */
-static bool time_rests(const run_state *r)
+static bool time_rests(const stream *r)
 {
     const loft_sender *s = &r->t->sender;
 
@@ -89,7 +83,7 @@ static bool time_rests(const run_state *r)
 }
 
 /* What keeps the job from continuing, or NULL. */
-static const char *awaited_event(const run_state *r, char text[200])
+static const char *awaited_event(const stream *r, char text[200])
 {
     const loft_sender *s = &r->t->sender;
 
@@ -97,7 +91,7 @@ static const char *awaited_event(const run_state *r, char text[200])
         return "the machine does not answer: look at cable and power";
     if (s->phase == LOFT_PHASE_OPENING)
         return "the machine has not taken the job";
-    if (s->phase != LOFT_PHASE_STREAMING || report_shown())
+    if (s->phase != LOFT_PHASE_STREAMING || r->shown)
         return NULL;
     switch (s->ack.state) {
     case LOFT_STATE_HOLDING:    return "the machine slows down to a hold";
@@ -114,7 +108,7 @@ static const char *awaited_event(const run_state *r, char text[200])
         return text;
     default: break;
     }
-    if (tool_clock() - r->moved < 3 * LOFT_SENDER_POLL / 1000.0)
+    if (r->t->now - r->moved < 3 * LOFT_SENDER_POLL / 1000.0)
         return NULL;
     if (job_items(r->j) == LOFT_ITEMS_OPEN && job_ready(r->j) < s->ack.next)
         return "planning up to where the machine stands";
@@ -129,7 +123,7 @@ static const char *awaited_event(const run_state *r, char text[200])
 }
 
 /* The state in one word, for a program. */
-static const char *state_word(const run_state *r)
+static const char *state_word(const stream *r)
 {
     switch (r->t->sender.ack.state) {
     case LOFT_STATE_HOLDING:  return "holds";
@@ -139,7 +133,7 @@ static const char *state_word(const run_state *r)
     }
 }
 
-static report_facts facts_of(const run_state *r)
+static send_facts facts_of(const stream *r)
 {
     const loft_sender *s = &r->t->sender;
     const uint32_t items = job_items(r->j);
@@ -148,44 +142,46 @@ static report_facts facts_of(const run_state *r)
     const bool rests     = stale || time_rests(r);
     const size_t item    = job_item_at(r->j, ticks);
 
-    return (report_facts){ .state = state_word(r),
-                           .done = (double)ticks,
-                           .total = job_ticks(r->j),
-                           .item = s->ack.executed,
-                           .items = items == LOFT_ITEMS_OPEN ? 0 : items,
-                           .queued = s->ack.next - s->ack.executed,
-                           .feed = rests ? 0 : r->pace * job_feed(r->j, item),
-                           .override = s->status.override,
-                           .moves = job_moves(r->j, s->ack.executed),
-                           .rests = rests };
+    return (send_facts){ .state = state_word(r),
+                         .done = (double)ticks,
+                         .total = job_ticks(r->j),
+                         .item = s->ack.executed,
+                         .items = items == LOFT_ITEMS_OPEN ? 0 : items,
+                         .queued = s->ack.next - s->ack.executed,
+                         .feed = rests ? 0 : r->pace * job_feed(r->j, item),
+                         .override = s->status.override,
+                         .moves = job_moves(r->j, s->ack.executed),
+                         .rests = rests };
 }
 
-static void show_progress(run_state *r)
+bool stream_facts(stream *r, send_facts *f, char words[160])
 {
     const loft_sender *s = &r->t->sender;
-    char state[32], text[160];
+    char state[32];
 
+    if (s->phase != LOFT_PHASE_STREAMING)
+        return false;
     measure_pace(r);
     state_text(r, state);
-    report_facts f = facts_of(r);
-    stream_place(s, r->about->k, s->status.position, f.at);
+    *f = facts_of(r);
+    stream_place(s, r->about->k, s->status.position, f->at);
     if (job_items(r->j) == LOFT_ITEMS_OPEN && job_ready(r->j) < s->ack.next) {
-        f.state = "plans";
-        f.done  = (double)job_ready(r->j);
-        f.total = (double)s->ack.next;
-        f.rests = false;
-        report_show(&f, "planning up to where the machine stopped");
-        return;
+        f->state = "plans";
+        f->done  = (double)job_ready(r->j);
+        f->total = (double)s->ack.next;
+        f->rests = false;
+        snprintf(words, 160, "planning up to where the machine stopped");
+        return true;
     }
-    size_t used = (size_t)snprintf(text, sizeof text, "%s %3u %%  queue %3u ", state,
-                                   s->status.override, (unsigned)(s->ack.next - s->ack.executed));
+    size_t used = (size_t)snprintf(words, 160, "%s %3u %%  queue %3u ", state, s->status.override,
+                                   (unsigned)(s->ack.next - s->ack.executed));
     for (int i = 0; i < LOFT_AXES; i++)
-        used += (size_t)snprintf(text + used, sizeof text - used, " %c %.2f", "XYZABC"[i], f.at[i]);
-    report_show(&f, text);
+        used += (size_t)snprintf(words + used, 160 - used, " %c %.2f", "XYZABC"[i], f->at[i]);
+    return true;
 }
 
 /* Tell the current state in one line; it stays on the screen. */
-static void tell_state(run_state *r)
+static void tell_state(stream *r)
 {
     const loft_sender *s = &r->t->sender;
     char state[32], of[32], place[96];
@@ -196,14 +192,14 @@ static void tell_state(run_state *r)
     stream_place(s, r->about->k, s->status.position, at);
     for (int i = 0; i < LOFT_AXES; i++)
         used += (size_t)snprintf(place + used, sizeof place - used, " %c %.2f", "XYZABC"[i], at[i]);
-    report_line("item %u%s, %u queued, override %u %%, %s%s", (unsigned)s->ack.executed,
-                job_of(r->j, of), (unsigned)(s->ack.next - s->ack.executed), s->status.override,
-                state, place);
+    tell(r, "item %u%s, %u queued, override %u %%, %s%s", (unsigned)s->ack.executed,
+         job_of(r->j, of), (unsigned)(s->ack.next - s->ack.executed), s->status.override, state,
+         place);
 }
 
 /* A key counts from the override that was last asked for, which the machine may not have confirmed
  * yet. */
-static void change_override(run_state *r, int by)
+static void change_override(stream *r, int by)
 {
     loft_sender *s = &r->t->sender;
     const int now  = r->percent ? r->percent : s->status.override, next = by == 0 ? 100 : now + by;
@@ -214,40 +210,31 @@ static void change_override(run_state *r, int by)
     loft_sender_override(s, (unsigned)r->percent);
 }
 
-/* A key of the terminal; in a pause of the program also what a pipe says, until it ends. */
-static int next_key(run_state *r)
+void stream_key(stream *r, int key)
 {
-    if (isatty(STDIN_FILENO) || r->pause == NULL || r->answered || r->deaf)
-        return keys_next();
-    const int key = keys_answer(0);
-    r->deaf       = key == KEYS_END;
-    r->answered   = key == '\n' || key == '\r' || key == 'a';
-    return r->answered ? key : 0;
-}
+    loft_sender *s = &r->t->sender;
 
-static void obey_keys(run_state *r)
-{
-    switch (next_key(r)) {
+    switch (key) {
     case '+':
     case '=': change_override(r, 10); break;
     case '-':
     case '_': change_override(r, -10); break;
     case '0': change_override(r, 0); break;
     case 's': tell_state(r); break;
-    case 'h': loft_sender_control(&r->t->sender, LOFT_HOLD);   break;
-    case 'r': loft_sender_control(&r->t->sender, LOFT_RESUME); break;
+    case 'h': loft_sender_control(s, LOFT_HOLD);   break;
+    case 'r': loft_sender_control(s, LOFT_RESUME); break;
     case '\r':
     case '\n':
         if (r->pause != NULL)
-            loft_sender_control(&r->t->sender, LOFT_RESUME);
+            loft_sender_control(s, LOFT_RESUME);
         break;
-    case 'a': loft_sender_control(&r->t->sender, LOFT_ABORT);  break;
+    case 'a': loft_sender_control(s, LOFT_ABORT);  break;
     default:  break;
     }
 }
 
 /* Report and prepare, once, when a running job is found. */
-static void wake_job(run_state *r)
+static void wake_job(stream *r)
 {
     const loft_sender *s = &r->t->sender;
     char of[32];
@@ -256,13 +243,13 @@ static void wake_job(run_state *r)
         return;
     r->woken    = true;
     job_sent_from(r->j, s->ack.next);
-    report_line("resuming at item %u%s", (unsigned)s->ack.next, job_of(r->j, of));
+    tell(r, "resuming at item %u%s", (unsigned)s->ack.next, job_of(r->j, of));
     r->resting = s->ack.state == LOFT_STATE_HELD || s->ack.state == LOFT_STATE_HOLDING;
 }
 
 /* A job that stands still may be in a pause of the program: the plan knows, when it has come so
  * far. Then the user decides. A hold of an earlier program ends. */
-static void watch_pauses(run_state *r)
+static void watch_pauses(stream *r)
 {
     const loft_sender *s = &r->t->sender;
     const char *before   = r->pause;
@@ -270,21 +257,20 @@ static void watch_pauses(run_state *r)
     if (s->phase != LOFT_PHASE_STREAMING || (!r->j->whole && r->j->count < s->ack.executed))
         return;
     r->pause = s->ack.state == LOFT_STATE_HELD ? job_pause(r->j, s->ack.executed) : NULL;
-    r->answered = r->answered && r->pause == before;
     if (r->pause != NULL && r->pause != before)
-        report_line("pause%s%s: Enter goes on, a gives up", *r->pause ? ": " : "", r->pause);
+        tell(r, "pause%s%s: Enter goes on, a gives up", *r->pause ? ": " : "", r->pause);
     if (r->resting && r->pause == NULL && r->stop_at <= 0)
         loft_sender_control(&r->t->sender, LOFT_RESUME);
     r->resting = false;
 }
 
-/* After ^C: hold, and wait until the machine has stopped and reported its position. Returns true
- * when that is done or takes too long. */
-static bool has_stopped(run_state *r)
+/* Asked for the end: hold, and wait until the machine has stopped and reported its position.
+ * Returns true when that is done or takes too long. */
+static bool has_stopped(stream *r)
 {
-    const double now = tool_clock();
+    const double now = r->t->now;
 
-    if (!keys_interrupted())
+    if (!r->t->stop)
         return false;
     if (r->stop_at <= 0) {
         r->stop_at = now;
@@ -299,7 +285,7 @@ static bool has_stopped(run_state *r)
 }
 
 /* The items that the machine has executed, as far as it has told. */
-static const char *where_text(const run_state *r, char text[64])
+static const char *where_text(const stream *r, char text[64])
 {
     char of[32];
 
@@ -309,7 +295,7 @@ static const char *where_text(const run_state *r, char text[64])
 
 /* Plan a portion, if one is wanted. Returns true if another one is. Greetings and the end after ^C
  * come first: on a busy computer a portion may take long. */
-static bool plan_portion(run_state *r)
+static bool plan_portion(stream *r)
 {
     loft_sender *s = &r->t->sender;
 
@@ -326,67 +312,127 @@ static bool plan_portion(run_state *r)
     return r->planned == LOFT_OK && job_waits(r->j, r->kept);
 }
 
-/* Loop until the sender has ended, or until there is an exit code. */
-static int stream_loop(run_state *r)
+/* What comes next prints: whoever shows the job clears its line before. */
+static int end_by(stream *r, double now, task_wants *w,
+                  int (*stage)(stream *r, double now, task_wants *w))
 {
-    loft_sender *s = &r->t->sender;
-    char place[64], text[200];
-
-    while (s->phase < LOFT_PHASE_DONE) {
-        if (!talk_pump(r->t, plan_portion(r) ? 0 : 20)) {
-            loft_sender_hangup(s);
-            if (s->phase >= LOFT_PHASE_DONE)
-                break;
-            report_end();
-            return talk_vanished(r->t, where_text(r, place));
-        }
-        if (talk_silence(r->t) > SILENCE) {
-            report_end();
-            return tool_error(EX_IOERR,
-                              "%s: the machine has been silent for %g s %s: it stops on the path; "
-                              "look at the cable, then run the same command again; if it lost its "
-                              "power, the position may be lost: home it, or `loft zero`",
-                              r->t->port, SILENCE, where_text(r, place));
-        }
-        wake_job(r);
-        watch_pauses(r);
-        obey_keys(r);
-        if (has_stopped(r))
-            break;
-        if (s->phase == LOFT_PHASE_STREAMING)
-            show_progress(r);
-        if (waits_due(&r->waiting, awaited_event(r, text)))
-            report_line("waiting: %s", r->waiting.what);
-    }
-    report_end();
-    return 0;
+    r->over  = true;
+    r->stage = stage;
+    task_wake(w, now);
+    return TASK_GOES;
 }
 
-int stream_run(talk *t, job *j, const stream_subject *about)
+static int report_vanished(stream *r, double now, task_wants *w)
 {
-    run_state r          = { .t = t, .j = j, .about = about };
-    const report_job told = { about->file, about->port, about->tool,
-                              about->path, about->tol,  j->head.id };
+    char place[64];
 
-    talk_begins(t, j->head.id, about->file);
+    (void)now;
+    (void)w;
+    errno          = r->lost;
+    const int code = talk_vanished(r->t, where_text(r, place));
+    talk_over(r->t);
+    return code;
+}
+
+static int report_silent(stream *r, double now, task_wants *w)
+{
+    char place[64];
+
+    (void)now;
+    (void)w;
+    talk_over(r->t);
+    return tool_error(EX_IOERR,
+                      "%s: the machine has been silent for %g s %s: it stops on the path; "
+                      "look at the cable, then run the same command again; if it lost its "
+                      "power, the position may be lost: home it, or `loft zero`",
+                      r->t->port, SILENCE, where_text(r, place));
+}
+
+/* The job was drawn, and is as commanded. The record of the machine may not be complete yet. */
+static int report_drawn(stream *r, double now, task_wants *w)
+{
+    char error[64];
+    const int code = stream_error(&r->t->sender, r->about, now >= r->until, error);
+
+    task_wake(w, now + RECORD_LOOK);
+    if (code == 0)
+        stream_drawn(r->t, r->j, r->about, error);
+    return code;
+}
+
+/* The sender has ended, or the machine has stopped. */
+static int report_end(stream *r, double now, task_wants *w)
+{
+    talk *t = r->t;
+    char then[96];
+
+    talk_over(t);
+    if (r->planned != LOFT_OK) {
+        snprintf(then, sizeof then, "; the job was ended on the path before item %zu",
+                 job_ready(r->j));
+        return job_refuse(r->j, r->about->file, r->planned, then);
+    }
+    if (t->sender.phase < LOFT_PHASE_DONE)
+        return stream_interrupted(t, r->j);
+    if (t->sender.phase != LOFT_PHASE_DONE)
+        return stream_ended(t, r->j);
+    const int code = stream_checked(t, r->j, r->about);
+    if (code != 0)
+        return code;
+    r->until = now + RECORD;
+    r->stage = report_drawn;
+    return report_drawn(r, now, w);
+}
+
+static int draw(stream *r, double now, task_wants *w)
+{
+    loft_sender *s = &r->t->sender;
+
+    if (!talk_step(r->t, now, w)) {
+        r->lost = errno;
+        loft_sender_hangup(s);
+        return end_by(r, now, w, s->phase >= LOFT_PHASE_DONE ? report_end : report_vanished);
+    }
+    if (talk_silence(r->t) > SILENCE)
+        return end_by(r, now, w, report_silent);
+    task_wake(w, plan_portion(r) ? now : now + LOOK);
+    wake_job(r);
+    watch_pauses(r);
+    if (has_stopped(r) || s->phase >= LOFT_PHASE_DONE)
+        return end_by(r, now, w, report_end);
+    talk_wants(r->t, w);
+    const char *what = awaited_event(r, w->awaits);
+    if (what != w->awaits)
+        snprintf(w->awaits, sizeof w->awaits, "%s", what ? what : "");
+    return TASK_GOES;
+}
+
+static int begin_job(stream *r, double now, task_wants *w)
+{
+    talk *t = r->t;
+    job *j  = r->j;
+
+    talk_begins(t, j->head.id, r->about->file);
     if (loft_sender_begin(&t->sender, &j->head, job_items(j), job_source, j) != LOFT_OK)
         return tool_error(EX_SOFTWARE, "the job could not begin: please report this");
     loft_sender_extend(&t->sender, (uint32_t)job_ready(j), job_items(j));
-    report_begin(&told);
-    const int code = stream_loop(&r);
-    talk_over(t);
-    if (code != 0)
-        return code;
-    if (r.planned != LOFT_OK) {
-        char then[96];
-        snprintf(then, sizeof then, "; the job was ended on the path before item %zu",
-                 job_ready(j));
-        return job_refuse(j, about->file, r.planned, then);
-    }
-    if (t->sender.phase < LOFT_PHASE_DONE)
-        return stream_interrupted(t, j);
-    return stream_ended(t, j, about);
+    r->stage = draw;
+    return draw(r, now, w);
 }
+
+void stream_begin(stream *r, talk *t, job *j, const stream_subject *about)
+{
+    *r = (stream){ .t = t, .j = j, .about = about, .stage = begin_job };
+}
+
+int stream_step(stream *r, double now, task_wants *w) { return r->stage(r, now, w); }
+
+static int step_stream(void *context, double now, task_wants *w)
+{
+    return stream_step(context, now, w);
+}
+
+task stream_task(stream *r) { return (task){ step_stream, r, &r->t->stop }; }
 
 /* Has the machine done what `verb` asks? */
 static bool verb_obeyed(const loft_sender *s, enum loft_verb verb)
@@ -414,34 +460,61 @@ int stream_limits(const talk *t, bool hard, loft_job *head)
     return 0;
 }
 
-int stream_control(talk *t, enum loft_verb verb, const kinematics *k)
+/* For some time after that, so that the machine tells where it stands. */
+static bool has_obeyed(stream_control *c, double now)
 {
-    loft_sender *s     = &t->sender;
-    const double began = tool_clock();
-    double done        = 0;
-    waits waiting      = { .told = false };
+    const loft_sender *s = &c->t->sender;
+
+    if (c->done <= 0 && verb_obeyed(s, c->verb))
+        c->done = now;
+    return s->phase >= LOFT_PHASE_DONE ||
+           (c->done > 0 && now - c->done >= 3 * LOFT_SENDER_POLL / 1000.0);
+}
+
+static int begin_control(stream_control *c, double now)
+{
+    loft_sender *s = &c->t->sender;
 
     if (!loft_state_busy(s->ack.state))
-        return tool_error(EX_UNAVAILABLE, "%s: no job is running: nothing to %s", t->port,
-                          verb == LOFT_HOLD     ? "hold"
-                          : verb == LOFT_RESUME ? "resume"
-                                                : "abort");
-    loft_sender_control(s, verb);
-    while (s->phase < LOFT_PHASE_DONE &&
-           (done <= 0 || tool_clock() - done < 3 * LOFT_SENDER_POLL / 1000.0)) {
-        if (!talk_pump(t, 20))
-            return talk_vanished(t, "");
-        if (tool_clock() - began > STOP)
-            return tool_error(
-                EX_IOERR,
-                "%s: the machine did not obey in %g s: look at the cable, or cut its power",
-                t->port, STOP);
-        waits_for(&waiting, done > 0              ? NULL
-                            : verb == LOFT_RESUME ? "the machine does not go on yet"
-                                                  : "the machine is not stopped yet");
-        if (done <= 0 && verb_obeyed(s, verb))
-            done = tool_clock();
-    }
-    talk_over(t);
-    return stream_obeyed(t, verb, k);
+        return tool_error(EX_UNAVAILABLE, "%s: no job is running: nothing to %s", c->t->port,
+                          c->verb == LOFT_HOLD     ? "hold"
+                          : c->verb == LOFT_RESUME ? "resume"
+                                                   : "abort");
+    loft_sender_control(s, c->verb);
+    c->began = now;
+    return 0;
+}
+
+int stream_control_step(stream_control *c, double now, task_wants *w)
+{
+    int code = c->began > 0 ? 0 : begin_control(c, now);
+
+    if (code != 0)
+        return code;
+    if (!talk_step(c->t, now, w))
+        return talk_vanished(c->t, "");
+    if (now - c->began > STOP)
+        return tool_error(
+            EX_IOERR, "%s: the machine did not obey in %g s: look at the cable, or cut its power",
+            c->t->port, STOP);
+    task_wake(w, now + LOOK);
+    if (c->done <= 0)
+        snprintf(w->awaits, sizeof w->awaits, "%s",
+                 c->verb == LOFT_RESUME ? "the machine does not go on yet"
+                                        : "the machine is not stopped yet");
+    if (!has_obeyed(c, now))
+        return TASK_GOES;
+    talk_over(c->t);
+    return stream_obeyed(c->t, c->verb, c->k);
+}
+
+static int step_control(void *context, double now, task_wants *w)
+{
+    return stream_control_step(context, now, w);
+}
+
+task stream_controls(stream_control *c, talk *t, enum loft_verb verb, const kinematics *k)
+{
+    *c = (stream_control){ .t = t, .verb = verb, .k = k };
+    return (task){ step_control, c, &t->stop };
 }

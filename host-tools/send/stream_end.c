@@ -5,7 +5,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/say.h"
 #include "read/record.h"         /* record_worst_error */
@@ -120,49 +119,43 @@ static void print_line(const talk *t, const job *j)
 
 /* The record of a machine in another process. It is complete when it ends at the position of the
  * report. */
-static int read_record(const loft_sender *s, const char *file, record *r)
+static bool is_complete(const loft_sender *s, const record *r)
 {
-    for (double until = tool_clock() + 2;;) {
-        bool complete  = true;
-        const int code = record_read(r, file, s->report.job);
-        if (code != 0)
-            return code;
-        for (int i = 0; i < LOFT_AXES && r->count > 0; i++)
-            complete = complete &&
-                       lround(r->motors[i] * r->steps_per_mm[i]) == s->report.position[i];
-        if (complete && r->count > 0)
-            return 0;
-        record_free(r);
-        if (tool_clock() > until)
-            return tool_error(
-                EX_DATAERR,
-                "%s: does not end where the machine says it is: name the record of this machine",
-                file);
-        usleep(50000);
-    }
+    bool complete = r->count > 0;
+
+    for (int i = 0; i < LOFT_AXES && complete; i++)
+        complete = lround(r->motors[i] * r->steps_per_mm[i]) == s->report.position[i];
+    return complete;
 }
 
-/* ", worst path error 0.0031 mm": as measured, if it was. */
-static int error_text(const loft_sender *s, const stream_subject *about, char text[64])
+int stream_error(const loft_sender *s, const stream_subject *about, bool late, char text[64])
 {
     record r = { 0 };
+    int code = 0;
 
     text[0] = '\0';
     if (about->record == NULL)
         return 0;
-    const int code = read_record(s, about->record, &r);
-    if (code == 0)
+    code = record_read(&r, about->record, s->report.job);
+    if (code == 0 && is_complete(s, &r))
         snprintf(text, 64, ", worst path error %.4f mm",
                  record_worst_error(about->d, &r, NULL, NULL));
+    else if (code == 0 && !late)
+        code = TASK_GOES;
+    else if (code == 0)
+        code = tool_error(
+            EX_DATAERR,
+            "%s: does not end where the machine says it is: name the record of this machine",
+            about->record);
     record_free(&r);
     return code;
 }
 
-static int report_drawn(talk *t, job *j, const stream_subject *about)
+int stream_checked(talk *t, job *j, const stream_subject *about)
 {
     const loft_sender *s = &t->sender;
     int32_t want[LOFT_AXES];
-    char text[96], other[96], error[64], plan[160], time[HOST_DURATION];
+    char text[96], other[96];
     int status = LOFT_OK;
 
     if (j->head.kind != LOFT_CURVES || j->first > 0)    /* a job that was drawn before need not be
@@ -178,15 +171,19 @@ static int report_drawn(talk *t, job *j, const stream_subject *about)
             steps_text(s->report.position, text), steps_text(want, other));
     if (s->collected)
         (void)say(stderr, "this job was drawn already: its report is\n");
-    const int code = error_text(s, about, error);
-    if (code != 0)
-        return code;
+    return 0;
+}
+
+void stream_drawn(const talk *t, const job *j, const stream_subject *about, const char *error)
+{
+    const loft_sender *s = &t->sender;
+    char text[96], plan[160], time[HOST_DURATION];
+
     printf("drawn: %zu curve%s, %.3f m, %s machine time, %s%s, steps %s as commanded\n",
            about->curves, tool_s(about->curves), about->drawn / 1000,
            host_duration(time, machine_seconds(s), 1), job_words_of_plan(j, about->tol, plan),
-           error, steps_text(want, text));
+           error, steps_text(s->report.position, text));
     print_line(t, j);
-    return EX_OK;
 }
 
 /* An input ended the job, or prevented its begin. */
@@ -270,13 +267,12 @@ static int report_refused(const talk *t, const job *j)
     }
 }
 
-int stream_ended(talk *t, job *j, const stream_subject *about)
+int stream_ended(talk *t, const job *j)
 {
     const loft_sender *s = &t->sender;
     char text[96], other[96], of[32];
 
     switch (s->phase) {
-    case LOFT_PHASE_DONE: return report_drawn(t, j, about);
     case LOFT_PHASE_ABORTED:
         if (s->refusal != LOFT_REFUSAL_NONE)
             return report_refused(t, j);

@@ -6,13 +6,11 @@
 #include <unistd.h>
 
 #include "base/create.h"
-#include "cmd/keys.h"           /* keys_interrupted */
 #include "send/talk.h"
 #include "send/unfinished.h"
 #include "base/tool.h"
-#include "base/waits.h"          /* waits_for */
 
-static uint32_t now_ms(void) { return (uint32_t)(uint64_t)(1000 * tool_clock()); }
+static uint32_t now_ms(const talk *t) { return (uint32_t)(uint64_t)(1000 * t->now); }
 
 /* Send frames until there are none, or until the line is full. */
 static bool send_frames(talk *t)
@@ -20,17 +18,15 @@ static bool send_frames(talk *t)
     for (;;) {
         if (t->out_at == t->out_size) {
             t->out_at   = 0;
-            t->out_size = loft_sender_poll(&t->sender, now_ms(), t->out);
+            t->out_size = loft_sender_poll(&t->sender, now_ms(t), t->out);
             if (t->out_size == 0)
                 return true;
         }
-        const long put = t->line.kind->write(&t->line, t->out + t->out_at, t->out_size - t->out_at,
-                                             0);
+        const long put = t->line.kind->write(&t->line, t->out + t->out_at, t->out_size - t->out_at);
         if (put < 0)
             return false;
         if (t->log != NULL)
-            wire_text_push(&t->down, t->log, tool_clock() - t->began, t->out + t->out_at,
-                           (size_t)put);
+            wire_text_push(&t->down, t->log, t->now - t->began, t->out + t->out_at, (size_t)put);
         t->out_at  += (size_t)put;
         t->written += (uint64_t)put;
         if (put == 0)
@@ -55,24 +51,35 @@ static void note_job(talk *t)
 }
 
 /* Read what has arrived before sending anything: if this program did not run for a while, the
- * answers that are waiting are not late. */
-bool talk_pump(talk *t, int most_ms)
+ * answers that are waiting are not late. A full line is looked at again when it takes bytes. */
+bool talk_step(talk *t, double now, task_wants *w)
 {
     uint8_t bytes[512];
-    const uint32_t idle = loft_sender_wait(&t->sender, now_ms());
-    int wait = idle < (uint32_t)most_ms ? (int)idle : most_ms;
-    if (t->out_at < t->out_size && wait < 1)
-        wait = 1;                       /* the line is full: look again soon, but do not spin */
-    const long got = t->line.kind->read(&t->line, bytes, sizeof bytes, wait);
+
+    t->now         = now;
+    const long got = t->line.kind->read(&t->line, bytes, sizeof bytes);
     if (got < 0)
         return false;
     t->received += (uint64_t)got;
     if (t->log != NULL)
-        wire_text_push(&t->up, t->log, tool_clock() - t->began, bytes, (size_t)got);
+        wire_text_push(&t->up, t->log, now - t->began, bytes, (size_t)got);
     for (long i = 0; i < got; i++)
-        (void)loft_sender_push(&t->sender, bytes[i], now_ms());
+        (void)loft_sender_push(&t->sender, bytes[i], now_ms(t));
     note_job(t);
-    return send_frames(t);
+    if (!send_frames(t))
+        return false;
+    talk_wants(t, w);
+    return true;
+}
+
+void talk_wants(const talk *t, task_wants *w)
+{
+    const bool full = t->out_at < t->out_size;
+
+    w->in  = t->line.in;
+    w->out = full ? t->line.out : -1;
+    if (!full)
+        task_wake(w, t->now + loft_sender_wait(&t->sender, now_ms(t)) / 1000.0);
 }
 
 int talk_vanished(const talk *t, const char *where)
@@ -149,43 +156,63 @@ void talk_placed(const talk *t, unsigned axes)
 
 double talk_silence(const talk *t)
 {
-    return (double)loft_sender_silence(&t->sender, now_ms()) / 1000;
+    return (double)loft_sender_silence(&t->sender, now_ms(t)) / 1000;
 }
 
-static int greet(talk *t, double seconds)
+static int report_silent(const talk *t)
 {
-    const double until = tool_clock() + seconds;
-    waits waiting      = { .told = false };
-    char text[200];
+    if (t->received > 0)
+        return tool_error(EX_PROTOCOL,
+                          "%s: %llu bytes came, but no good frame: is it a loft machine, and "
+                          "is --baud %u right?",
+                          t->line.text, (unsigned long long)t->received,
+                          t->line.baud ? t->line.baud : 115200);
+    return tool_error(EX_UNAVAILABLE,
+                      "%s: no machine answered in %g s: look at its power, cable and baud rate",
+                      t->line.text, t->wait);
+}
 
-    snprintf(text, sizeof text, "no machine has answered at %s yet: it is asked for %g s",
-             t->line.text, seconds);
-    while (t->sender.phase == LOFT_PHASE_HELLO) {
-        if (keys_interrupted())
+static void begin_greeting(talk *t, double now)
+{
+    t->greeting = true;
+    t->now      = now;
+    t->until    = now + t->wait;
+    t->out_at = t->out_size = 0;
+    loft_sender_init(&t->sender, (uint32_t)(uint64_t)(1e9 * now) ^ (uint32_t)getpid() << 16,
+                     now_ms(t));
+}
+
+int talk_greet(talk *t, double now, task_wants *w)
+{
+    if (!t->greeting)
+        begin_greeting(t, now);
+    if (t->sender.phase == LOFT_PHASE_HELLO) {
+        if (t->stop)
             return tool_error(EX_TEMPFAIL, "stopped before the machine answered: nothing was sent");
-        if (!talk_pump(t, 20))
+        if (!talk_step(t, now, w))
             return talk_vanished(t, "before the machine answered ");
-        waits_for(&waiting, text);
-        if (tool_clock() < until)
-            continue;
-        if (t->received > 0)
-            return tool_error(EX_PROTOCOL,
-                              "%s: %llu bytes came, but no good frame: is it a loft machine, and "
-                              "is --baud %u right?",
-                              t->line.text, (unsigned long long)t->received,
-                              t->line.baud ? t->line.baud : 115200);
-        return tool_error(EX_UNAVAILABLE,
-                          "%s: no machine answered in %g s: look at its power, cable and baud rate",
-                          t->line.text, seconds);
+    }
+    if (t->sender.phase == LOFT_PHASE_HELLO) {
+        snprintf(w->awaits, sizeof w->awaits,
+                 "no machine has answered at %s yet: it is asked for %g s", t->line.text, t->wait);
+        task_wake(w, t->until);
+        return now < t->until ? TASK_GOES : report_silent(t);
     }
     if (t->sender.phase == LOFT_PHASE_UNFIT)
         return tool_error(EX_CONFIG,
                           "%s: the machine has %u axes and wire version %u, this program %d and "
                           "%d: give both the same release",
-                          t->port, t->sender.machine.axes, t->sender.machine.version, LOFT_AXES,
-                          LOFT_WIRE_VERSION);
+                          t->line.text, t->sender.machine.axes, t->sender.machine.version,
+                          LOFT_AXES, LOFT_WIRE_VERSION);
     return 0;
 }
+
+static int step_greeting(void *context, double now, task_wants *w)
+{
+    return talk_greet(context, now, w);
+}
+
+task talk_greets(talk *t) { return (task){ step_greeting, t, &t->stop }; }
 
 static int open_log(talk *t, const char *file)
 {
@@ -207,29 +234,18 @@ const option talk_rows[] = {
     { 0 }
 };
 
-int talk_open(talk *t, const talk_options *o)
+int talk_open(talk *t, const talk_options *o, double now)
 {
-    *t = (talk){ .port = o->port, .began = tool_clock() };
-    int code = open_log(t, o->log);
+    *t = (talk){ .port = o->port, .began = now, .now = now, .wait = o->wait };
+    const int code = open_log(t, o->log);
 
-    if (code == 0)
-        code = transport_open(&t->line, o->port, o->baud);
-    if (code != 0) {
-        talk_close(t);
-        return code;
-    }
-    code = talk_again(t, o->wait);
-    if (code != 0)
-        talk_close(t);
-    return code;
+    return code ? code : transport_open(&t->line, o->port, o->baud);
 }
 
-int talk_again(talk *t, double seconds)
+void talk_again(talk *t, double seconds)
 {
-    t->out_at = t->out_size = 0;
-    loft_sender_init(&t->sender,
-                     (uint32_t)(uint64_t)(1e9 * tool_clock()) ^ (uint32_t)getpid() << 16, now_ms());
-    return greet(t, seconds);
+    t->greeting = false;
+    t->wait     = seconds;
 }
 
 void talk_close(talk *t)

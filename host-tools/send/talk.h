@@ -8,6 +8,7 @@
 #include "wire/sender.h"    /* loft_sender */
 
 #include "base/option.h"         /* option */
+#include "send/task.h"           /* task, task_wants */
 #include "send/transport.h"      /* transport */
 #include "send/wire_text.h"      /* wire_text */
 
@@ -20,7 +21,10 @@ typedef struct {
     size_t out_size, out_at;
     FILE *log;                          /* everything that passes, in words, or NULL */
     wire_text down, up;
-    double began;
+    double now, began;                  /* the time of the last step, and of the opening */
+    bool stop;                          /* whoever owns it asks for the end */
+    bool greeting;                      /* it has begun, and */
+    double until, wait;                 /* ends, s later */
     uint32_t job;                       /* to be noted when it begins (unfinished.h); 0: none */
     const char *job_file;
     bool noted;
@@ -36,18 +40,24 @@ typedef struct {
 } talk_options;
 extern const option talk_rows[];        /* all but `log`, which the command names */
 
-/* Open the port, greet, and wait for the machine's answer. Returns 0, or an exit code after
- * printing one line. */
-int  talk_open(talk *t, const talk_options *o);
+/* Open the port. Next the machine is to be greeted. Returns 0, or an exit code after printing one
+ * line; call talk_close in any case. */
+int  talk_open(talk *t, const talk_options *o, double now);
 void talk_close(talk *t);
 
-/* Begin another session over the same line: a session has one job. Results as above; after an error
- * the line is still open. */
-int  talk_again(talk *t, double seconds);
+/* Greet the machine, for so long at most: another session begins, since a session has one job.
+ * talk_greet is to be stepped then: TASK_GOES, 0 when it has answered, or an exit code after
+ * printing one line; the line is still open. */
+void talk_again(talk *t, double seconds);
+int  talk_greet(talk *t, double now, task_wants *w);
+task talk_greets(talk *t);
 
-/* Move bytes both ways, for at most `most_ms`. Returns false if the port has vanished (errno says
+/* Move the bytes that are there, both ways. Returns false if the port has vanished (errno says
  * why). */
-bool talk_pump(talk *t, int most_ms);
+bool talk_step(talk *t, double now, task_wants *w);
+
+/* When to step it again, after something was asked of the sender. */
+void talk_wants(const talk *t, task_wants *w);
 
 /* Print that the port has vanished, and `where` the job is; one that had begun goes on only if the
  * machine kept its power. Returns the exit code. */

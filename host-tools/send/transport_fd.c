@@ -21,10 +21,10 @@
 
 static bool later(int error) { return error == EAGAIN || error == EWOULDBLOCK || error == EINTR; }
 
-static long fd_read(transport *t, void *bytes, size_t max, int timeout_ms)
+static long fd_read(transport *t, void *bytes, size_t max)
 {
     struct pollfd p = { .fd = t->in, .events = POLLIN };
-    const int ready = poll(&p, 1, timeout_ms);
+    const int ready = poll(&p, 1, 0);
 
     if (ready <= 0)
         return ready == 0 || errno == EINTR ? 0 : -1;
@@ -38,10 +38,10 @@ static long fd_read(transport *t, void *bytes, size_t max, int timeout_ms)
     return -1;
 }
 
-static long fd_write(transport *t, const void *bytes, size_t count, int timeout_ms)
+static long fd_write(transport *t, const void *bytes, size_t count)
 {
     struct pollfd p = { .fd = t->out, .events = POLLOUT };
-    const int ready = poll(&p, 1, timeout_ms);
+    const int ready = poll(&p, 1, 0);
 
     if (ready <= 0)
         return ready == 0 || errno == EINTR ? 0 : -1;

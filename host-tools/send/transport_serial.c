@@ -19,11 +19,11 @@
 #include "base/tool.h"
 #include "send/transport.h"
 
-static long serial_read(transport *t, void *bytes, size_t max, int timeout_ms)
+static long serial_read(transport *t, void *bytes, size_t max)
 {
     struct pollfd p = { .fd = t->in, .events = POLLIN };
 
-    if (poll(&p, 1, timeout_ms) < 0 && errno != EINTR)
+    if (poll(&p, 1, 0) < 0 && errno != EINTR)
         return -1;
     const long got = sp_nonblocking_read(t->port, bytes, max);
     if (got < 0 || (got == 0 && sp_input_waiting(t->port) < 0)) {
@@ -33,11 +33,11 @@ static long serial_read(transport *t, void *bytes, size_t max, int timeout_ms)
     return got;
 }
 
-static long serial_write(transport *t, const void *bytes, size_t count, int timeout_ms)
+static long serial_write(transport *t, const void *bytes, size_t count)
 {
     struct pollfd p = { .fd = t->out, .events = POLLOUT };
 
-    if (poll(&p, 1, timeout_ms) < 0 && errno != EINTR)
+    if (poll(&p, 1, 0) < 0 && errno != EINTR)
         return -1;
     const long put = sp_nonblocking_write(t->port, bytes, count);
     if (put < 0) {

@@ -3,19 +3,18 @@
  * SPDX-License-Identifier: MIT
  *
  * The controller is a model of what grbl's wiki says: bytes wait in a buffer, a line takes 1 ms, 15
- * moves are planned ahead. Clock, line, keys and report are replaced here.
+ * moves are planned ahead. The line is replaced here, and the clock is that of the model.
  */
 #include <ctype.h>
 #include <fcntl.h>
 #include <math.h>
-#include <stdarg.h>
 #include <string.h>
 #include <sysexits.h>
 #include <unistd.h>
 
-#include "cmd/keys.h"
 #include "base/tool.h"
 #include "check.h"
+#include "cmd/waits.h"
 #include "send/grbl.h"
 #include "send/transport.h"
 
@@ -52,17 +51,6 @@ static bool finite_only;
 // What the sender uses
 // --------------------
 
-double tool_clock(void) { return c.clock; }
-int keys_next(void) { return 0; }
-bool keys_interrupted(void) { return c.clock >= stop_at; }
-
-static void keep(char text[4096], const char *format, va_list values)
-{
-    const size_t used = strlen(text);
-
-    vsnprintf(text + used, 4096 - used, format, values);
-}
-
 static void hear_message(void *context, const host_message *m)
 {
     (void)context;
@@ -71,26 +59,23 @@ static void hear_message(void *context, const host_message *m)
     told_at = fmin(told_at, c.clock);
 }
 
-void report_begin(const report_job *job) { (void)job; }
-void report_end(void) { }
-bool report_shown(void) { return true; }
-
-void report_line(const char *format, ...)
+static void hear_line(const char *line)
 {
-    va_list values;
+    const size_t used = strlen(told);
 
-    va_start(values, format);
-    keep(told, format, values);
-    va_end(values);
+    snprintf(told + used, sizeof told - used, "%s", line);
     told_at = fmin(told_at, c.clock);
 }
 
-void report_show(const report_facts *f, const char *words)
+static void look_at(grbl *g)
 {
-    (void)words;
+    send_facts f;
+    char words[160];
+
+    grbl_facts(g, &f, words);
     for (int i = 0; i < ENGINE_AXES; i++)
-        finite_only = finite_only && isfinite(f->at[i]);
-    finite_only = finite_only && isfinite(f->feed);
+        finite_only = finite_only && isfinite(f.at[i]);
+    finite_only = finite_only && isfinite(f.feed);
 }
 
 
@@ -183,11 +168,9 @@ static void work(void)
     obey_line(line);
 }
 
-static long read_bytes(transport *t, void *bytes, size_t most, int timeout_ms)
+static long read_bytes(transport *t, void *bytes, size_t most)
 {
     (void)t;
-    for (int k = 0; k < (timeout_ms > 1 ? timeout_ms : 1) && c.out_at == c.out_used; k++)
-        work();
     const size_t left = c.out_used - c.out_at, count = left < most ? left : most;
     memcpy(bytes, c.out + c.out_at, count);
     c.out_at += count;
@@ -196,10 +179,9 @@ static long read_bytes(transport *t, void *bytes, size_t most, int timeout_ms)
     return (long)count;
 }
 
-static long write_bytes(transport *t, const void *bytes, size_t count, int timeout_ms)
+static long write_bytes(transport *t, const void *bytes, size_t count)
 {
     (void)t;
-    (void)timeout_ms;
     for (size_t k = 0; k < count; k++)
         take_byte(((const unsigned char *)bytes)[k]);
     return (long)count;
@@ -233,20 +215,50 @@ static void begin(const faults *f)
     finite_only = true;
 }
 
+/* Step what was begun until it is over; the model works on until it has something to say, or until
+ * the time that the task wants. */
+static int run(grbl *g, bool draws)
+{
+    const task t  = grbl_task(g);
+    waits waiting = { .told = false };
+    task_wants w;
+    int code;
+
+    while ((code = task_step(&t, c.clock, &w)) == TASK_GOES) {
+        if (draws && !grbl_over(g))
+            look_at(g);
+        if (waits_due(&waiting, w.awaits, c.clock))
+            hear_line(w.awaits);
+        CHECK(w.until < HUGE_VAL);
+        do
+            work();
+        while (c.out_at == c.out_used && c.clock < w.until);
+        *t.stop = c.clock >= stop_at;
+    }
+    return code;
+}
+
+static int open_controller(grbl **g)
+{
+    const int code = grbl_open(g, "p", 115200, 5);
+
+    return code ? code : run(*g, false);
+}
+
 /* Send `count` lines to a controller that is open. */
 static int send(grbl *g, unsigned count)
 {
     static char text[NEVER];
     static struct gcode_line line[2000];
-    gcode lines      = { .text = text, .line = line, .count = count };
-    toolpath path    = { 0 };
-    report_job about = { .file = "x", .port = "p", .path = &path };
+    gcode lines   = { .text = text, .line = line, .count = count };
+    toolpath path = { 0 };
 
     for (unsigned n = 0; n < count; n++) {
         line[n] = (struct gcode_line){ lines.used, 0 };
         lines.used += (size_t)snprintf(text + lines.used, 64, "G1X%u.125Y%uF600", n, n * n) + 1;
     }
-    return grbl_run(g, &lines, &about);
+    grbl_begin(g, &lines, &path, &(grbl_teller){ .shown = true });
+    return run(g, true);
 }
 
 /* The same, without its closing line. */
@@ -269,7 +281,7 @@ static int draw(const faults *f, unsigned count)
     grbl *g;
 
     begin(f);
-    int code = grbl_open(&g, "p", 115200, 5);
+    int code = open_controller(&g);
     if (code == 0)
         code = send_quietly(g, count);
     grbl_close(g);
@@ -329,7 +341,7 @@ static void every_state_is_known_or_told(arb *a)
     grbl *g;
 
     begin(&(faults){ .at = n, .state = state });
-    CHECK(grbl_open(&g, "p", 115200, 5) == 0);
+    CHECK(open_controller(&g) == 0);
     stop_at        = c.clock + 1 + PATIENCE + 1;     /* 40 lines take less than a second */
     const int code = send_quietly(g, 100);
     since          = c.clock - stop_at;
@@ -400,7 +412,7 @@ static void each_part_is_sent_from_its_first_line(arb *a)
     grbl *g;
 
     begin(&(faults){ .at = NEVER });
-    CHECK(grbl_open(&g, "p", 115200, 5) == 0);
+    CHECK(open_controller(&g) == 0);
     CHECK(send_quietly(g, first) == 0 && send_quietly(g, second) == 0);
     CHECK(c.drawn == first + second);
     grbl_close(g);

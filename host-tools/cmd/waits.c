@@ -1,4 +1,4 @@
-/* host-tools/base/waits.c
+/* host-tools/cmd/waits.c
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
@@ -6,14 +6,11 @@
 #include <unistd.h>
 
 #include "base/say.h"
-#include "base/tool.h"           /* tool_clock */
-#include "base/waits.h"
+#include "cmd/waits.h"
 
-bool waits_due(waits *w, const char *what)
+bool waits_due(waits *w, const char *what, double now)
 {
-    const double now = tool_clock();
-
-    if (what == NULL) {
+    if (*what == '\0') {
         w->what[0] = '\0';
         return false;
     }
@@ -28,9 +25,9 @@ bool waits_due(waits *w, const char *what)
     return true;
 }
 
-void waits_for(waits *w, const char *what)
+void waits_for(waits *w, const char *what, double now)
 {
-    if (waits_due(w, what)) {
+    if (waits_due(w, what, now)) {
         fputs(isatty(STDERR_FILENO) ? "\r\033[K" : "", stderr);
         (void)say(stderr, "waiting: %s\n", w->what);
     }

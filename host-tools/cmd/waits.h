@@ -1,4 +1,4 @@
-/* host-tools/base/waits.h -- says what a command waits for, also without a terminal
+/* host-tools/cmd/waits.h -- says what a command waits for, also without a terminal
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_WAITS_H
@@ -16,10 +16,10 @@ typedef struct {
 } waits;
 
 /* Call this in each iteration of a loop that waits. Returns true once, when `what` has been awaited
- * for WAITS_AFTER. NULL: nothing is awaited. */
-bool waits_due(waits *w, const char *what);
+ * for WAITS_AFTER. "": nothing is awaited. */
+bool waits_due(waits *w, const char *what, double now);
 
 /* The same, and then print it in one line on standard error. */
-void waits_for(waits *w, const char *what);
+void waits_for(waits *w, const char *what, double now);
 
 #endif

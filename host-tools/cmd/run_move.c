@@ -1,0 +1,47 @@
+/* host-tools/cmd/run_move.c
+ * SPDX-License-Identifier: MIT
+ */
+#include "base/tool.h"      /* tool_clock */
+#include "cmd/keys.h"       /* keys_start */
+#include "cmd/run.h"        /* run_until */
+#include "cmd/run_move.h"
+
+int run_mover(mover *v, const mover_options *o, bool keys)
+{
+    keys_start(keys);
+    const int code = mover_open(v, o, tool_clock());
+
+    return code ? code : run_until(mover_task(v));
+}
+
+int run_ready(mover *v)
+{
+    mover_ready(v);
+    return run_until(mover_task(v));
+}
+
+int run_go(mover *v, const mover_move *m, mover_outcome *out)
+{
+    mover_go(v, m);
+    const int code = run_until(mover_task(v));
+    *out = v->out;
+    return code;
+}
+
+int run_place(mover *v, unsigned axes, const double at[ENGINE_AXES])
+{
+    mover_place(v, axes, at);
+    return run_until(mover_task(v));
+}
+
+int run_table(mover *v, int axis, bool counts)
+{
+    mover_table(v, axis, counts);
+    return run_until(mover_task(v));
+}
+
+int run_to(mover *v, const double to[ENGINE_AXES], double feed)
+{
+    mover_to(v, to, feed);
+    return run_until(mover_task(v));
+}

@@ -1,0 +1,26 @@
+/* host-tools/send/facts.h -- how a job goes, as numbers
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LOFT_FACTS_H
+#define LOFT_FACTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "engine/engine.h"      /* ENGINE_AXES */
+
+typedef struct {
+    const char *state;              /* "draws", "holds", "held", "pause", "aborts", "waits",
+                                     * "plans" */
+    double done, total;             /* ticks, or items while it plans */
+    uint32_t item, items;           /* items 0: not known yet */
+    uint32_t queued;
+    double feed;                    /* mm/s */
+    unsigned override;              /* % */
+    double at[ENGINE_AXES];         /* of the tool, mm */
+    size_t moves;                   /* of the path, which are behind it */
+    bool rests;                     /* nothing can go on: this time does not count */
+} send_facts;
+
+#endif
