@@ -132,8 +132,10 @@ typedef struct svg_scope {
 
 enum svg_anchor { SVG_ANCHOR_START, SVG_ANCHOR_MIDDLE, SVG_ANCHOR_END };
 enum svg_baseline {
+    SVG_USUAL,                  /* what the element around it has */
     SVG_ALPHABETIC,
     SVG_MIDDLE,                 /* half of the height of an x */
+    SVG_MATHEMATICAL,           /* half of the ascent */
     SVG_CENTRAL,                /* between ascent and descent */
     SVG_HANGING,
     SVG_TOP,
@@ -148,10 +150,11 @@ typedef struct {
     int slant;                  /* 0: upright, 1: oblique, 2: italic */
     int stretch;                /* -4 .. 4 */
     bool small_caps, underlined, overlined, struck;
+    bool plain;                 /* font-kerning: none */
     double letter, word;        /* spacing */
     double shift;               /* of the baseline, upwards */
     enum svg_anchor anchor;
-    enum svg_baseline baseline;
+    enum svg_baseline baseline, own_baseline;   /* the second one is not inherited */
     bool leftwards;             /* direction: rtl */
     bool keeps_space;           /* xml:space="preserve", white-space: pre */
 } svg_font;
@@ -337,6 +340,7 @@ enum svg_property {
     SVG_FONT_WEIGHT,
     SVG_FONT_STRETCH,
     SVG_FONT_VARIANT,
+    SVG_FONT_KERNING,
     SVG_LETTER_SPACING,
     SVG_WORD_SPACING,
     SVG_TEXT_ANCHOR,
@@ -520,6 +524,7 @@ typedef struct {
     double advance;             /* em */
     size_t first, count;        /* of its parts */
     bool lines;                 /* they are single lines, not outlines */
+    bool cursive;               /* its letters join: nothing is put between them */
 } svg_cluster;
 
 /* Text as glyphs, from left to right. Free with svg_shaped_free. */
@@ -527,21 +532,35 @@ typedef struct {
     svg_cluster *cluster;
     svg_part *part;
     size_t clusters, cluster_room, parts, part_room;
-    double ascent, descent;     /* em, of the first font, both positive */
-    double underline, thickness;/* em: the middle of a line, downwards */
-    bool missing, outlined;     /* a letter is in no font; one has no single lines */
+    bool missing, outlined;     /* a letter is in no font; one has no single lines; */
+    bool pictured;              /* one is a picture in its font */
 } svg_shaped;
+
+/* What a font says of itself, in em: all positive but `underline`, the middle of a line below. */
+typedef struct {
+    double ascent, descent, x_height, underline, thickness;
+} svg_metrics;
+
+/* Bytes of a text, up to `end`, that have one font. */
+typedef struct {
+    const svg_font *font;
+    size_t end;
+} svg_span;
 
 void svg_shaped_add(svg_shaped *s, size_t from, double advance);
 void svg_shaped_part(svg_shaped *s, char kind, const double p[], int points);
 void svg_shaped_free(svg_shaped *s);
 
-/* Shape `length` bytes of UTF-8: outlines of an installed font, or single lines; letters that have
- * none are outlines. Return false without any. */
-bool svg_glyphs_shape(svg_reader *r, const svg_font *font, const char *text, size_t length,
-                      svg_shaped *out);
-bool svg_lines_shape(svg_reader *r, const svg_font *font, const char *text, size_t length,
+/* Shape the UTF-8 of these spans as one text, or a single span from byte `from` on: outlines of
+ * installed fonts, or single lines; letters that have none are outlines. Return false without any. */
+bool svg_glyphs_shape(svg_reader *r, const svg_span spans[], size_t count, const char *text,
+                      bool leftwards, svg_shaped *out);
+bool svg_lines_shape(svg_reader *r, const svg_span *span, size_t from, const char *text,
                      svg_shaped *out);
+
+/* Of the font itself, not of those that stand in for letters which it does not have. */
+svg_metrics svg_glyphs_metrics(svg_reader *r, const svg_font *font);
+svg_metrics svg_lines_metrics(void);
 void svg_glyphs_close(svg_fonts *fonts);
 void svg_lines_close(svg_lines *lines);
 

@@ -161,6 +161,7 @@ static void set_shorthand(svg_reader *r, const svg_space *space, svg_font *f, co
         f->slant      = made.slant;
         f->stretch    = made.stretch;
         f->small_caps = made.small_caps;
+        f->plain      = false;
         set_family(r, f, at);
         return;
     }
@@ -177,23 +178,29 @@ static void set_anchor(svg_font *f, const char *text)
         f->anchor = (enum svg_anchor)(int)anchor;
 }
 
-static void set_baseline(svg_font *f, const char *text)
+static void set_baseline(enum svg_baseline *to, const char *text)
 {
-    static const word baselines[] = {
-        { "auto", SVG_ALPHABETIC },       { "baseline", SVG_ALPHABETIC },
-        { "alphabetic", SVG_ALPHABETIC }, { "middle", SVG_MIDDLE },
-        { "central", SVG_CENTRAL },       { "center", SVG_CENTRAL },
-        { "hanging", SVG_HANGING },       { "mathematical", SVG_CENTRAL },
-        { "text-before-edge", SVG_TOP },  { "before-edge", SVG_TOP },
-        { "text-top", SVG_TOP },          { "top", SVG_TOP },
-        { "ideographic", SVG_BOTTOM },    { "text-after-edge", SVG_BOTTOM },
-        { "after-edge", SVG_BOTTOM },     { "text-bottom", SVG_BOTTOM },
-        { "bottom", SVG_BOTTOM }
-    };
+    static const word baselines[] = { { "auto", SVG_USUAL },
+                                      { "baseline", SVG_USUAL },
+                                      { "alphabetic", SVG_ALPHABETIC },
+                                      { "middle", SVG_MIDDLE },
+                                      { "central", SVG_CENTRAL },
+                                      { "center", SVG_CENTRAL },
+                                      { "hanging", SVG_HANGING },
+                                      { "mathematical", SVG_MATHEMATICAL },
+                                      { "text-before-edge", SVG_TOP },
+                                      { "before-edge", SVG_TOP },
+                                      { "text-top", SVG_TOP },
+                                      { "top", SVG_TOP },
+                                      { "ideographic", SVG_BOTTOM },
+                                      { "text-after-edge", SVG_BOTTOM },
+                                      { "after-edge", SVG_BOTTOM },
+                                      { "text-bottom", SVG_BOTTOM },
+                                      { "bottom", SVG_BOTTOM } };
     double baseline;
 
     if (WORD_VALUE(baselines, text, &baseline))
-        f->baseline = (enum svg_baseline)(int)baseline;
+        *to = (enum svg_baseline)(int)baseline;
 }
 
 /* Shifts of nested elements add up. */
@@ -258,12 +265,13 @@ static void set_property(svg_reader *r, svg_space *space, enum svg_property whic
     case SVG_FONT_WEIGHT:      (void)set_weight(f, text);                    break;
     case SVG_FONT_STRETCH:     (void)set_stretch(f, text);                   break;
     case SVG_FONT_VARIANT:     (void)set_caps(f, text);                      break;
+    case SVG_FONT_KERNING:     f->plain = strcasecmp(text, "none") == 0;     break;
     case SVG_LETTER_SPACING:   set_spacing(space, text, &f->letter);         break;
     case SVG_WORD_SPACING:     set_spacing(space, text, &f->word);           break;
     case SVG_TEXT_ANCHOR:      set_anchor(f, text);                          break;
     case SVG_TEXT_DECORATION:  add_decoration(f, text);                      break;
-    case SVG_BASELINE:
-    case SVG_BASELINE_OWN:     set_baseline(f, text);                        break;
+    case SVG_BASELINE:         set_baseline(&f->baseline, text);             break;
+    case SVG_BASELINE_OWN:     set_baseline(&f->own_baseline, text);         break;
     case SVG_BASELINE_SHIFT:   add_shift(f, space, text);                    break;
     case SVG_DIRECTION:        f->leftwards = strcasecmp(text, "rtl") == 0;  break;
     case SVG_WHITE_SPACE:
@@ -280,8 +288,14 @@ static void set_property(svg_reader *r, svg_space *space, enum svg_property whic
 
 void svg_font_enter(svg_reader *r, const svg_style *style, svg_space *space)
 {
+    const enum svg_baseline around = space->font.own_baseline;
+
+    space->font.own_baseline = SVG_USUAL;       /* it is not inherited, */
+    if (svg_is(r->node, "text"))
+        space->font.shift = 0;                  /* nor is what shifts what is around a text */
     for (int which = SVG_FONT; which < SVG_PROPERTIES; which++) {
-        if (style->value[which].text == NULL && !(style->attributes & 1ull << which))
+        const bool attribute = style->attributes & 1ull << which && which != SVG_FONT_KERNING;
+        if (style->value[which].text == NULL && !attribute)
             continue;
         char *text = svg_property(r, style, (enum svg_property)which, NULL);
         if (text != NULL && strcmp(text, "inherit") != 0 && strcmp(text, "unset") != 0) {
@@ -291,6 +305,8 @@ void svg_font_enter(svg_reader *r, const svg_style *style, svg_space *space)
             else
                 set_property(r, space, (enum svg_property)which, text);
         }
+        if (text != NULL && strcmp(text, "inherit") == 0 && which == SVG_BASELINE_OWN)
+            space->font.own_baseline = around;
         xmlFree(text);
     }
     xmlChar *kept = xmlGetNsProp(r->node, (const xmlChar *)"space", XML_XML_NAMESPACE);

@@ -5,6 +5,8 @@
  * ligatures; cairo gives the outlines. Both work at EM pixels an em, without hints: cairo rounds
  * coordinates to 1/256 px, so an outline is within 4e-6 em.
  */
+#include <hb-ot.h>
+#include <math.h>
 #include <pango/pangocairo.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,61 +102,171 @@ static void add_outline(svg_fonts *f, PangoFont *font, PangoGlyph glyph, const d
 
 static double em_of(int pango)      { return (double)pango / PANGO_SCALE / EM; }
 
-static void add_item(svg_fonts *f, const char *text, const PangoItem *item, svg_shaped *out)
+/* Scripts whose letters join: see CSS Text 3, 7.2. */
+static bool is_cursive(const PangoItem *item)
+{
+    static const GUnicodeScript cursive[] = {
+        G_UNICODE_SCRIPT_ARABIC,  G_UNICODE_SCRIPT_SYRIAC,    G_UNICODE_SCRIPT_NKO,
+        G_UNICODE_SCRIPT_MANDAIC, G_UNICODE_SCRIPT_MONGOLIAN, G_UNICODE_SCRIPT_PHAGS_PA
+    };
+
+    for (size_t i = 0; i < sizeof cursive / sizeof cursive[0]; i++)
+        if (item->analysis.script == (guint8)cursive[i])
+            return true;
+    return false;
+}
+
+static void add_item(svg_fonts *f, const char *text, int length, const PangoItem *item,
+                     svg_shaped *out)
 {
     PangoGlyphString *g = pango_glyph_string_new();
     double x            = 0;
 
-    pango_shape_full(text + item->offset, item->length, NULL, 0, &item->analysis, g);
+    pango_shape_full(text + item->offset, item->length, text, length, &item->analysis, g);
     for (int i = 0; i < g->num_glyphs; i++) {
         const PangoGlyphInfo *one = &g->glyphs[i];
-        if (i == 0 || one->attr.is_cluster_start) {
-            svg_shaped_add(out, (size_t)(item->offset + g->log_clusters[i]), 0);
+        const char *letter = text + item->offset + g->log_clusters[i];
+        const bool mark = out->clusters > 0 && item->analysis.level % 2 == 0 &&
+                          g_unichar_ismark(g_utf8_get_char(letter));
+        if (i == 0 && mark) {           /* of another font than its letter */
+            x = out->cluster[out->clusters - 1].advance;
+        } else if (i == 0 || (one->attr.is_cluster_start && !mark)) {
+            svg_shaped_add(out, (size_t)(letter - text), 0);
+            out->cluster[out->clusters - 1].cursive = *letter != ' ' && is_cursive(item);
             x = 0;
         }
         const double at[2] = { x + em_of(one->geometry.x_offset), em_of(one->geometry.y_offset) };
         if (one->glyph & PANGO_GLYPH_UNKNOWN_FLAG)
             out->missing = true;
-        else if (one->glyph != PANGO_GLYPH_EMPTY && item->analysis.font != NULL)
+        else if (one->glyph != PANGO_GLYPH_EMPTY && item->analysis.font != NULL) {
+            const size_t before = out->parts;
             add_outline(f, item->analysis.font, one->glyph, at, out);
+            out->pictured = out->pictured || (out->parts == before && one->geometry.width > 0 &&
+                                              g_unichar_isgraph(g_utf8_get_char(letter)));
+        }
         x += em_of(one->geometry.width);
         out->cluster[out->clusters - 1].advance = x;
     }
     pango_glyph_string_free(g);
 }
 
-static void measure_font(svg_fonts *f, PangoFont *font, svg_shaped *out)
-{
-    PangoFontMetrics *m = pango_font_get_metrics(font, NULL);
 
-    (void)f;
-    out->ascent    = em_of(pango_font_metrics_get_ascent(m));
-    out->descent   = em_of(pango_font_metrics_get_descent(m));
-    out->thickness = em_of(pango_font_metrics_get_underline_thickness(m));
-    out->underline = out->thickness / 2 - em_of(pango_font_metrics_get_underline_position(m));
-    pango_font_metrics_unref(m);
-}
+// Texts
+// -----
 
-bool svg_glyphs_shape(svg_reader *r, const svg_font *font, const char *text, size_t length,
-                      svg_shaped *out)
+static svg_fonts *fonts_of(svg_reader *r)
 {
     if (r->fonts == NULL)
         r->fonts = open_fonts();
-    PangoFontDescription *d = describe(font);
-    PangoAttrList *none     = pango_attr_list_new();
+    return r->fonts;
+}
 
-    pango_context_set_font_description(r->fonts->context, d);
-    GList *items = pango_itemize_with_base_dir(
-        r->fonts->context, font->leftwards ? PANGO_DIRECTION_RTL : PANGO_DIRECTION_LTR, text, 0,
-        (int)length, none, NULL);
+/* What the font says, or the height of its x. */
+static int height_of_x(hb_font_t *font)
+{
+    hb_position_t height;
+    hb_codepoint_t glyph;
+    hb_glyph_extents_t ink;
+
+    if (hb_ot_metrics_get_position(font, HB_OT_METRICS_TAG_X_HEIGHT, &height) && height > 0)
+        return height;
+    if (hb_font_get_nominal_glyph(font, 'x', &glyph) &&
+        hb_font_get_glyph_extents(font, glyph, &ink) && ink.y_bearing > 0)
+        return ink.y_bearing;
+    return EM * PANGO_SCALE / 2;
+}
+
+svg_metrics svg_glyphs_metrics(svg_reader *r, const svg_font *font)
+{
+    svg_fonts *f            = fonts_of(r);
+    PangoFontDescription *d = describe(font);
+    PangoFont *itself       = pango_font_map_load_font(f->map, f->context, d);
+    svg_metrics out         = { .ascent = 1 };
+
+    pango_font_description_free(d);
+    if (itself == NULL)
+        return out;
+    PangoFontMetrics *m = pango_font_get_metrics(itself, NULL);
+    out.ascent    = em_of(pango_font_metrics_get_ascent(m));
+    out.descent   = em_of(pango_font_metrics_get_descent(m));
+    out.thickness = em_of(pango_font_metrics_get_underline_thickness(m));
+    out.underline = out.thickness / 2 - em_of(pango_font_metrics_get_underline_position(m));
+    pango_font_metrics_unref(m);
+    out.x_height = em_of(height_of_x(pango_font_get_hb_font(itself)));
+    g_object_unref(itself);
+    return out;
+}
+
+static bool looks_alike(const svg_font *a, const svg_font *b)
+{
+    return a->family == b->family && a->weight == b->weight && a->slant == b->slant &&
+           a->stretch == b->stretch && a->small_caps == b->small_caps && a->plain == b->plain &&
+           (fabs(a->letter) > 0) == (fabs(b->letter) > 0);
+}
+
+static void add_attribute(PangoAttrList *all, PangoAttribute *one, size_t from, size_t end)
+{
+    one->start_index = (guint)from;
+    one->end_index   = (guint)end;
+    pango_attr_list_insert(all, one);
+}
+
+/* Are there Arabic letters, or of scripts next to it? */
+static bool has_joining(const char *from, const char *end)
+{
+    for (; from < end; from++)
+        if ((unsigned char)*from >= 0xD8 && (unsigned char)*from <= 0xDF)
+            return true;
+    return false;
+}
+
+/* One font for spans that look alike, so that letters join across them. */
+static PangoAttrList *attributes_of(const svg_span spans[], size_t count, const char *text)
+{
+    PangoAttrList *all = pango_attr_list_new();
+
+    for (size_t k = 0, next; k < count; k = next) {
+        const svg_font *font = spans[k].font;
+        const size_t from    = k > 0 ? spans[k - 1].end : 0;
+        for (next = k + 1; next < count && looks_alike(font, spans[next].font);)
+            next++;
+        const size_t end        = spans[next - 1].end;
+        PangoFontDescription *d = describe(font);
+        add_attribute(all, pango_attr_font_desc_new(d), from, end);
+        pango_font_description_free(d);
+        const bool apart = fabs(font->letter) > 0 && !has_joining(text + from, text + end);
+        if (font->plain || apart)
+            add_attribute(all,
+                          pango_attr_font_features_new(!apart        ? "kern=0"
+                                                       : font->plain ? "kern=0,liga=0,clig=0"
+                                                                     : "liga=0,clig=0"),
+                          from, end);
+    }
+    return all;
+}
+
+bool svg_glyphs_shape(svg_reader *r, const svg_span spans[], size_t count, const char *text,
+                      bool leftwards, svg_shaped *out)
+{
+    svg_fonts *f            = fonts_of(r);
+    const int length        = count > 0 ? (int)spans[count - 1].end : 0;
+    PangoAttrList *attributes = attributes_of(spans, count, text);
+
+    if (length > 0) {
+        PangoFontDescription *d = describe(spans[0].font);
+        pango_context_set_font_description(f->context, d);
+        pango_font_description_free(d);
+    }
+    GList *items = length == 0
+                       ? NULL
+                       : pango_itemize_with_base_dir(
+                             f->context, leftwards ? PANGO_DIRECTION_RTL : PANGO_DIRECTION_LTR,
+                             text, 0, length, attributes, NULL);
     GList *seen  = pango_reorder_items(items);
-    if (items != NULL && ((PangoItem *)items->data)->analysis.font != NULL)
-        measure_font(r->fonts, ((PangoItem *)items->data)->analysis.font, out);
     for (const GList *at = seen; at != NULL; at = at->next)
-        add_item(r->fonts, text, at->data, out);
+        add_item(f, text, length, at->data, out);
     g_list_free(seen);
     g_list_free_full(items, (GDestroyNotify)pango_item_free);
-    pango_attr_list_unref(none);
-    pango_font_description_free(d);
+    pango_attr_list_unref(attributes);
     return true;
 }

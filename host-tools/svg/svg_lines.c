@@ -206,21 +206,22 @@ static bool has_lines(const svg_lines *l, int base)
 }
 
 /* Append the letters from byte `at` on that have no lines, as outlines. Returns how many bytes. */
-static size_t add_others(svg_reader *r, const svg_font *font, const char *text, size_t at,
-                         size_t length, svg_shaped *out)
+static size_t add_others(svg_reader *r, const svg_span *span, const char *text, size_t at,
+                         svg_shaped *out)
 {
     svg_shaped other = { .cluster = NULL };
     size_t end       = at;
     int base         = 0;
     char accent;
 
-    while (end < length) {
-        const size_t bytes = letter_of(text + end, length - end, &base, &accent);
+    while (end < span->end) {
+        const size_t bytes = letter_of(text + end, span->end - end, &base, &accent);
         if (has_lines(r->lines, base))
             break;
         end += bytes;
     }
-    (void)svg_glyphs_shape(r, font, text + at, end - at, &other);
+    const svg_span part = { span->font, end - at };
+    (void)svg_glyphs_shape(r, &part, 1, text + at, span->font->leftwards, &other);
     for (size_t k = 0; k < other.clusters; k++) {
         const svg_cluster *c = &other.cluster[k];
         svg_shaped_add(out, at + c->from, c->advance);
@@ -229,24 +230,29 @@ static size_t add_others(svg_reader *r, const svg_font *font, const char *text, 
     }
     out->outlined = true;
     out->missing  = out->missing || other.missing;
+    out->pictured = out->pictured || other.pictured;
     svg_shaped_free(&other);
     return end - at;
 }
 
-bool svg_lines_shape(svg_reader *r, const svg_font *font, const char *text, size_t length,
+svg_metrics svg_lines_metrics(void)
+{
+    return (svg_metrics){
+        .ascent = 25 * UNIT, .descent = 7 * UNIT, .x_height = 14 * UNIT, .underline = 3 * UNIT
+    };
+}
+
+bool svg_lines_shape(svg_reader *r, const svg_span *span, size_t from, const char *text,
                      svg_shaped *out)
 {
     if (r->lines == NULL && !open_lines(r))
         return false;
-    out->ascent = 25 * UNIT;
-    out->descent = 7 * UNIT;
-    out->underline = 3 * UNIT;
-    for (size_t i = 0; i < length;) {
+    for (size_t i = from; i < span->end;) {
         int base;
         char accent;
-        const size_t bytes = letter_of(text + i, length - i, &base, &accent);
+        const size_t bytes = letter_of(text + i, span->end - i, &base, &accent);
         if (!has_lines(r->lines, base)) {
-            i += add_others(r, font, text, i, length, out);
+            i += add_others(r, span, text, i, out);
             continue;
         }
         svg_shaped_add(out, i, 0);

@@ -52,6 +52,7 @@ static const char *const property_names[SVG_PROPERTIES] = {
                                                             [SVG_FONT_WEIGHT] = "font-weight",
                                                             [SVG_FONT_STRETCH] = "font-stretch",
                                                             [SVG_FONT_VARIANT] = "font-variant",
+    [SVG_FONT_KERNING] = "font-kerning",
                                                             [SVG_LETTER_SPACING] = "letter-spacing",
                                                             [SVG_WORD_SPACING] = "word-spacing",
                                                             [SVG_TEXT_ANCHOR] = "text-anchor",

@@ -3,8 +3,8 @@
  *
  * All letters of a <text> are collected first, each with the x, y, dx, dy and rotate that lists of
  * its elements give it: those of inner elements win. A letter with an x or a y of its own begins a
- * chunk, which text-anchor moves as a whole. Letters without a place of their own between them make
- * a run, which is shaped as one.
+ * chunk, which is shaped as a whole, so that letters join and kern across elements and across dx,
+ * dy and rotate, and which text-anchor moves as a whole.
  *   see  SVG 2, 11.5: Text layout algorithm; the white space is that of CSS Text 3, 4.1
  */
 #include <math.h>
@@ -15,7 +15,7 @@
 #include "svg/svg.h"
 
 #define LETTERS_MAX 200000u     /* drawn ones, counting those of each <use>: a few seconds */
-#define RUN_COST    8           /* letters: what it takes to begin a run */
+#define CHUNK_COST  8           /* letters: what it takes to begin a chunk */
 #define DEGREE 0.017453292519943295769
 
 enum { HAS_X = 1, HAS_Y = 2, HAS_PLACE = HAS_X | HAS_Y, HAS_DX = 4, HAS_DY = 8 };
@@ -26,6 +26,7 @@ typedef struct {
     const xmlNode *node, *path;     /* path: what they follow, or NULL */
     double offset;                  /* where on it they begin; */
     bool part;                      /* as a part of its length */
+    svg_metrics metrics;            /* of its font; once it is shaped */
 } stretch;
 
 typedef struct {
@@ -61,7 +62,8 @@ void svg_shaped_add(svg_shaped *s, size_t from, double advance)
         s->cluster_room = s->cluster_room ? 2 * s->cluster_room : 32;
         s->cluster      = tool_grow(s->cluster, s->cluster_room * sizeof *s->cluster);
     }
-    s->cluster[s->clusters++] = (svg_cluster){ from, advance, s->parts, 0, false };
+    s->cluster[s->clusters++] =
+        (svg_cluster){ .from = from, .advance = advance, .first = s->parts };
 }
 
 void svg_shaped_part(svg_shaped *s, char kind, const double p[], int points)
@@ -130,7 +132,11 @@ static bool begin_stretch(collection *c, const svg_space *space, const xmlNode *
         c->stretch_room = c->stretch_room ? 2 * c->stretch_room : 8;
         c->stretch      = tool_grow(c->stretch, c->stretch_room * sizeof *c->stretch);
     }
-    c->stretch[c->stretches++] = (stretch){ *space, node, like->path, like->offset, like->part };
+    c->stretch[c->stretches++] = (stretch){ .space = *space,
+                                            .node = node,
+                                            .path = like->path,
+                                            .offset = like->offset,
+                                            .part = like->part };
     c->stretch[c->stretches - 1].space.scope = NULL;
     return true;
 }
@@ -251,7 +257,10 @@ static bool collect(collection *c, const xmlNode *node, const svg_space *space, 
 
     c->r->node = node;
     bool good  = true;
-    read_lists(c->r, space, &l);
+    if (svg_is(node, "textPath"))       /* it has no places */
+        l = (lists){ .count = { 0 } };
+    else
+        read_lists(c->r, space, &l);
     if (++c->r->depth > SVG_DEPTH_MAX)
         good = good &&
                svg_fail(c->r, "more than %d nested elements: draw with fewer", SVG_DEPTH_MAX);
@@ -260,7 +269,8 @@ static bool collect(collection *c, const xmlNode *node, const svg_space *space, 
         if (child->type == XML_TEXT_NODE || child->type == XML_CDATA_SECTION_NODE) {
             begun = begun || begin_stretch(c, space, node, like);
             add_text(c, (const char *)child->content, space->font.keeps_space);
-        } else if (svg_is(child, "tspan") || svg_is(child, "a") || svg_is(child, "textPath")) {
+        } else if (svg_is(child, "tspan") || svg_is(child, "a") ||
+                   (svg_is(child, "textPath") && like->path == NULL)) {
             good  = collect_child(c, child, *space, like);
             begun = false;
         } else if (svg_is(child, "tref")) {
@@ -278,121 +288,192 @@ static bool collect(collection *c, const xmlNode *node, const svg_space *space, 
 }
 
 
-// Runs
-// ----
+// Chunks
+// ------
+
+/* A cluster of a chunk. */
+typedef struct {
+    size_t letter;              /* its first one */
+    double advance;             /* user units, without dx */
+    double wider, gap;          /* by textLength: the factor of its width; what is added to it */
+} place;
 
 typedef struct {
     size_t first, last;         /* letters */
     svg_shaped shaped;
-    double wider, gap;          /* by textLength: the factor of its letters, and what is added
-                                 * behind each; */
-    size_t gaps;                /* behind so many */
-    double advance;             /* user units, with dx */
-} run;
+    place *placed;              /* its clusters, from left to right */
+} chunk;
 
 typedef struct {
     collection *c;
-    run *all;
+    chunk *all;
     size_t count, room;
     double at[2];               /* where the next letter goes */
 } layout;
 
-static const svg_font *font_of(const layout *l, const run *u)
+static stretch *stretch_of(const layout *l, size_t which)
 {
-    return &l->c->stretch[l->c->letter[u->first].stretch].space.font;
+    return &l->c->stretch[l->c->letter[which].stretch];
 }
 
-/* The spacing behind a cluster. */
-static double gap_after(const layout *l, const run *u, size_t cluster)
+static bool draws_lines(const svg_reader *r)
 {
-    const svg_font *f = font_of(l, u);
-    const char *text  = l->c->text + l->c->letter[u->first].at + u->shaped.cluster[cluster].from;
-
-    return f->letter + (*text == ' ' ? f->word : 0);
+    return r->d->text != NULL && strncmp(r->d->text, "line", 4) == 0;
 }
 
-static bool shape_run(layout *l, run *u)
+/* The fonts of a chunk. Returns how many. */
+static size_t list_spans(layout *l, const chunk *u, svg_span spans[])
 {
-    svg_reader *r       = l->c->r;
-    const letter *first = &l->c->letter[u->first];
-    const char *text    = l->c->text + first->at;
-    const size_t length = l->c->letter[u->last].at - first->at;
-    const svg_font *f   = font_of(l, u);
-    const bool lines    = r->d->text != NULL && strncmp(r->d->text, "line", 4) == 0;
+    const letter *all   = l->c->letter;
+    const unsigned from = all[u->first].at;
+    size_t count        = 0;
 
-    r->node = l->c->stretch[first->stretch].node;
-    r->letters += (unsigned)(u->last - u->first) + RUN_COST;
+    for (size_t i = u->first; i < u->last; i++) {
+        stretch *of = stretch_of(l, i);
+        if (i > u->first && all[i].stretch == all[i - 1].stretch) {
+            spans[count - 1].end = all[i + 1].at - from;
+            continue;
+        }
+        of->metrics    = draws_lines(l->c->r) ? svg_lines_metrics()
+                                           : svg_glyphs_metrics(l->c->r, &of->space.font);
+        spans[count++] = (svg_span){ &of->space.font, all[i + 1].at - from };
+    }
+    return count;
+}
+
+/* Shape the text of a chunk. Returns false if the reading ends; *shaped: it has glyphs. */
+static bool shape_text(layout *l, chunk *u, bool *shaped)
+{
+    svg_reader *r    = l->c->r;
+    const char *text = l->c->text + l->c->letter[u->first].at;
+    svg_span *spans  = tool_grow(NULL, (u->last - u->first) * sizeof *spans);
+    const size_t n   = list_spans(l, u, spans);
+    bool good        = true;
+
+    *shaped = true;
+    if (!draws_lines(r))
+        *shaped = svg_glyphs_shape(r, spans, n, text, spans[0].font->leftwards, &u->shaped);
+    for (size_t k = 0; k < n && draws_lines(r) && good; k++)
+        good = svg_lines_shape(r, &spans[k], k > 0 ? spans[k - 1].end : 0, text, &u->shaped);
+    free(spans);
+    return good;
+}
+
+static void warn_of(const svg_reader *r, const svg_shaped *s, const char *text)
+{
+    if (s->outlined)
+        svg_warn(r, SVG_WARN_LINE,
+                 "\"%.40s\" has letters without single lines, which are drawn as outlines: use "
+                 "letters of Latin 1",
+                 text);
+    if (s->missing)
+        svg_warn(r, SVG_WARN_LETTER,
+                 "a letter of \"%.40s\" is in no font and not drawn: install a font with it", text);
+    if (s->pictured)
+        svg_warn(r, SVG_WARN_LETTER,
+                 "a letter of \"%.40s\" is a picture in its font and not drawn: convert it to "
+                 "paths",
+                 text);
+}
+
+/* The letter that begins at this byte of the text, or has it. */
+static size_t letter_at(const layout *l, const chunk *u, size_t byte)
+{
+    size_t low = u->first, high = u->last;
+
+    while (high - low > 1) {
+        const size_t middle = (low + high) / 2;
+        *(l->c->letter[middle].at <= byte ? &low : &high) = middle;
+    }
+    return low;
+}
+
+/* Nothing is put between letters that join. */
+static double gap_after(const layout *l, const chunk *u, size_t cluster)
+{
+    const size_t which = u->placed[cluster].letter;
+    const svg_font *f  = &stretch_of(l, which)->space.font;
+
+    return (u->shaped.cluster[cluster].cursive ? 0 : f->letter) +
+           (l->c->text[l->c->letter[which].at] == ' ' ? f->word : 0);
+}
+
+static bool shape_chunk(layout *l, chunk *u)
+{
+    svg_reader *r    = l->c->r;
+    const char *text = l->c->text + l->c->letter[u->first].at;
+    bool shaped;
+
+    r->node = stretch_of(l, u->first)->node;
+    r->letters += (unsigned)(u->last - u->first) + CHUNK_COST;
     if (r->letters > LETTERS_MAX)
         return svg_fail(r, "more than %u letters, counting each use: split the drawing",
                         LETTERS_MAX);
-    if (lines) {
-        if (!svg_lines_shape(r, f, text, length, &u->shaped))
-            return false;
-        if (u->shaped.outlined)
-            svg_warn(r, SVG_WARN_LINE,
-                     "\"%.40s\" has letters without single lines, which are drawn as outlines: use "
-                     "letters of Latin 1",
-                     text);
-    } else if (!svg_glyphs_shape(r, f, text, length, &u->shaped)) {
+    if (!shape_text(l, u, &shaped))
+        return false;
+    if (!shaped)
         return svg_warn(r, SVG_WARN_TEXT, "<text> is not drawn: convert text to paths"), true;
+    warn_of(r, &u->shaped, text);
+    u->placed = tool_grow(NULL, (u->shaped.clusters + 1) * sizeof *u->placed);
+    for (size_t k = 0; k < u->shaped.clusters; k++) {
+        const svg_cluster *c = &u->shaped.cluster[k];
+        place *to            = &u->placed[k];
+        *to = (place){ .letter = letter_at(l, u, l->c->letter[u->first].at + c->from), .wider = 1 };
+        to->advance = c->advance * stretch_of(l, to->letter)->space.font.size + gap_after(l, u, k);
     }
-    if (u->shaped.missing)
-        svg_warn(r, SVG_WARN_LETTER,
-                 "a letter of \"%.40s\" is in no font and not drawn: install a font with it", text);
-    u->advance = first->dx;
-    for (size_t k = 0; k < u->shaped.clusters; k++)
-        u->advance += u->shaped.cluster[k].advance * f->size + gap_after(l, u, k);
     return true;
 }
 
-/* Does a run begin at letter i? */
-static bool begins_run(const collection *c, size_t i)
+/* Does a chunk begin at letter i? */
+static bool begins_chunk(const collection *c, size_t i)
 {
     const letter *a = &c->letter[i];
 
-    if (i == 0 || a->stretch != a[-1].stretch || a->has & HAS_PLACE)
-        return true;
-    return fabs(a->dx) > 0 || fabs(a->dy) > 0 ||
-           (isnan(a->rotate) ? !isnan(a[-1].rotate) : !(fabs(a->rotate - a[-1].rotate) <= 0));
+    return i == 0 || a->has & HAS_PLACE ||
+           c->stretch[a->stretch].path != c->stretch[a[-1].stretch].path;
+}
+
+/* The clusters of an element, one after the other, from those of chunk *k, *i on. Returns NULL
+ * behind the last one. */
+static place *next_of(const layout *l, const fitting *f, size_t *k, size_t *i)
+{
+    for (; *k < l->count; ++*k, *i = 0)
+        while (*i < l->all[*k].shaped.clusters) {
+            place *p = &l->all[*k].placed[(*i)++];
+            if (p->letter >= f->first && p->letter < f->last)
+                return p;
+        }
+    return NULL;
 }
 
 /* Make the letters of an element as long as its textLength: by gaps between them, or by their
  * width. Inner elements come first. */
-static void fit_runs(layout *l, const fitting *f)
+static void fit_letters(layout *l, const fitting *f)
 {
     double natural = 0;
-    size_t letters = 0;
+    size_t count = 0, k = 0, i = 0;
 
-    for (size_t k = 0; k < l->count; k++)
-        if (l->all[k].first >= f->first && l->all[k].first < f->last) {
-            natural += l->all[k].advance;
-            letters += l->all[k].shaped.clusters;
-        }
-    if (!(natural > 0))
+    for (const place *p; (p = next_of(l, f, &k, &i)) != NULL; count++)
+        natural += p->advance + l->c->letter[p->letter].dx;
+    if (!(natural > 0) || (!f->widens && count < 2))
         return;
-    for (size_t k = 0; k < l->count; k++) {
-        run *u = &l->all[k];
-        if (u->first < f->first || u->first >= f->last)
-            continue;
+    const double factor = f->length / natural, gap = (f->length - natural) / ((double)count - 1);
+    k = i = 0;
+    for (place *p; (p = next_of(l, f, &k, &i)) != NULL;) {
         if (f->widens) {
-            u->wider *= f->length / natural;
-            u->advance *= f->length / natural;
-            continue;
+            p->wider *= factor;
+            p->advance *= factor;
+        } else {
+            p->gap += gap;
+            p->advance += gap;
         }
-        const bool ends = k + 1 == l->count || l->all[k + 1].first >= f->last;
-        if (letters < 2)
-            return;
-        const double gap = (f->length - natural) / (double)(letters - 1);
-        u->gaps          = u->shaped.clusters - (ends && u->shaped.clusters > 0);
-        u->gap += gap;
-        u->advance += gap * (double)u->gaps;
     }
 }
 
-static bool make_runs(layout *l)
+static bool make_chunks(layout *l)
 {
     for (size_t i = 0; i < l->c->count; i++) {
-        if (!begins_run(l->c, i)) {
+        if (!begins_chunk(l->c, i)) {
             l->all[l->count - 1].last = i + 1;
             continue;
         }
@@ -400,13 +481,13 @@ static bool make_runs(layout *l)
             l->room = l->room ? 2 * l->room : 16;
             l->all  = tool_grow(l->all, l->room * sizeof *l->all);
         }
-        l->all[l->count++] = (run){ .first = i, .last = i + 1, .wider = 1 };
+        l->all[l->count++] = (chunk){ .first = i, .last = i + 1 };
     }
     for (size_t k = 0; k < l->count; k++)
-        if (!shape_run(l, &l->all[k]))
+        if (!shape_chunk(l, &l->all[k]))
             return false;
     for (size_t k = 0; k < l->c->fits; k++)
-        fit_runs(l, &l->c->fit[k]);
+        fit_letters(l, &l->c->fit[k]);
     return true;
 }
 
@@ -435,110 +516,160 @@ static bool draw_cluster(svg_reader *r, const svg_shaped *s, size_t which, svg_m
     return good;
 }
 
-static double shift_of(const svg_font *f, const svg_shaped *s)
+static double shift_of(const stretch *of)
 {
-    double up = 0;
+    const svg_metrics *s = &of->metrics;
+    const svg_font *f    = &of->space.font;
+    double up            = 0;
 
-    switch (f->baseline) {
-    case SVG_ALPHABETIC: up = 0;                              break;
-    case SVG_MIDDLE:     up = -0.25;                          break;
-    case SVG_CENTRAL:    up = (s->descent - s->ascent) / 2;   break;
-    case SVG_HANGING:    up = -0.8 * s->ascent;               break;
-    case SVG_TOP:        up = -s->ascent;                     break;
-    case SVG_BOTTOM:     up = s->descent;                     break;
+    switch (f->own_baseline != SVG_USUAL ? f->own_baseline : f->baseline) {
+    case SVG_USUAL:
+    case SVG_ALPHABETIC:   up = 0;                              break;
+    case SVG_MIDDLE:       up = -s->x_height / 2;               break;
+    case SVG_MATHEMATICAL: up = -s->ascent / 2;                 break;
+    case SVG_CENTRAL:      up = (s->descent - s->ascent) / 2;   break;
+    case SVG_HANGING:      up = -0.8 * s->ascent;               break;
+    case SVG_TOP:          up = -s->ascent;                     break;
+    case SVG_BOTTOM:       up = s->descent;                     break;
     }
     return up * f->size + f->shift;
 }
 
-/* Lines below, above and through a run, as wide as it is. */
-static bool draw_decoration(svg_reader *r, const svg_space *space, const run *u, const double at[2])
+/* Letters with one decoration, in the space of the first one. */
+typedef struct {
+    const stretch *of;              /* NULL: none */
+    svg_matrix at;
+    double wide;
+} decorated;
+
+/* Draw lines below, above and through the letters, as long as they are, and forget them. */
+static bool draw_decoration(svg_reader *r, decorated *d)
 {
-    const svg_font *f = &space->font;
-    const double places[3] = { u->shaped.underline, -u->shaped.ascent, -0.3 };
+    const stretch *of = d->of;
+    bool good         = true;
+
+    d->of = NULL;
+    if (of == NULL)
+        return true;
+    const svg_font *f      = &of->space.font;
+    const double places[3] = { of->metrics.underline, -of->metrics.ascent, -0.3 };
     const bool asked[3]    = { f->underlined, f->overlined, f->struck };
-    const double half      = u->shaped.thickness / 2;
-    bool good              = true;
-
+    const double half      = of->metrics.thickness / 2 * f->size;
     for (int k = 0; k < 3 && good; k++) {
-        svg_pen pen = svg_pen_at(r, space->to_mm);
-        const double y = at[1] + places[k] * f->size, thick = half * f->size;
-        if (!asked[k] || !(u->advance > 0))
+        svg_pen pen    = svg_pen_at(r, svg_multiply(of->space.to_mm, d->at));
+        const double y = places[k] * f->size;
+        if (!asked[k] || !(d->wide > 0))
             continue;
-        svg_move(&pen, at[0], y - thick);
-        good = svg_line(&pen, at[0] + u->advance, y - thick);
+        svg_move(&pen, 0, y - half);
+        good = svg_line(&pen, d->wide, y - half);
         if (half > 0)
-            good = good && svg_line(&pen, at[0] + u->advance, y + thick) &&
-                   svg_line(&pen, at[0], y + thick) && svg_close(&pen);
+            good = good && svg_line(&pen, d->wide, y + half) && svg_line(&pen, 0, y + half) &&
+                   svg_close(&pen);
     }
     return good;
 }
 
-/* One run from l->at on, which moves to its end; along a rail, l->at[0] is the distance. */
-static bool draw_run(layout *l, const run *u, const svg_rail *along)
+/* Begin what is painted together. Returns whether it is seen. */
+static bool begin_letters(svg_reader *r, const stretch *of)
 {
-    const letter *first   = &l->c->letter[u->first];
-    const stretch *of     = &l->c->stretch[first->stretch];
-    const svg_font *f     = &of->space.font;
-    const double turn     = isnan(first->rotate) ? 0 : first->rotate * DEGREE;
-    const double size     = f->size;
-    bool good             = true;
+    const bool seen = svg_begin(r, &of->space) &&
+                      svg_ink_chosen(r, &of->space, r->fill & DRAWING_STROKED);
 
-    const bool seen       = svg_begin(l->c->r, &of->space) &&
-                      svg_ink_chosen(l->c->r, &of->space, l->c->r->fill & DRAWING_STROKED);
+    r->node = of->node;
+    r->fill &= ~(unsigned)DRAWING_EVENODD;     /* it is not for text */
+    return seen;
+}
 
-    l->c->r->node = of->node;
-    l->c->r->fill &= ~(unsigned)DRAWING_EVENODD;     /* it is not for text */
-    l->at[0] += first->dx;
-    l->at[1] += first->dy;
-    const double y = l->at[1] - shift_of(f, &u->shaped), from[2] = { l->at[0], y };
+/* The space of cluster k at l->at, baseline at y = 0. Along a rail, l->at[0] is the distance; *shown
+ * is false beyond its ends. */
+static svg_matrix space_of(const layout *l, const chunk *u, size_t k, const svg_rail *along,
+                           bool *shown)
+{
+    const letter *a  = &l->c->letter[u->placed[k].letter];
+    const stretch *of = stretch_of(l, u->placed[k].letter);
+    const double turn = isnan(a->rotate) ? 0 : a->rotate * DEGREE, y = l->at[1] - shift_of(of);
+    double at[2] = { l->at[0], y }, way[2] = { 1, 0 };
+
+    *shown = true;
+    if (along != NULL) {
+        const double wide = u->shaped.cluster[k].advance * of->space.font.size * u->placed[k].wider;
+        *shown = svg_rail_at(along, l->at[0] + wide / 2, at, way);
+        for (int i = 0; i < 2; i++)
+            at[i] += -way[i] * wide / 2 + (i == 0 ? -way[1] : way[0]) * y;
+    }
+    return svg_multiply((svg_matrix){ way[0], way[1], -way[1], way[0], at[0], at[1] },
+                        (svg_matrix){ cos(turn), sin(turn), -sin(turn), cos(turn), 0, 0 });
+}
+
+/* Does a cluster stand where lists or a path say, so that lines of others do not go on there? */
+static bool stands_alone(const letter *a, const svg_rail *along)
+{
+    return along != NULL || fabs(a->dx) > 0 || fabs(a->dy) > 0 || fabs(a->rotate) > 0;
+}
+
+/* The clusters from l->at on, which moves to their end. */
+static bool draw_clusters(layout *l, const chunk *u, const svg_rail *along)
+{
+    svg_reader *r     = l->c->r;
+    const stretch *of = NULL;
+    decorated line    = { .of = NULL };
+    bool good = true, seen = false, lines = false, shown;
+
     for (size_t k = 0; k < u->shaped.clusters && good; k++) {
-        const double wide = u->shaped.cluster[k].advance * size * u->wider;
-        double at[2] = { l->at[0], y }, way[2] = { 1, 0 };
-        bool shown   = seen;
-        if (along != NULL) {
-            shown = svg_rail_at(along, l->at[0] + wide / 2, at, way) && shown;
-            for (int i = 0; i < 2; i++)
-                at[i] += -way[i] * wide / 2 + (i == 0 ? -way[1] : way[0]) * y;
-        }
-        const svg_matrix place = { way[0], way[1], -way[1], way[0], at[0], at[1] };
-        const svg_matrix own = { size * u->wider * cos(turn),
-                                 size * u->wider * sin(turn),
-                                 -size * sin(turn),
-                                 size * cos(turn),
-                                 0,
-                                 0 };
-        if (k > 0 && u->shaped.cluster[k].lines != u->shaped.cluster[k - 1].lines) {
-            (void)svg_begin(l->c->r, &of->space);
-            l->c->r->fill &= ~(unsigned)DRAWING_EVENODD;
-        }
-        if (u->shaped.cluster[k].lines)
-            l->c->r->fill &= ~(unsigned)DRAWING_FILLED;
-        if (shown)
-            good = draw_cluster(l->c->r, &u->shaped, k,
-                                svg_multiply(of->space.to_mm, svg_multiply(place, own)));
-        l->at[0] += wide + gap_after(l, u, k) * u->wider + (k < u->gaps ? u->gap : 0);
+        const place *p       = &u->placed[k];
+        const letter *a      = &l->c->letter[p->letter];
+        const svg_cluster *c = &u->shaped.cluster[k];
+        const stretch *its   = stretch_of(l, p->letter);
+        if (its != of || stands_alone(a, along))
+            good = draw_decoration(r, &line);
+        if (its != of || c->lines != lines)
+            seen = begin_letters(r, its);
+        of    = its;
+        lines = c->lines;
+        const svg_font *f = &of->space.font;
+        l->at[0] += a->dx;
+        l->at[1] += a->dy;
+        const svg_matrix at  = space_of(l, u, k, along, &shown);
+        const double size    = f->size;
+        const svg_matrix own = { size * p->wider, 0, 0, size, 0, 0 };
+        if (c->lines)
+            r->fill &= ~(unsigned)DRAWING_FILLED;
+        if (shown && seen && good)
+            good = draw_cluster(r, &u->shaped, k,
+                                svg_multiply(of->space.to_mm, svg_multiply(at, own)));
+        if (line.of == NULL && shown && seen && (f->underlined || f->overlined || f->struck))
+            line = (decorated){ of, at, 0 };
+        line.wide += p->advance;
+        l->at[0] += p->advance;
     }
-    if (good && along == NULL && seen && (f->underlined || f->overlined || f->struck)) {
-        run plain = *u;
-        plain.advance -= first->dx;
-        good = draw_decoration(l->c->r, &of->space, &plain, from);
-    }
-    return good;
+    return good && draw_decoration(r, &line);
 }
 
-/* Runs first .. last - 1, from the place of the first one. */
-static bool draw_chunk(layout *l, size_t first, size_t last)
+/* How wide a chunk is, without what is added behind its last letter. */
+static double width_of(const layout *l, const chunk *u)
 {
-    const letter *begins = &l->c->letter[l->all[first].first];
-    const stretch *of    = &l->c->stretch[begins->stretch];
+    const size_t n = u->shaped.clusters;
+    double wide    = 0;
+
+    for (size_t k = 0; k < n; k++)
+        wide += u->placed[k].advance + l->c->letter[u->placed[k].letter].dx;
+    if (n > 0 && !u->shaped.cluster[n - 1].cursive)
+        wide -= stretch_of(l, u->placed[n - 1].letter)->space.font.letter * u->placed[n - 1].wider;
+    if (n > 0)
+        wide -= u->placed[n - 1].gap;
+    return wide;
+}
+
+/* A chunk, from the place of its first letter. */
+static bool draw_chunk(layout *l, const chunk *u)
+{
+    const letter *begins = &l->c->letter[u->first];
+    const stretch *of    = stretch_of(l, u->first);
     const svg_font *f    = &of->space.font;
-    double wide          = 0;
-    svg_rail along           = { .scale = 1 };
+    const double wide    = width_of(l, u);
+    svg_rail along       = { .scale = 1 };
     bool good            = true;
 
-    for (size_t k = first; k < last; k++)
-        wide += l->all[k].advance;
-    wide -= font_of(l, &l->all[last - 1])->letter * l->all[last - 1].wider;  /* behind the last */
     if (begins->has & HAS_X)
         l->at[0] = begins->x;
     if (begins->has & HAS_Y)
@@ -546,37 +677,26 @@ static bool draw_chunk(layout *l, size_t first, size_t last)
     if (of->path != NULL) {
         l->c->r->node = of->node;
         good     = svg_lay_rail(l->c->r, of->path, &of->space, &along);
-        l->at[0] = of->offset * (of->part ? along.length : 1);
+        l->at[0] = of->offset * (of->part ? along.length : 1) +
+                   (begins->has & HAS_X ? begins->x : 0);
         l->at[1] = 0;
     }
     if (f->anchor != SVG_ANCHOR_START)
         l->at[0] -= f->anchor == SVG_ANCHOR_MIDDLE ? wide / 2 : wide;
     if (f->leftwards && f->anchor != SVG_ANCHOR_MIDDLE)     /* the start is at the right */
         l->at[0] += f->anchor == SVG_ANCHOR_START ? -wide : wide;
-    for (size_t k = first; k < last && good; k++)
-        good = draw_run(l, &l->all[k], of->path ? &along : NULL);
+    good = good && draw_clusters(l, u, of->path ? &along : NULL);
     if (of->path != NULL)
         svg_free_rail(&along);
     return good;
-}
-
-static bool begins_chunk(const layout *l, size_t k)
-{
-    const letter *a = &l->c->letter[l->all[k].first];
-
-    return a->has & HAS_PLACE ||
-           l->c->stretch[a->stretch].path != l->c->stretch[a[-1].stretch].path;
 }
 
 static bool draw_chunks(layout *l)
 {
     bool good = true;
 
-    for (size_t first = 0, last; first < l->count && good; first = last) {
-        for (last = first + 1; last < l->count && !begins_chunk(l, last);)
-            last++;
-        good = draw_chunk(l, first, last);
-    }
+    for (size_t k = 0; k < l->count && good; k++)
+        good = draw_chunk(l, &l->all[k]);
     return good;
 }
 
@@ -603,11 +723,13 @@ bool svg_text(svg_reader *r, const svg_space *space)
     good = collect(&c, node, space, &plain);
     if (good)
         trim_end(&c);
-    good = good && make_runs(&l) && draw_chunks(&l);
+    good = good && make_chunks(&l) && draw_chunks(&l);
     if (r->notes->lost)
         r->d->count = before;
-    for (size_t k = 0; k < l.count; k++)
+    for (size_t k = 0; k < l.count; k++) {
         svg_shaped_free(&l.all[k].shaped);
+        free(l.all[k].placed);
+    }
     free(l.all);
     free(c.letter);
     free(c.fit);

@@ -150,6 +150,86 @@ static void letters_have_places_of_their_own(arb *a)
           "<text x='10' y='20' word-spacing='-2'>o <tspan dx='2'>o</tspan></text>", 0, 0);
 }
 
+/* Characters of UTF-8 in a text. */
+static size_t count_characters(const char *text)
+{
+    size_t count = 0;
+
+    for (; *text != '\0'; text++)
+        count += ((unsigned char)*text & 0xC0) != 0x80;
+    return count;
+}
+
+static const char *character(const char *text, size_t which)
+{
+    for (size_t k = 0; k < which; k++)
+        while (((unsigned char)*++text & 0xC0) == 0x80)
+            ;
+    return text;
+}
+
+/* Letters kern, join and are ordered as a whole: neither an element around some of them nor places
+ * that come to nothing change that. */
+static void letters_join_across_elements(arb *a)
+{
+    static const char *const words[] = { "AVATAR",
+                                         "VAVA To.",
+                                         "Wo fi ffi",
+                                         "T.Y.P",
+                                         "\xD8\xA8\xD8\xB9\xD8\xB6 \xD8\xA7\xD9\x84\xD9\x86",
+                                         "a \xD7\xA9\xD7\x9C\xD7\x95 b",
+                                         "x\xCC\x90y e\xCC\x81z" };
+    const char *word = words[arb_below(a, 7)];
+    const size_t n = count_characters(word), from = 1 + arb_below(a, (uint32_t)n - 1),
+                 to = from + arb_below(a, (uint32_t)(n - from));
+    char plain[300], around[400];
+
+    snprintf(plain, sizeof plain, "<text x='10' y='20'>%s</text>", word);
+    snprintf(around, sizeof around,
+             "<text x='10' y='20'>%.*s<tspan fill='red'>%.*s</tspan>%s</text>",
+             (int)(character(word, from) - word), word,
+             (int)(character(word, to) - character(word, from)), character(word, from),
+             character(word, to));
+    APART(plain, around, 0, 0);
+    if (word[0] == 'A' || word[0] == 'V')       /* all of one height */
+        APART("<text x='10' y='20'>AVATAR</text>",
+              "<text x='10' y='20' dx='0 2 -2 3 -3'>AVATAR</text>", 0, 0);
+}
+
+static void properties_of_fonts_hold_where_they_stand(arb *a)
+{
+    double kerned[2][2], plain[2][2];
+
+    (void)a;
+    APART("<text y='20'>AB</text>", "<g baseline-shift='5'><text y='20'>AB</text></g>", 0, 0);
+    APART("<text y='20'>AB</text>", "<g alignment-baseline='hanging'><text y='20'>AB</text></g>", 0,
+          0);
+    APART("<text y='20' dominant-baseline='middle'>A<tspan>B</tspan></text>",
+          "<text y='20' dominant-baseline='middle'>A<tspan alignment-baseline='baseline'>B</tspan>"
+          "</text>",
+          0, 0);
+    APART("<text y='20'>\xD8\xA8\xD8\xB9</text>",
+          "<text y='20' letter-spacing='5'>\xD8\xA8\xD8\xB9</text>", 0, 0);
+    APART("<text y='20'>AVA</text>", "<text y='20' font-kerning='none'>AVA</text>", 0, 0);
+    APART("<text y='20' style='font:8px DejaVu Sans'>AVA</text>",
+          "<g style='font-kerning:none'><text y='20' style='font:8px DejaVu Sans'>AVA</text></g>",
+          0, 0);
+    CHECK(box_of("<text y='20'>AVA</text>", NULL, kerned));
+    CHECK(box_of("<text y='20' style='font-kerning:none'>AVA</text>", NULL, plain));
+    CHECK(plain[1][0] > kerned[1][0] + 0.2);
+    /* DejaVu Sans: x is 1120 of 2048 high, its ascent is 1901 */
+    APART("<text y='20'>A</text>", "<text y='20' dominant-baseline='middle'>A</text>", 0,
+          -4 * 1120 / 2048.0);
+    APART("<text y='20'>A</text>", "<text y='20' dominant-baseline='mathematical'>A</text>", 0,
+          -4 * 1901 / 2048.0);
+    /* the last letter of a part has its gap, too */
+    APART("<text x='10' y='20'>I<tspan textLength='40'>I</tspan>I</text>",
+          "<text x='10' y='20'>III</text>", 0, 0);
+    CHECK(box_of("<text x='10' y='20'><tspan textLength='40'>II</tspan>I</text>", NULL, kerned) &&
+          box_of("<text x='10' y='20' textLength='40'>II</text>", NULL, plain));
+    CHECK(fabs(kerned[1][0] - (2 * plain[1][0] - 10 - (plain[0][0] - 10))) < 3);
+}
+
 static void text_follows_a_path(arb *a)
 {
     (void)a;
@@ -167,6 +247,20 @@ static void text_follows_a_path(arb *a)
              "<defs><path id='p' d='M10 50V90'/></defs>"
              "<text dy='3'><textPath href='#p' startOffset='5'>A</textPath></text>");
     APART("<g transform='translate(10 50) rotate(90)'><text x='5' y='0'>A</text></g>", both, -3, 0);
+    snprintf(both, sizeof both, "%s<text x='5' y='9'><textPath href='#p'>Along</textPath></text>",
+             line);
+    APART("<text x='15' y='50'>Along</text>", both, 0, 0);
+    snprintf(both, sizeof both, "%s<text><textPath href='#p' x='5' dy='9'>Along</textPath></text>",
+             line);
+    APART("<text x='10' y='50'>Along</text>", both, 0, 0);
+    snprintf(both, sizeof both,
+             "%s<text><textPath href='#p'>Along<textPath href='#p'>of</textPath></textPath></text>",
+             line);
+    APART("<text x='10' y='50'>Along</text>", both, 0, 0);
+    snprintf(both, sizeof both,
+             "%s<text text-decoration='underline'><textPath href='#p'>Along</textPath></text>",
+             line);
+    APART("<text x='10' y='50' text-decoration='underline'>Along</text>", both, 0, 0);
     double box[2][2];
     snprintf(both, sizeof both,
              "%s<text><textPath startOffset='79' href='#p'>AAA</textPath></text>", line);
@@ -306,6 +400,8 @@ int main(void)
 {
     PROPERTY(outlines_are_those_of_a_layout, 200);
     PROPERTY(letters_have_places_of_their_own, 1);
+    PROPERTY(letters_join_across_elements, 100);
+    PROPERTY(properties_of_fonts_hold_where_they_stand, 1);
     PROPERTY(text_follows_a_path, 1);
     PROPERTY(what_means_nothing_in_text_changes_nothing, 1);
     PROPERTY(single_lines, 1);
