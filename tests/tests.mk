@@ -213,7 +213,7 @@ TOOL_TESTED := $(filter-out %/tool.c $(TOOL_LEFT),$(sort $(wildcard $(patsubst %
                  host-tools/%/*.c,base engine geometry read svg gcode fit arrange plan draw mill))))
 TOOL_TESTED := $(filter-out host-tools/engine/engines.c,$(TOOL_TESTED))
 TOOL_TESTED += $(patsubst %,host-tools/%.c,readers cmd/keys cmd/waits send/gcode_write \
-                 send/near_move send/unfinished) $(wildcard host-tools/send/grbl*.c)
+                 send/facts send/near_move send/unfinished) $(wildcard host-tools/send/grbl*.c)
 # those that take long: a push runs a share of their seeds
 TOOLS_LONG := areas export certify mill
 TOOL_SHARE := $(if $(ALL),1,4)
@@ -239,7 +239,17 @@ build/test/tools/option: tests/tools/test_option.c $(addprefix build/test/tools/
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -Itests -MF $@.d -MT $@ $(filter %.c %.o %.a,$^) \
 	    $(shell $(PKG_CONFIG) --libs $(TOOL_PKG)) -lm -o $@
--include $(TOOL_TESTED_OBJ:.o=.d) $(patsubst %,build/test/tools/%.d,$(TOOL_TESTS))
+# Conversations with a machine in this program; they are sanitized, and have no line and no clock.
+SEND_SRC := $(filter-out %/without_serial.c $(wildcard host-tools/send/transport*.c), \
+              $(sort $(wildcard host-tools/send/*.c)))
+build/test/tools/send: tests/tools/test_send.c $(SEND_SRC:%.c=build/test/tools/%.o) \
+        $(filter-out %/host-tools/loft.o %/base/clock.o $(TOOL_OUT)/tools/host-tools/send/%, \
+            $(TOOL_OBJ)) $(TOOL_LIBS)
+	$(SAY) "  LD  $@"
+	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -Itests -MF $@.d -MT $@ $(filter %.c %.o %.a,$^) \
+	    $(shell $(PKG_CONFIG) --libs $(TOOL_PKG)) -lm -o $@
+-include $(TOOL_TESTED_OBJ:.o=.d) $(SEND_SRC:%.c=build/test/tools/%.d)
+-include $(patsubst %,build/test/tools/%.d,$(TOOL_TESTS))
 .PRECIOUS: build/test/tools/%.o
 
 ## Test readers, plans and pictures under ASan and UBSan; what fuzzers have found

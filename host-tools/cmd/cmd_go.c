@@ -57,7 +57,7 @@ static int go(void *options)
     for (int i = 0; i < ENGINE_AXES; i++)
         to[i] = isnan(to[i]) ? v.at[i] : to[i] + (o->by ? v.at[i] : 0);
     if (code == 0)
-        code = mover_told(&v, run_to(&v, to, o->feed));
+        code = run_told(&v, run_to(&v, to, o->feed));
     mover_close(&v);
     return code;
 }
@@ -111,7 +111,7 @@ static int run_pen(void *options)
     const double z       = strcmp(o->way, "up") == 0 ? v.p.machine.pen_up : v.p.machine.pen_down;
 
     if (code == 0)
-        code = mover_told(&v, lift_pen(&v, z, o->feed));
+        code = run_told(&v, lift_pen(&v, z, o->feed));
     mover_close(&v);
     return code;
 }
@@ -155,7 +155,7 @@ static int run_park(void *options)
     int code              = run_mover(&v, &o->move, false);
 
     if (code == 0)
-        code = mover_told(&v, park(&v, o->feed));
+        code = run_told(&v, park(&v, o->feed));
     mover_close(&v);
     return code;
 }

@@ -200,7 +200,7 @@ static int move_by_line(jog *g, const double by[ENGINE_AXES])
 
     for (int i = 0; i < ENGINE_AXES; i++)
         to[i] = v->at[i] + by[i];
-    return code ? code : mover_told(v, run_to(v, to, g->feed));
+    return code ? code : run_told(v, run_to(v, to, g->feed));
 }
 
 static int jog_by_lines(jog *g)
@@ -243,7 +243,7 @@ static int run_jog(void *options)
 
     if (code == 0 && keys) {
         code = jog_by_keys(&g);
-        (void)mover_told(&g.v, 0);
+        (void)run_told(&g.v, 0);
     } else if (code == 0) {
         code = jog_by_lines(&g);
     }

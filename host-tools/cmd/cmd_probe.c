@@ -65,7 +65,7 @@ static int probe_it(probing *p)
         code = back_off(p, out.latched);
     if (code == 0)
         printf("touched at %s\n", mover_text(out.latched, text));
-    return mover_told(v, code);
+    return run_told(v, code);
 }
 
 typedef struct {

@@ -70,11 +70,16 @@ static int step_shown(void *context, double now, task_wants *w)
     return code;
 }
 
-static void tell_line(void *context, const char *line)
+static void tell_line(void *context, enum send_line what, const char *line)
 {
     (void)context;
-    report_line("%s", line);
+    if (what == SEND_EVENT)
+        report_line("%s", line);
+    else
+        (void)say(what == SEND_NOTE ? stderr : stdout, "%s\n", line);
 }
+
+send_teller run_teller(void) { return (send_teller){ .tell = tell_line, .shown = report_shown() }; }
 
 int run_drawing(talk *t, job *j, const stream_subject *about)
 {
@@ -82,18 +87,19 @@ int run_drawing(talk *t, job *j, const stream_subject *about)
                               about->path, about->tol,  j->head.id };
     drawing_shown x = { .waiting = { .told = false } };
 
-    stream_begin(&x.r, t, j, about);
-    x.r.tell = tell_line;
     report_begin(&told);
-    x.r.shown = report_shown();
+    const send_teller to = run_teller();
+    stream_begin(&x.r, t, j, about, &to);
     return run_until((task){ step_shown, &x, &t->stop });
 }
 
 int run_control(talk *t, enum loft_verb verb, const kinematics *k)
 {
+    const send_teller to = run_teller();
     stream_control c;
 
-    return run_until(stream_controls(&c, t, verb, k));
+    stream_control_begin(&c, t, verb, k, &to);
+    return run_until(stream_control_task(&c));
 }
 
 

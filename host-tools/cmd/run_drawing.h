@@ -11,6 +11,9 @@
  * closing line or one error. */
 int run_drawing(talk *t, job *j, const stream_subject *about);
 
+/* The lines of a job: events to the report, the end to standard output. */
+send_teller run_teller(void);
+
 /* Hold, resume or abort what the machine does. Results as above. */
 int run_control(talk *t, enum loft_verb verb, const kinematics *k);
 

@@ -1,6 +1,8 @@
 /* host-tools/cmd/run_move.c
  * SPDX-License-Identifier: MIT
  */
+#include <stdio.h>
+
 #include "base/tool.h"      /* tool_clock */
 #include "cmd/keys.h"       /* keys_start */
 #include "cmd/run.h"        /* run_until */
@@ -44,4 +46,14 @@ int run_to(mover *v, const double to[ENGINE_AXES], double feed)
 {
     mover_to(v, to, feed);
     return run_until(mover_task(v));
+}
+
+int run_told(const mover *v, int code)
+{
+    char text[96];
+
+    if (code == 0)
+        printf("the tool is at %s\n", mover_text(v->at, text));
+    fflush(stdout);
+    return code;
 }

@@ -17,4 +17,7 @@ int run_place(mover *v, unsigned axes, const double at[ENGINE_AXES]);
 int run_table(mover *v, int axis, bool counts);
 int run_to(mover *v, const double to[ENGINE_AXES], double feed);
 
+/* Unless `code` tells of a failure, print where the tool is; returns `code`. */
+int run_told(const mover *v, int code);
+
 #endif

@@ -13,7 +13,7 @@
 #include "cmd/run.h"           /* run_until, run_controller */
 #include "cmd/stream_grbl.h"
 #include "plan/table.h"         /* table_check */
-#include "cmd/run_drawing.h"    /* run_change */
+#include "cmd/run_drawing.h"    /* run_change, run_teller */
 #include "send/gcode_write.h"         /* gcode_make */
 #include "send/grbl.h"          /* grbl_begin */
 
@@ -48,19 +48,14 @@ static int step_shown(void *context, double now, task_wants *w)
     return code;
 }
 
-static void tell_line(void *context, const char *line)
-{
-    (void)context;
-    report_line("%s", line);
-}
-
 /* Send the lines and wait for the end. Returns an exit code, after one line. */
 static int run_lines(grbl *g, const gcode *lines, const report_job *told)
 {
     lines_shown x = { .g = g };
 
     report_begin(told);
-    grbl_begin(g, lines, told->path, &(grbl_teller){ tell_line, NULL, report_shown() });
+    const send_teller to = run_teller();
+    grbl_begin(g, lines, told->path, &to);
     return run_until((task){ step_shown, &x, grbl_task(g).stop });
 }
 

@@ -1,4 +1,4 @@
-/* host-tools/send/facts.h -- how a job goes, as numbers
+/* host-tools/send/facts.h -- how a job goes: as numbers, and in lines
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_FACTS_H
@@ -22,5 +22,18 @@ typedef struct {
     size_t moves;                   /* of the path, which are behind it */
     bool rests;                     /* nothing can go on: this time does not count */
 } send_facts;
+
+/* A line, without its end: an event of a job that runs; something about its end; the end. */
+enum send_line { SEND_EVENT, SEND_NOTE, SEND_RESULT };
+
+/* Who hears them. */
+typedef struct {
+    void (*tell)(void *context, enum send_line what, const char *line);     /* NULL: nobody */
+    void *context;
+    bool shown;                     /* the state is shown: what is awaited does not repeat it */
+} send_teller;
+
+void send_tell(const send_teller *to, enum send_line what, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 #endif

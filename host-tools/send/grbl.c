@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/say.h"
 #include "send/grbl_talk.h"
 #include "send/near_move.h"      /* near_move */
 #include "send/grbl_words.h"     /* grbl_error_text, grbl_alarm_text */
@@ -90,14 +89,10 @@ static const char *awaited_event(const grbl *g, char text[200])
 /* Tell the current state in one line; it stays on the screen. */
 static void tell_state(const grbl *g)
 {
-    char line[256];
-
-    snprintf(line, sizeof line,
-             "line %zu of %zu, %zu sent ahead, override %u %%, %s  X %.2f Y %.2f Z %.2f", g->done,
-             g->lines->count, g->sent - g->done, g->rate, state_word(g), g->place[0], g->place[1],
-             g->place[2]);
-    if (g->to.tell != NULL)
-        g->to.tell(g->to.context, line);
+    send_tell(&g->to, SEND_EVENT,
+              "line %zu of %zu, %zu sent ahead, override %u %%, %s  X %.2f Y %.2f Z %.2f", g->done,
+              g->lines->count, g->sent - g->done, g->rate, state_word(g), g->place[0], g->place[1],
+              g->place[2]);
 }
 
 void grbl_key(grbl *g, int key)
@@ -294,14 +289,14 @@ void grbl_facts(grbl *g, send_facts *f, char words[160])
 
 bool grbl_over(const grbl *g) { return g->over; }
 
-static int print_end(grbl *g, double now, task_wants *w)
+static int tell_end(grbl *g, double now, task_wants *w)
 {
     char time[HOST_DURATION];
 
     (void)w;
     g->code = NULL;
-    (void)say(stdout,
-              "drawn: %zu curve%s, %.3f m, %zu lines of G-code in %s, %s at %.3f %.3f %.3f\n",
+    send_tell(&g->to, SEND_RESULT,
+              "drawn: %zu curve%s, %.3f m, %zu lines of G-code in %s, %s at %.3f %.3f %.3f",
               g->path->curves, tool_s(g->path->curves), g->path->drawn / 1000, g->lines->count,
               host_duration(time, now - g->began, 1),
               g->name[0] != '\0' ? g->name : "the controller is stopped", g->place[0], g->place[1],
@@ -331,7 +326,7 @@ static int draw(grbl *g, double now, task_wants *w)
         return TASK_GOES;
     }
     g->over  = true;
-    g->stage = print_end;
+    g->stage = tell_end;
     task_wake(w, now);
     return TASK_GOES;
 }
@@ -343,7 +338,7 @@ static int begin_job(grbl *g, double now, task_wants *w)
     return draw(g, now, w);
 }
 
-void grbl_begin(grbl *g, const gcode *code, const toolpath *path, const grbl_teller *to)
+void grbl_begin(grbl *g, const gcode *code, const toolpath *path, const send_teller *to)
 {
     g->code = g->lines = code;
     g->path            = path;

@@ -19,7 +19,7 @@
 typedef struct grbl grbl;
 
 /* Open the port. Next it is to be found out which controller answers, the size of its buffer and
- * its position (mm, in its work coordinates). Returns 0, or an exit code after printing one line. */
+ * its position (mm, in its work coordinates). Returns 0, or an exit code after one line. */
 int  grbl_open(grbl **g, const char *port, unsigned baud, double seconds);
 void grbl_close(grbl *g);
 
@@ -38,16 +38,9 @@ int  grbl_machine(const grbl *g, machine_file *m);
  * no soft limits ($20=1): then it does not know where it is. */
 bool grbl_table(const grbl *g, machine_file *m);
 
-/* Who hears of events, one line each. */
-typedef struct {
-    void (*tell)(void *context, const char *line);      /* NULL: nobody */
-    void *context;
-    bool shown;                 /* the state is shown: what is awaited does not repeat it */
-} grbl_teller;
-
 /* Send all lines, made of the path, and wait for the end; both stay until then. At the end the
- * closing line is printed. */
-void grbl_begin(grbl *g, const gcode *code, const toolpath *path, const grbl_teller *to);
+ * closing line is told. */
+void grbl_begin(grbl *g, const gcode *code, const toolpath *path, const send_teller *to);
 
 /* Obey a key: h holds, r resumes, a aborts, + - 0 change the override, s tells the state. */
 void grbl_key(grbl *g, int key);

@@ -61,7 +61,7 @@ struct grbl {
     const gcode *code;                  /* that is sent; NULL: none */
     const gcode *lines;                 /* of the job, also when it is not sent any more, and */
     const toolpath *path;               /* what they draw */
-    grbl_teller to;
+    send_teller to;
     double began;                       /* the job, then the stop */
     enum grbl_stop why;                 /* it is to stop, */
     char what[GRBL_SAID + 64];          /* since this is wrong */

@@ -491,16 +491,6 @@ void mover_to(mover *v, const double to[ENGINE_AXES], double feed)
         v->stage = refuse;
 }
 
-int mover_told(const mover *v, int code)
-{
-    char text[96];
-
-    if (code == 0)
-        printf("the tool is at %s\n", mover_text(v->at, text));
-    fflush(stdout);
-    return code;
-}
-
 const char *mover_text(const double at[ENGINE_AXES], char text[96])
 {
     snprintf(text, 96, "%.3f %.3f %.3f", at[0], at[1], at[2]);

@@ -99,9 +99,6 @@ uint16_t mover_away(const mover *v, const double from[ENGINE_AXES], const double
  * exit code after printing one line. */
 int mover_free(const mover *v, const double to[ENGINE_AXES]);
 
-/* Unless `code` tells of a failure, print where the tool is; returns `code`. */
-int mover_told(const mover *v, int code);
-
 /* "3.000 0.000 -2.500" */
 const char *mover_text(const double at[ENGINE_AXES], char text[96]);
 

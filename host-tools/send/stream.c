@@ -3,7 +3,6 @@
  */
 #include <errno.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -20,19 +19,6 @@
 #define RECORD_LOOK 0.05    /* and between two looks at it */
 /* items before those that the machine has: the sender needs 3, a feed needs 1 */
 #define KEPT    4
-
-/* Tell an event in one line. */
-static void __attribute__((format(printf, 2, 3))) tell(const stream *r, const char *format, ...)
-{
-    char line[256];
-    va_list values;
-
-    va_start(values, format);
-    vsnprintf(line, sizeof line, format, values);
-    va_end(values);
-    if (r->tell != NULL)
-        r->tell(r->context, line);
-}
 
 static bool machine_is_stopped(const loft_sender *s)
 {
@@ -91,7 +77,7 @@ static const char *awaited_event(const stream *r, char text[200])
         return "the machine does not answer: look at cable and power";
     if (s->phase == LOFT_PHASE_OPENING)
         return "the machine has not taken the job";
-    if (s->phase != LOFT_PHASE_STREAMING || r->shown)
+    if (s->phase != LOFT_PHASE_STREAMING || r->to.shown)
         return NULL;
     switch (s->ack.state) {
     case LOFT_STATE_HOLDING:    return "the machine slows down to a hold";
@@ -192,9 +178,9 @@ static void tell_state(stream *r)
     stream_place(s, r->about->k, s->status.position, at);
     for (int i = 0; i < LOFT_AXES; i++)
         used += (size_t)snprintf(place + used, sizeof place - used, " %c %.2f", "XYZABC"[i], at[i]);
-    tell(r, "item %u%s, %u queued, override %u %%, %s%s", (unsigned)s->ack.executed,
-         job_of(r->j, of), (unsigned)(s->ack.next - s->ack.executed), s->status.override, state,
-         place);
+    send_tell(&r->to, SEND_EVENT, "item %u%s, %u queued, override %u %%, %s%s",
+              (unsigned)s->ack.executed, job_of(r->j, of),
+              (unsigned)(s->ack.next - s->ack.executed), s->status.override, state, place);
 }
 
 /* A key counts from the override that was last asked for, which the machine may not have confirmed
@@ -243,7 +229,7 @@ static void wake_job(stream *r)
         return;
     r->woken    = true;
     job_sent_from(r->j, s->ack.next);
-    tell(r, "resuming at item %u%s", (unsigned)s->ack.next, job_of(r->j, of));
+    send_tell(&r->to, SEND_EVENT, "resuming at item %u%s", (unsigned)s->ack.next, job_of(r->j, of));
     r->resting = s->ack.state == LOFT_STATE_HELD || s->ack.state == LOFT_STATE_HOLDING;
 }
 
@@ -258,7 +244,8 @@ static void watch_pauses(stream *r)
         return;
     r->pause = s->ack.state == LOFT_STATE_HELD ? job_pause(r->j, s->ack.executed) : NULL;
     if (r->pause != NULL && r->pause != before)
-        tell(r, "pause%s%s: Enter goes on, a gives up", *r->pause ? ": " : "", r->pause);
+        send_tell(&r->to, SEND_EVENT, "pause%s%s: Enter goes on, a gives up", *r->pause ? ": " : "",
+                  r->pause);
     if (r->resting && r->pause == NULL && r->stop_at <= 0)
         loft_sender_control(&r->t->sender, LOFT_RESUME);
     r->resting = false;
@@ -356,7 +343,7 @@ static int report_drawn(stream *r, double now, task_wants *w)
 
     task_wake(w, now + RECORD_LOOK);
     if (code == 0)
-        stream_drawn(r->t, r->j, r->about, error);
+        stream_drawn(r->t, r->j, r->about, &r->to, error);
     return code;
 }
 
@@ -376,7 +363,7 @@ static int report_end(stream *r, double now, task_wants *w)
         return stream_interrupted(t, r->j);
     if (t->sender.phase != LOFT_PHASE_DONE)
         return stream_ended(t, r->j);
-    const int code = stream_checked(t, r->j, r->about);
+    const int code = stream_checked(t, r->j, r->about, &r->to);
     if (code != 0)
         return code;
     r->until = now + RECORD;
@@ -420,9 +407,9 @@ static int begin_job(stream *r, double now, task_wants *w)
     return draw(r, now, w);
 }
 
-void stream_begin(stream *r, talk *t, job *j, const stream_subject *about)
+void stream_begin(stream *r, talk *t, job *j, const stream_subject *about, const send_teller *to)
 {
-    *r = (stream){ .t = t, .j = j, .about = about, .stage = begin_job };
+    *r = (stream){ .t = t, .j = j, .about = about, .to = *to, .stage = begin_job };
 }
 
 int stream_step(stream *r, double now, task_wants *w) { return r->stage(r, now, w); }
@@ -505,7 +492,8 @@ int stream_control_step(stream_control *c, double now, task_wants *w)
     if (!has_obeyed(c, now))
         return TASK_GOES;
     talk_over(c->t);
-    return stream_obeyed(c->t, c->verb, c->k);
+    stream_obeyed(c->t, c->verb, c->k, &c->to);
+    return 0;
 }
 
 static int step_control(void *context, double now, task_wants *w)
@@ -513,8 +501,10 @@ static int step_control(void *context, double now, task_wants *w)
     return stream_control_step(context, now, w);
 }
 
-task stream_controls(stream_control *c, talk *t, enum loft_verb verb, const kinematics *k)
+void stream_control_begin(stream_control *c, talk *t, enum loft_verb verb, const kinematics *k,
+                          const send_teller *to)
 {
-    *c = (stream_control){ .t = t, .verb = verb, .k = k };
-    return (task){ step_control, c, &t->stop };
+    *c = (stream_control){ .t = t, .verb = verb, .k = k, .to = *to };
 }
+
+task stream_control_task(stream_control *c) { return (task){ step_control, c, &c->t->stop }; }

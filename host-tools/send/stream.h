@@ -37,11 +37,9 @@ typedef struct stream {
     talk *t;
     job *j;
     const stream_subject *about;
-    void (*tell)(void *context, const char *line);  /* an event in one line, or NULL */
-    void *context;
-    bool shown;             /* the state is shown: what is awaited does not repeat it */
+    send_teller to;
     const char *pause;      /* what the program says of the pause; NULL: there is none */
-    bool over;              /* the motion is: the next step prints the closing line, or what failed */
+    bool over;              /* the motion is: the next step tells the end */
     /* ---- */
     int (*stage)(struct stream *r, double now, task_wants *w);
     int lost;               /* errno of a port that has vanished */
@@ -59,28 +57,31 @@ typedef struct stream {
 } stream;
 
 /* Begin `j` on the greeted machine, plan on while it draws, and wait for the end. At the end the
- * closing line or one error is printed. `j` and `about` stay until then. */
-void stream_begin(stream *r, talk *t, job *j, const stream_subject *about);
+ * closing line is told, or one error. `j` and `about` stay until then. */
+void stream_begin(stream *r, talk *t, job *j, const stream_subject *about, const send_teller *to);
 int  stream_step(stream *r, double now, task_wants *w);
 task stream_task(stream *r);
 
-/* Obey a key: h holds, r resumes, a aborts, + - 0 change the override, s tells the state, Enter goes
- * on after a pause. */
+/* Obey a key: h holds, r resumes, a aborts, + - 0 change the override, s tells the state, Enter
+ * goes on after a pause. */
 void stream_key(stream *r, int key);
 
 /* How it goes, and the same in words. Returns false if the machine has not taken the job yet. */
 bool stream_facts(stream *r, send_facts *f, char words[160]);
 
-/* Hold, resume or abort whatever the machine does, and print where it stands. */
+/* Hold, resume or abort whatever the machine does, and tell where it stands. */
 typedef struct {
     talk *t;
     enum loft_verb verb;
     const kinematics *k;
+    send_teller to;
     double began, done;     /* 0: not yet */
 } stream_control;
 
 int  stream_control_step(stream_control *c, double now, task_wants *w);
-task stream_controls(stream_control *c, talk *t, enum loft_verb verb, const kinematics *k);
+void stream_control_begin(stream_control *c, talk *t, enum loft_verb verb, const kinematics *k,
+                          const send_teller *to);
+task stream_control_task(stream_control *c);
 
 /* Let the limit switches and the emergency stop that are open now stop a job at once, if `hard`: a
  * machine that cannot do so is refused. Returns 0, or an exit code after printing one line. */

@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/say.h"
 #include "read/record.h"         /* record_worst_error */
 #include "send/stream_end.h"
 #include "base/tool.h"
@@ -95,26 +94,28 @@ static double machine_seconds(const loft_sender *s)
 }
 
 /* Bytes, their share of the line's capacity, and repairs. */
-static void print_line(const talk *t, const job *j)
+static void tell_line(const talk *t, const job *j, const send_teller *to)
 {
     const loft_sender *s  = &t->sender;
     const unsigned baud   = t->line.baud ? t->line.baud : 115200;
     const double part     = 1 - (double)j->first_due / (double)j->ticks;
     const double seconds  = machine_seconds(s) * part;
-    char time[HOST_DURATION];
+    const double rested   = (double)(s->report.elapsed - s->report.ticks) / s->machine.tick_hz;
+    char share[64] = "", slowed[80] = "", held[HOST_DURATION + 32] = "", time[HOST_DURATION];
 
-    printf("line: %" PRIu64 " bytes out for %zu %s, %" PRIu64 " in, ", t->written,
-           j->count - j->first, job_words(j), t->received);
     if (seconds > 0 && !s->collected)
-        printf("%.1f %% of %u baud, ", 1000 * (double)t->written / (seconds * baud), baud);
+        snprintf(share, sizeof share, "%.1f %% of %u baud, ",
+                 1000 * (double)t->written / (seconds * baud), baud);
     if (s->report.slowed > 0)
-        printf("%u ticks slowed because their steps did not fit, ", (unsigned)s->report.slowed);
+        snprintf(slowed, sizeof slowed, "%u ticks slowed because their steps did not fit, ",
+                 (unsigned)s->report.slowed);
     if (s->report.elapsed > s->report.ticks + s->machine.tick_hz / 10)
-        printf("%s held or waiting, ",
-               host_duration(
-                   time, (double)(s->report.elapsed - s->report.ticks) / (double)s->machine.tick_hz,
-                   1));
-    printf("%u of %u frames resent\n", (unsigned)s->resent, (unsigned)(s->sent + s->resent));
+        snprintf(held, sizeof held, "%s held or waiting, ", host_duration(time, rested, 1));
+    send_tell(to, SEND_RESULT,
+              "line: %" PRIu64 " bytes out for %zu %s, %" PRIu64 " in, %s%s%s%u of %u frames "
+              "resent",
+              t->written, j->count - j->first, job_words(j), t->received, share, slowed, held,
+              (unsigned)s->resent, (unsigned)(s->sent + s->resent));
 }
 
 /* The record of a machine in another process. It is complete when it ends at the position of the
@@ -151,7 +152,7 @@ int stream_error(const loft_sender *s, const stream_subject *about, bool late, c
     return code;
 }
 
-int stream_checked(talk *t, job *j, const stream_subject *about)
+int stream_checked(talk *t, job *j, const stream_subject *about, const send_teller *to)
 {
     const loft_sender *s = &t->sender;
     int32_t want[LOFT_AXES];
@@ -170,20 +171,22 @@ int stream_checked(talk *t, job *j, const stream_subject *about)
             "the machine is at steps %s, commanded were %s: home it, and please report this",
             steps_text(s->report.position, text), steps_text(want, other));
     if (s->collected)
-        (void)say(stderr, "this job was drawn already: its report is\n");
+        send_tell(to, SEND_NOTE, "this job was drawn already: its report is");
     return 0;
 }
 
-void stream_drawn(const talk *t, const job *j, const stream_subject *about, const char *error)
+void stream_drawn(const talk *t, const job *j, const stream_subject *about, const send_teller *to,
+                  const char *error)
 {
     const loft_sender *s = &t->sender;
     char text[96], plan[160], time[HOST_DURATION];
 
-    printf("drawn: %zu curve%s, %.3f m, %s machine time, %s%s, steps %s as commanded\n",
-           about->curves, tool_s(about->curves), about->drawn / 1000,
-           host_duration(time, machine_seconds(s), 1), job_words_of_plan(j, about->tol, plan),
-           error, steps_text(s->report.position, text));
-    print_line(t, j);
+    send_tell(to, SEND_RESULT,
+              "drawn: %zu curve%s, %.3f m, %s machine time, %s%s, steps %s as commanded",
+              about->curves, tool_s(about->curves), about->drawn / 1000,
+              host_duration(time, machine_seconds(s), 1), job_words_of_plan(j, about->tol, plan),
+              error, steps_text(s->report.position, text));
+    tell_line(t, j, to);
 }
 
 /* An input ended the job, or prevented its begin. */
@@ -320,18 +323,17 @@ int stream_interrupted(const talk *t, const job *j)
                       steps_text(s->status.position, other), t->port);
 }
 
-int stream_obeyed(const talk *t, enum loft_verb verb, const kinematics *k)
+void stream_obeyed(const talk *t, enum loft_verb verb, const kinematics *k, const send_teller *to)
 {
     const loft_sender *s   = &t->sender;
     const bool told        = s->phase == LOFT_PHASE_ABORTED && s->report.job != 0;
     const int32_t *at      = told ? s->report.position : s->status.position;
     char text[96], other[96];
 
-    printf("%s: %u items executed, at %s mm, steps %s\n",
-           verb == LOFT_HOLD     ? "held"
-           : verb == LOFT_RESUME ? "resumed"
-                                 : "aborted",
-           (unsigned)(told ? s->report.items : s->ack.executed), place_text(s, k, at, text),
-           steps_text(at, other));
-    return EX_OK;
+    send_tell(to, SEND_RESULT, "%s: %u items executed, at %s mm, steps %s",
+              verb == LOFT_HOLD     ? "held"
+              : verb == LOFT_RESUME ? "resumed"
+                                    : "aborted",
+              (unsigned)(told ? s->report.items : s->ack.executed), place_text(s, k, at, text),
+              steps_text(at, other));
 }

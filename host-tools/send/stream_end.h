@@ -10,20 +10,21 @@
 int stream_ended(talk *t, const job *j);
 
 /* The job was drawn: is it as commanded? Returns 0, or an exit code after printing one line. */
-int stream_checked(talk *t, job *j, const stream_subject *about);
+int stream_checked(talk *t, job *j, const stream_subject *about, const send_teller *to);
 
 /* ", worst path error 0.0031 mm": as the machine recorded it, if it did. Returns 0, TASK_GOES while
  * the record is not complete and not `late`, or an exit code after printing one line. */
 int stream_error(const loft_sender *s, const stream_subject *about, bool late, char text[64]);
 
-/* Print the closing lines; `error` is that text. */
-void stream_drawn(const talk *t, const job *j, const stream_subject *about, const char *error);
+/* Tell the closing lines; `error` is that text. */
+void stream_drawn(const talk *t, const job *j, const stream_subject *about, const send_teller *to,
+                  const char *error);
 
 /* The user asked for the end: the machine has stopped on the path; print where. */
 int stream_interrupted(const talk *t, const job *j);
 
 /* A hold, resume or abort from the command line was done. */
-int stream_obeyed(const talk *t, enum loft_verb verb, const kinematics *k);
+void stream_obeyed(const talk *t, enum loft_verb verb, const kinematics *k, const send_teller *to);
 
 /* The position of the tool in mm for steps of the motors. */
 void stream_place(const loft_sender *s, const kinematics *k, const int32_t steps[LOFT_AXES],

@@ -6,8 +6,8 @@
  *         poll w.in and w.out, until w.until at most;
  *
  * A step takes some milliseconds: it moves the bytes that are there, or plans a portion. It waits
- * for nothing and reads no clock: who steps it owns the loop, the time, the keys and the signals. So
- * a command, a server and a test with a simulated clock step the same task.
+ * for nothing and reads no clock: who steps it owns the loop, the time, the keys and the signals.
+ * So a command, a server and a test with a simulated clock step the same task.
  */
 #ifndef LOFT_TASK_H
 #define LOFT_TASK_H
@@ -28,7 +28,7 @@ typedef struct {
 typedef struct {
     int (*step)(void *context, double now, task_wants *w);
     void *context;              /* it stays until the task is over */
-    bool *stop;                 /* set it to true to ask for the end: the machine stops on the path */
+    bool *stop;                 /* set it to ask for the end: the machine stops on the path */
 } task;
 
 /* `now` is the time of any clock in seconds that is never set, the same in all steps. After the end

@@ -18,8 +18,8 @@
 
 typedef struct transport transport;
 
-/* The functions of a kind of line. Reads and writes do not wait, and return the count: 0 if there is
- * nothing to do now, -1 if the line is gone (errno says why). */
+/* The functions of a kind of line. Reads and writes do not wait, and return the count: 0 if there
+ * is nothing to do now, -1 if the line is gone (errno says why). */
 typedef struct {
     long (*read)(transport *t, void *bytes, size_t max);
     long (*write)(transport *t, const void *bytes, size_t count);

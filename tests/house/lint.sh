@@ -270,6 +270,17 @@ long_functions host-tools/cmd/*.c | rule "no function of cmd/ has more than 40 l
     rule "long functions are seen"
 rm "$result.long"
 
+# ... and a conversation with a machine is stepped: it gets the time, and waits for nothing
+waiting() {             # waiting FILE..: lines that read a clock, sleep or poll for a time
+    grep -nE '\b(tool_clock|clock_gettime|time|u?sleep|nanosleep|select)\(' "$@"
+    grep -nE '\bpoll\(' "$@" | grep -vE 'sender_poll\(|, 0\)'
+}
+waiting host-tools/send/*.c | rule "send/ neither waits nor reads a clock"
+printf '%s\n' 'usleep(5);' 'poll(&p, 1, 20);' 'x = tool_clock();' >"$result.waits"
+{ [ "$(waiting "$result.waits" | wc -l)" = 3 ] || echo "a planted line is not seen"; } |
+    rule "waits of send/ are seen"
+rm "$result.waits"
+
 # 10. gcc and clang, warnings as errors, all number types, one, three and six axes: in parallel
 for compiler in gcc clang; do
     for num in Q16 F32 F64; do

@@ -6,11 +6,9 @@
  * moves are planned ahead. The line is replaced here, and the clock is that of the model.
  */
 #include <ctype.h>
-#include <fcntl.h>
 #include <math.h>
 #include <string.h>
 #include <sysexits.h>
-#include <unistd.h>
 
 #include "base/tool.h"
 #include "check.h"
@@ -257,22 +255,8 @@ static int send(grbl *g, unsigned count)
         line[n] = (struct gcode_line){ lines.used, 0 };
         lines.used += (size_t)snprintf(text + lines.used, 64, "G1X%u.125Y%uF600", n, n * n) + 1;
     }
-    grbl_begin(g, &lines, &path, &(grbl_teller){ .shown = true });
+    grbl_begin(g, &lines, &path, &(send_teller){ .shown = true });
     return run(g, true);
-}
-
-/* The same, without its closing line. */
-static int send_quietly(grbl *g, unsigned count)
-{
-    fflush(stdout);
-    const int kept = dup(STDOUT_FILENO), none = open("/dev/null", O_WRONLY);
-    (void)dup2(none, STDOUT_FILENO);
-    const int code = send(g, count);
-    fflush(stdout);
-    (void)dup2(kept, STDOUT_FILENO);
-    close(kept);
-    close(none);
-    return code;
 }
 
 /* A whole job; the exit code. */
@@ -283,7 +267,7 @@ static int draw(const faults *f, unsigned count)
     begin(f);
     int code = open_controller(&g);
     if (code == 0)
-        code = send_quietly(g, count);
+        code = send(g, count);
     grbl_close(g);
     return code;
 }
@@ -343,7 +327,7 @@ static void every_state_is_known_or_told(arb *a)
     begin(&(faults){ .at = n, .state = state });
     CHECK(open_controller(&g) == 0);
     stop_at        = c.clock + 1 + PATIENCE + 1;     /* 40 lines take less than a second */
-    const int code = send_quietly(g, 100);
+    const int code = send(g, 100);
     since          = c.clock - stop_at;
     grbl_close(g);
     CHECK(code == EX_PROTOCOL || code == EX_TEMPFAIL);
@@ -413,7 +397,7 @@ static void each_part_is_sent_from_its_first_line(arb *a)
 
     begin(&(faults){ .at = NEVER });
     CHECK(open_controller(&g) == 0);
-    CHECK(send_quietly(g, first) == 0 && send_quietly(g, second) == 0);
+    CHECK(send(g, first) == 0 && send(g, second) == 0);
     CHECK(c.drawn == first + second);
     grbl_close(g);
 }

@@ -1,0 +1,342 @@
+/* tests/tools/test_send.c -- conversations with a machine, stepped in simulated time
+ * SPDX-License-Identifier: MIT
+ */
+#include "base/spool.h"
+#include "plan/job.h"
+#include "send/mover.h"
+#include "send/settings.h"
+#include "send/stream.h"
+#include "support/heard.h"
+#include "tools/simulated.h"
+
+#define LATE   0.05             /* s until a hold is obeyed */
+#define HOURS  7200.0
+
+static const talk_options at_once = { .port = "-", .baud = 115200, .wait = 5 };
+
+static struct {
+    talk t;
+    planning p;
+    job_work w;
+    stream r;
+    char told[4096];
+} s;
+
+
+// Running
+// -------
+
+/* Step until it is over, or until `until`. */
+static int run(task t, double until)
+{
+    task_wants w;
+    int code;
+
+    while ((code = simulated_step(&t, &w)) == TASK_GOES && sim.clock < until)
+        simulated_wait(&w);
+    return code;
+}
+
+static void tell_line(void *context, enum send_line what, const char *line)
+{
+    (void)context;
+    (void)what;
+    snprintf(s.told + strlen(s.told), sizeof s.told - strlen(s.told), "%s\n", line);
+}
+
+/* With few slots, since each of them takes the time of this computer. */
+static struct loft_host_options usual(void)
+{
+    struct loft_host_options o = loft_host_defaults();
+
+    o.slots = 4;
+    for (int i = 0; i < LOFT_AXES; i++)
+        o.steps_per_mm[i] = 7;
+    return o;
+}
+
+static void begin(void)
+{
+    const struct loft_host_options o = usual();
+
+    hear();
+    s.told[0] = '\0';
+    simulated_begin(&o);
+    CHECK(talk_open(&s.t, &at_once, sim.clock) == 0);
+    CHECK(run(talk_greets(&s.t), HOURS) == 0);
+}
+
+static void end(void)
+{
+    job_work_free(&s.w);
+    talk_close(&s.t);
+}
+
+/* `count` lines there and back. */
+static void plan_lines(arb *a, size_t count)
+{
+    const drawing nothing = { 0 };
+    job_options as        = { .kind = LOFT_SPANS };
+    double start[ENGINE_AXES], at[ENGINE_AXES];
+
+    CHECK(planning_usual(&s.p, NULL) == 0);
+    s.w    = (job_work){ .path = { 0 } };
+    as.e   = s.p.e;
+    stream_new_start(&s.t.sender, start);
+    memcpy(at, start, sizeof at);
+    s.w.path = (toolpath){ .move  = spool_grow(NULL, count * sizeof *s.w.path.move),
+                           .curve = spool_grow(NULL, count * sizeof *s.w.path.curve),
+                           .count = count };
+    for (size_t n = 0; n < count; n++) {
+        double to[ENGINE_AXES] = { 5 + arb_below(a, 40), 5 + arb_below(a, 40), 0 };
+        for (int k = 0; k < 4; k++)
+            for (int i = 0; i < ENGINE_AXES; i++)
+                s.w.path.move[n].p[k][i] = at[i] + (to[i] - at[i]) * k / 3;
+        s.w.path.move[n].feed = 60;
+        s.w.path.curve[n]     = n;
+        memcpy(at, to, sizeof at);
+    }
+    stream_machine(&s.t.sender, &as.limits);
+    for (int i = 0; i < ENGINE_AXES; i++)
+        as.steps_per_mm[i] = s.t.sender.axis[i].steps_per_mm;
+    planning_limit(&s.p, &as.limits);
+    CHECK(planning_joints(&s.p, "-", &nothing, start, false, &as.limits, &s.w.path, &s.w.of) == 0);
+    CHECK(job_open(&s.w.j, &s.w.of, &as) == LOFT_OK);
+}
+
+static task stream_of(void)
+{
+    static stream_subject about;
+
+    about = (stream_subject){
+        .file = "-", .k = &s.p.machine.k, .port = "-", .tol = s.p.tol, .path = &s.w.path
+    };
+    stream_begin(&s.r, &s.t, &s.w.j, &about, &(send_teller){ .tell = tell_line });
+    return stream_task(&s.r);
+}
+
+/* The pulses that came are those of the job. */
+static bool is_at(const double at[ENGINE_AXES])
+{
+    for (int i = 0; i < ENGINE_AXES; i++)
+        if (fabs(sim.world.at[i] - at[i]) > 0.5 / sim.options.steps_per_mm[i] + 1e-9)
+            return false;
+    return true;
+}
+
+static bool is_drawn(void) { return is_at(s.w.path.move[s.w.path.count - 1].p[3]); }
+
+
+// Jobs
+// ----
+
+static void a_job_is_drawn_as_commanded(arb *a)
+{
+    begin();
+    plan_lines(a, 1 + arb_below(a, 20));
+    CHECK(run(stream_of(), HOURS) == 0);
+    CHECK(strstr(s.told, " as commanded") != NULL);
+    CHECK(is_drawn() && caught_lines == 0);
+    end();
+}
+
+/* A hold is obeyed while the plan goes on, and then nothing moves. */
+static void a_hold_is_answered_while_planning_goes_on(arb *a)
+{
+    begin();
+    plan_lines(a, 60);
+    const task t = stream_of();
+    CHECK(run(t, sim.clock + 0.2 + 0.001 * arb_below(a, 500)) == TASK_GOES);
+    CHECK(!s.w.j.whole && simulated_moves());
+    const size_t planned = s.w.j.count;
+    stream_key(&s.r, 'h');
+    const double asked = sim.clock;
+    while (!sim.machine.drive.hold && sim.clock < asked + LATE) {
+        CHECK(run(t, sim.clock) == TASK_GOES);
+        simulated_ms();
+    }
+    CHECK(sim.machine.drive.hold);
+    CHECK(run(t, sim.clock + 1) == TASK_GOES);
+    const double at[] = { sim.world.at[0], sim.world.at[1], sim.world.at[2] };
+    CHECK(sim.machine.drive.state == LOFT_STATE_HELD && s.w.j.count >= planned);
+    CHECK(run(t, sim.clock + 1) == TASK_GOES && is_at(at));
+    stream_key(&s.r, 'r');
+    CHECK(run(t, HOURS) == 0);
+    CHECK(is_drawn() && caught_lines == 0);
+    end();
+}
+
+static void who_asks_for_the_end_gets_a_hold_and_may_go_on(arb *a)
+{
+    begin();
+    plan_lines(a, 12);
+    CHECK(run(stream_of(), sim.clock + 0.2 + 0.001 * arb_below(a, 2000)) == TASK_GOES);
+    s.t.stop = true;
+    CHECK(run(stream_task(&s.r), sim.clock + 5) == EX_TEMPFAIL);
+    CHECK(caught_lines == 1 && strstr(caught, "held at item") != NULL);
+    CHECK(sim.machine.drive.state == LOFT_STATE_HELD);
+    /* the same command */
+    hear();
+    s.t.stop = false;
+    talk_again(&s.t, 5);
+    CHECK(run(talk_greets(&s.t), HOURS) == 0);
+    CHECK(run(stream_of(), HOURS) == 0);
+    CHECK(is_drawn() && strstr(s.told, "resuming at item") != NULL && caught_lines == 0);
+    end();
+}
+
+static void an_abort_ends_it_on_the_path(arb *a)
+{
+    begin();
+    plan_lines(a, 12);
+    CHECK(run(stream_of(), sim.clock + 0.2 + 0.001 * arb_below(a, 2000)) == TASK_GOES);
+    stream_key(&s.r, 'a');
+    CHECK(run(stream_task(&s.r), sim.clock + 5) == EX_TEMPFAIL);
+    CHECK(caught_lines == 1 && strstr(caught, "aborted after") != NULL && !simulated_moves());
+    end();
+}
+
+static void a_line_that_is_lost_is_told_once(arb *a)
+{
+    begin();
+    plan_lines(a, 12);
+    const task t = stream_of();
+    CHECK(run(t, sim.clock + 0.2 + 0.001 * arb_below(a, 2000)) == TASK_GOES);
+    const double since = sim.clock;
+    sim.gone           = arb_below(a, 2) == 0;
+    sim.mute           = !sim.gone;
+    CHECK(run(t, HOURS) == EX_IOERR && caught_lines == 1);
+    CHECK(sim.clock - since < (sim.gone ? 0.5 : 12));
+    CHECK(strstr(caught, sim.gone ? "vanished" : "silent for 10 s") != NULL);
+    end();
+}
+
+static void a_mute_machine_is_asked_for_as_long_as_said(arb *a)
+{
+    const struct loft_host_options o = usual();
+    const talk_options to = { .port = "-", .baud = 115200, .wait = 0.1 + 0.1 * arb_below(a, 50) };
+
+    hear();
+    simulated_begin(&o);
+    sim.mute = true;
+    CHECK(talk_open(&s.t, &to, sim.clock) == 0);
+    CHECK(run(talk_greets(&s.t), HOURS) == EX_UNAVAILABLE);
+    CHECK(fabs(sim.clock - to.wait) < 0.01 && caught_lines == 1);
+    talk_close(&s.t);
+}
+
+static void every_number_of_steps_gives_the_same_pulses(arb *a)
+{
+    task_wants w;
+
+    begin();
+    plan_lines(a, 10);
+    const task t = stream_of();
+    int code;
+    while ((code = simulated_step(&t, &w)) == TASK_GOES)    /* too early, as a busy loop does */
+        for (uint32_t ms = arb_below(a, 30); ms > 0 && sim.clock < w.until; ms--)
+            simulated_ms();
+    CHECK(code == 0 && is_drawn());
+    end();
+}
+
+
+// Moves and settings
+// ------------------
+
+static mover v;
+
+static void open_mover(const struct loft_host_options *o)
+{
+    const mover_options options = { .line = at_once };
+
+    hear();
+    simulated_begin(o);
+    CHECK(mover_open(&v, &options, sim.clock) == 0);
+    CHECK(run(mover_task(&v), HOURS) == 0);
+}
+
+static void moves_arrive(arb *a)
+{
+    const struct loft_host_options o = usual();
+
+    open_mover(&o);
+    for (int k = 0; k < 3; k++) {
+        const double to[] = { arb_below(a, 30), arb_below(a, 30), arb_below(a, 3) };
+        mover_to(&v, to, 30);
+        CHECK(run(mover_task(&v), HOURS) == 0);
+        CHECK(v.out.how == MOVER_ARRIVED && is_at(to));
+    }
+    const double said[] = { 1, 2, 3 };
+    mover_place(&v, 7, said);
+    CHECK(run(mover_task(&v), HOURS) == 0 && memcmp(v.at, said, sizeof said) == 0);
+    CHECK(caught_lines == 0);
+    mover_close(&v);
+}
+
+static bool asks_for_end(void *context) { return sim.clock > *(const double *)context; }
+
+static void a_move_that_is_ended_stops_on_its_path(arb *a)
+{
+    const struct loft_host_options o = usual();
+    double when = 0.3 + 0.001 * arb_below(a, 2000);
+    mover_move m = { .to = { 200, 0, 0 }, .feed = 30, .ends = asks_for_end, .context = &when };
+
+    open_mover(&o);
+    when += sim.clock;
+    mover_go(&v, &m);
+    CHECK(run(mover_task(&v), HOURS) == 0 && v.out.how == MOVER_ENDED);
+    CHECK(sim.clock < when + 1.5 && v.at[0] < 100 && is_at(v.at));
+    mover_close(&v);
+}
+
+static void a_move_in_the_middle_can_be_left(arb *a)
+{
+    const struct loft_host_options o = usual();
+    const mover_move m = { .to = { 200, 0, 0 }, .feed = 30 };
+
+    open_mover(&o);
+    mover_go(&v, &m);
+    CHECK(run(mover_task(&v), sim.clock + 0.001 * arb_below(a, 2000)) == TASK_GOES);
+    mover_close(&v);
+    CHECK(!sim.open);
+}
+
+/* A setting is written and read back after another greeting; who asks for the end is heard. */
+static void settings_come_back(arb *a)
+{
+    const double steps = 10 + arb_below(a, 200);
+    static settings_work k;
+    static settings before, after;
+
+    begin();
+    settings_read(&k, &before, &s.t);
+    CHECK(run(settings_task(&k), HOURS) == 0 && before.origin != LOFT_SETTINGS_KEPT);
+    before.m.steps_per_mm[1] = steps;
+    settings_write(&k, &before, &s.t, 5);
+    CHECK(run(settings_task(&k), HOURS) == 0);
+    settings_read(&k, &after, &s.t);
+    CHECK(run(settings_task(&k), HOURS) == 0 && after.origin == LOFT_SETTINGS_KEPT);
+    CHECK(after.m.steps_per_mm[1] == steps && caught_lines == 0);
+    settings_read(&k, &after, &s.t);
+    CHECK(run(settings_task(&k), sim.clock) == TASK_GOES);
+    s.t.stop = true;
+    CHECK(run(settings_task(&k), HOURS) == EX_TEMPFAIL);
+    talk_close(&s.t);
+}
+
+int main(void)
+{
+    PROPERTY(a_job_is_drawn_as_commanded, 6);
+    PROPERTY(a_hold_is_answered_while_planning_goes_on, 3);
+    PROPERTY(who_asks_for_the_end_gets_a_hold_and_may_go_on, 5);
+    PROPERTY(an_abort_ends_it_on_the_path, 5);
+    PROPERTY(a_line_that_is_lost_is_told_once, 5);
+    PROPERTY(a_mute_machine_is_asked_for_as_long_as_said, 10);
+    PROPERTY(every_number_of_steps_gives_the_same_pulses, 4);
+    PROPERTY(moves_arrive, 10);
+    PROPERTY(a_move_that_is_ended_stops_on_its_path, 5);
+    PROPERTY(a_move_in_the_middle_can_be_left, 10);
+    PROPERTY(settings_come_back, 5);
+    return check_failures();
+}
