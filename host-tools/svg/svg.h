@@ -164,6 +164,7 @@ typedef struct {
     bool paints;
     const char *ink;
     const xmlNode *pattern;
+    svg_matrix to_mm;           /* of a pattern's user units, if it is that of another element */
 } svg_paint;
 
 /* The space in which an element is drawn. */
@@ -171,7 +172,9 @@ typedef struct {
     svg_matrix to_mm;
     double width, height;       /* of the viewport in user units, for %; below 0: unknown */
     bool visible;
-    const xmlNode *pattern;     /* that fills; NULL: none */
+    const xmlNode *pattern;     /* that fills; NULL: none; */
+    bool pattern_placed;        /* in the user units that this maps to mm */
+    svg_matrix pattern_to_mm;
     bool fill, fill_opaque;                 /* an element with neither fill nor stroke is */
     bool stroke, stroke_opaque, stroke_wide;/* invisible and not drawn */
     bool evenodd, clip_evenodd; /* fill-rule, clip-rule */
@@ -288,7 +291,8 @@ enum svg_warning {
     SVG_WARN_MEDIA,
     SVG_WARN_FILTER,
     SVG_WARN_BLEND,
-    SVG_WARN_PAGE
+    SVG_WARN_PAGE,
+    SVG_WARN_BACKGROUND
 };
 
 /* The same, but the reading continues; only the first warning of each kind is printed. */
@@ -333,6 +337,8 @@ enum svg_property {
     SVG_MARKER_END,
     SVG_FILTER,
     SVG_BLEND,
+    SVG_BACKGROUND,
+    SVG_BACKGROUND_COLOUR,
     SVG_FONT,
     SVG_FONT_FAMILY,
     SVG_FONT_SIZE,

@@ -59,18 +59,17 @@ static svg_paint paint_of_url(svg_reader *r, const char *value)
              open ? open + 1 : "");
     const xmlNode *node = svg_find(r, id);
     if (node != NULL && svg_is(node, "pattern"))
-        return (svg_paint){ true, NULL, node };
+        return (svg_paint){ .paints = true, .pattern = node };
     if (node != NULL && (svg_is(node, "linearGradient") || svg_is(node, "radialGradient")))
-        return (svg_paint){ has_stops(r, node), NULL, NULL };
+        return (svg_paint){ .paints = has_stops(r, node) };
     after = after != NULL ? after + 1 : "";
     scan_space(&after);
-    return (svg_paint){ *after != '\0' && !is_clear(after), NULL, NULL };
+    return (svg_paint){ .paints = *after != '\0' && !is_clear(after) };
 }
 
 /* What a property paints; if it is not set, all stays. */
 static void read_paint(svg_reader *r, const svg_style *style, enum svg_property which,
-                       const svg_space *space, bool *paints, const char **ink,
-                       const xmlNode **pattern)
+                       svg_space *space, bool *paints, const char **ink, const xmlNode **pattern)
 {
     char *value   = svg_property(r, style, which, NULL);
     svg_paint own = { .paints = false };
@@ -90,14 +89,24 @@ static void read_paint(svg_reader *r, const svg_style *style, enum svg_property 
         *paints  = own.paints;
         *ink     = own.ink;
         *pattern = own.pattern;
+        if (which == SVG_STROKE && own.pattern != NULL)
+            svg_warn(
+                r, SVG_WARN_PATTERN,
+                "a stroke of a pattern is drawn as a line without it: make its outline a path");
+        if (which == SVG_FILL) {
+            space->pattern_placed = context;
+            space->pattern_to_mm  = own.to_mm;
+        }
     }
     xmlFree(value);
 }
 
 void svg_set_context(svg_space *space, const svg_space *of)
 {
-    space->context[0] = (svg_paint){ of->fill, of->fill_ink, of->pattern };
-    space->context[1] = (svg_paint){ of->stroke, of->stroke_ink, NULL };
+    const svg_matrix placed = of->pattern_placed ? of->pattern_to_mm : of->to_mm;
+
+    space->context[0] = (svg_paint){ of->fill, of->fill_ink, of->pattern, placed };
+    space->context[1] = (svg_paint){ of->stroke, of->stroke_ink, NULL, placed };
 }
 
 /* Is the number above 0? If it is not set, or not a number, the value stays. */
@@ -236,6 +245,24 @@ static void warn_effects(svg_reader *r, const svg_style *style)
     xmlFree(blend);
 }
 
+/* What is behind the drawing is paper. */
+static void warn_background(svg_reader *r, const svg_style *style)
+{
+    static const enum svg_property both[] = { SVG_BACKGROUND, SVG_BACKGROUND_COLOUR };
+
+    if (r->node->parent != NULL && r->node->parent->type == XML_ELEMENT_NODE)
+        return;
+    for (int k = 0; k < 2; k++) {
+        char *text = style->value[both[k]].text ? svg_property(r, style, both[k], NULL) : NULL;
+        if (!is_inherited(text) && !is_clear(text) && strcmp(text, "initial") != 0 &&
+            strcmp(svg_ink(r, text), svg_ink(r, "white")) != 0)
+            svg_warn(r, SVG_WARN_BACKGROUND,
+                     "the background %.40s is paper and not drawn: draw a box of this colour",
+                     text);
+        xmlFree(text);
+    }
+}
+
 /* Read whether the current element is visible. Returns false if it is not displayed. */
 static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space)
 {
@@ -249,6 +276,7 @@ static bool is_displayed(svg_reader *r, const svg_style *style, svg_space *space
     read_overflow(r, style, &space->clipped);
     if (good)
         warn_effects(r, style);
+    warn_background(r, style);
     read_visibility(r, style, &space->visible);
     const xmlNode *none;        /* strokes have no tiles */
     read_paint(r, style, SVG_FILL, space, &space->fill, &space->fill_ink, &space->pattern);

@@ -94,25 +94,52 @@ static void read_tile(svg_reader *r, const chain *c, const svg_space *of, tiling
     }
 }
 
+/* Apply the transform of a pattern, about its origin. */
+static void turn_tiles(svg_reader *r, const chain *c, const svg_space *of, svg_matrix *to_mm)
+{
+    const xmlNode *const was = r->node;
+    const xmlNode *turned    = with_attribute(c, "patternTransform");
+    double at[2]             = { 0, 0 };
+    svg_style style;
+    svg_scope scope;
+
+    if (turned == NULL)
+        return;
+    r->node = turned;
+    svg_style_open(r, &style, &scope, NULL);
+    char *text = svg_attribute(turned, "patternTransform");
+    char *origin = svg_property(r, &style, SVG_ORIGIN, NULL);
+    if (origin != NULL)
+        svg_origin(r, of, origin, at);
+    *to_mm = svg_multiply(*to_mm, (svg_matrix){ 1, 0, 0, 1, at[0], at[1] });
+    svg_transform(r, text, false, to_mm);
+    *to_mm = svg_multiply(*to_mm, (svg_matrix){ 1, 0, 0, 1, -at[0], -at[1] });
+    xmlFree(origin);
+    xmlFree(text);
+    svg_style_close(&style);
+    svg_scope_close(&scope);
+    r->node = was;
+}
+
 /* Where the tiles are that meet the outline. Without any, last < first. */
 static void place_tiles(svg_reader *r, const chain *c, const svg_space *of, const drawing *outline,
                         tiling *t)
 {
-    const xmlNode *turned = with_attribute(c, "patternTransform");
-    char *text            = turned ? svg_attribute(turned, "patternTransform") : NULL;
     double box[2][2];
 
-    svg_box(outline, 0, &of->to_mm, t->box);
+    t->to_mm = of->pattern_placed ? of->pattern_to_mm : of->to_mm;
+    svg_box(outline, 0, &t->to_mm, t->box);
     t->content  = with_children(c);
     t->view     = with_attribute(c, "viewBox");
     t->boxed    = t->view == NULL && says(c, "patternContentUnits", "objectBoundingBox");
-    t->to_mm    = of->to_mm;
     t->last[0]  = t->last[1] = -1;
     t->first[0] = t->first[1] = 0;
     read_tile(r, c, of, t);
-    if (text != NULL)
-        svg_transform(r, text, false, &t->to_mm);
-    xmlFree(text);
+    if (of->pattern_placed && (t->boxed || !says(c, "patternUnits", "userSpaceOnUse")))
+        svg_warn(r, SVG_WARN_PATTERN,
+                 "a pattern of context-fill in parts of a box takes the box of each shape: give it "
+                 "patternUnits=\"userSpaceOnUse\"");
+    turn_tiles(r, c, of, &t->to_mm);
     t->to_mm = svg_multiply(t->to_mm, (svg_matrix){ 1, 0, 0, 1, t->at[0], t->at[1] });
     const double area = t->to_mm.a * t->to_mm.d - t->to_mm.b * t->to_mm.c;
     if (t->content == NULL || !(t->size[0] > 0 && t->size[1] > 0 && fabs(area) > 0))

@@ -194,6 +194,7 @@ MEDIA|"@import" is not used|<style>@import "a.css";</style>
 FILTER|filter: url(#f) is not applied|<path d="M0 0h5" stroke="red" filter="url(#f)"/>
 BLEND|mix-blend-mode: screen is|<path d="M0 0h5" stroke="red" style="mix-blend-mode:screen"/>
 PAGE|is a white page and not drawn|<rect width="50" height="50" fill="white"/>
+BACKGROUND|#eef is paper and not drawn|
 TABLE
 }
 case_strict_svg_warning_by_warning() {
@@ -201,6 +202,7 @@ case_strict_svg_warning_by_warning() {
     while IFS='|' read -r kind pattern inside; do
         page='width="50mm" height="50mm" viewBox="0 0 50 50"'
         [ $kind != SIZE ] || page=
+        [ $kind != BACKGROUND ] || page="$page style=\"background: #eef\""
         printf '<svg xmlns="http://www.w3.org/2000/svg" %s %s>\n%s\n%s</svg>\n' "$page" \
             'xmlns:i="http://www.inkscape.org/namespaces/inkscape"' \
             '<path d="M1 1h3" stroke="red"/>' "$inside" >"$tmp/$kind.svg"

@@ -52,6 +52,39 @@ static void they_inherit_from_where_they_refer_to(arb *a)
           "M 0 2 L 4 2");
 }
 
+#define PLACED "M 2 5 L 4 5 M 4 5 L 8 5 M 8 5 L 10 5"
+
+/* The tiles of context-fill are those of what is used; a pattern is turned about its origin. */
+static void they_stand_where_they_are_given(arb *a)
+{
+    (void)a;
+    DRAWS(TILE(USER) "<defs><rect id='s' transform='translate(1 0)' x='1' y='2' width='8' "
+                     "height='4' fill='context-fill'/></defs><use href='#s' fill='url(#p)'/>",
+          PLACED);
+    DRAWS(TILE(USER) "<marker id='m' markerWidth='8' markerHeight='4' markerUnits='userSpaceOnUse'>"
+                     "<rect width='8' height='4' fill='context-fill'/></marker>"
+                     "<path d='M2 2z' fill='url(#p)' marker-start='url(#m)'/>",
+          PLACED);
+    DRAWS(TILE(USER "patternTransform='scale(2)' transform-origin='0 -3'") FILLED(""),
+          "M 2 5 L 8 5 M 8 5 L 10 5");
+    DRAWS(TILE(USER "patternTransform='scale(2)' style='transform-origin:0px -3px'") FILLED(""),
+          "M 2 5 L 8 5 M 8 5 L 10 5");
+    CHECK(caught_lines == 0);
+}
+
+/* Each loss is one line. */
+static void what_they_lose_is_told(arb *a)
+{
+    (void)a;
+    DRAWS(
+        TILE("width='1' height='1'") "<defs><rect id='s' x='2' y='2' width='8' height='4' "
+                                     "fill='context-fill'/></defs><use href='#s' fill='url(#p)'/>",
+        "M 2 3 L 6 3");
+    CHECK(caught_lines == 1 && strstr(caught, "takes the box of each shape") != NULL);
+    DRAWS(TILE(USER) "<path d='M0 1H4' stroke='url(#p)'/>", "M 0 1 L 4 1");
+    CHECK(caught_lines == 1 && strstr(caught, "stroke of a pattern") != NULL);
+}
+
 static void too_many_are_left_out_and_told(arb *a)
 {
     (void)a;
@@ -113,6 +146,8 @@ int main(void)
     PROPERTY(tiles_are_cut_at_the_shape, 1);
     PROPERTY(their_size_may_be_that_of_the_shape, 1);
     PROPERTY(they_inherit_from_where_they_refer_to, 1);
+    PROPERTY(they_stand_where_they_are_given, 1);
+    PROPERTY(what_they_lose_is_told, 1);
     PROPERTY(too_many_are_left_out_and_told, 1);
     return check_failures();
 }
