@@ -89,8 +89,8 @@
 #  error "LOFT_PLAN_EFFORT must be 1 or 2"
 #endif
 
-/* May a machine plan by itself, so that curves can be sent to it? 1: those that are given memory
- * for it do (lib/machine/planner.h). Cost: the code of lib/motion/plan in the firmware, whether
+/* A machine plans by itself, so that curves can be sent to it. 1: if it is given memory for it
+ * (lib/machine/planner.h). Cost: the code of lib/motion/plan in the firmware, whether
  * memory is given or not. */
 #ifndef LOFT_MACHINE_PLANS
 #  if defined(__AVR__)

@@ -22,7 +22,7 @@ typedef struct {
     uint8_t  same;
 } loft_switches;
 
-/* Is the state `now` steady? Call it about once per millisecond. */
+/* True if the state `now` is steady. Call it about once per millisecond. */
 static inline bool loft_switches_steady(loft_switches *s, uint16_t now)
 {
     s->same = now == s->last ? (uint8_t)(s->same + (s->same < LOFT_SWITCHES_SAME)) : 1;

@@ -1,4 +1,4 @@
-/* host-tools/base/create.h -- files that cannot be made: told in one line, and before long work
+/* host-tools/base/create.h -- files that cannot be made: reported in one line, and before long work
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_CREATE_H
@@ -17,8 +17,8 @@ FILE *create_file(const char *name);
 /* Tell that a file could not be made, and why: an `errno`. Returns EX_CANTCREAT. */
 int create_refused(struct host *h, const char *name, int why);
 
-/* Can a file or folder be made there? Changes nothing; NULL and "-" can. Returns 0, or an exit code
- * after one message. */
+/* Refuse a name where no file or folder can be made, and change nothing; NULL and "-" are good.
+ * Returns 0, or an exit code after one message. */
 int create_check(struct host *h, const char *name);
 
 #endif

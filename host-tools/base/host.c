@@ -16,7 +16,7 @@ void host_close(host *h)
     h->input.size = 0;
 }
 
-/* `m` has all but the words. Without memory for long ones, their beginning is told. */
+/* `m` has all but the words. Without memory for long ones, only their beginning is passed on. */
 static void tell(const host *h, host_message *m, const char *what, va_list values)
 {
     char few[512], *text = few;

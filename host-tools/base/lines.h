@@ -30,7 +30,7 @@ int lines_read(lines *r, const char *text, int (*each)(void *context), void *con
 /* Print `file:line: what: remedy`. Returns EX_DATAERR. */
 int lines_wrong(const lines *r, const char *what, const char *remedy);
 
-/* Is the rest of the line empty? */
+/* True if the rest of the line is empty. */
 bool lines_over(const lines *r);
 
 /* Skip `word` and the blanks after it if it is the next word; skip a colon if it comes next. */

@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#define NEAR_MOST 3             /* words that are told */
+#define NEAR_MOST 3             /* words that are suggested */
 
 /* Initialize with { word, its length }. */
 typedef struct {
@@ -16,8 +16,8 @@ typedef struct {
     size_t distance[NEAR_MOST];
 } near_words;
 
-/* May it be this one? At most a third of the letters differ, are missing, too many or swapped (the
- * distance of Damerau and Levenshtein), or the word is a part of it. */
+/* Add the candidate if it may be meant: at most a third of the letters differ, are missing, too
+ * many or swapped (the distance of Damerau and Levenshtein), or the word is a part of it. */
 void near_try(near_words *n, const char *candidate);
 
 /* ": did you mean a, b or c?", or "". Returns `out`. */

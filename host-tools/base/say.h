@@ -19,8 +19,8 @@
  * point, or -1: the byte is no character. */
 int say_character(const char *text, int32_t *seen);
 
-/* Does this code point not print, but change or hide what is beside it? Controls of C0 and C1, of
- * direction, separators, marks without width. */
+/* True if this code point does not print, but changes or hides what is beside it: controls of C0
+ * and C1, of direction, separators, marks without width. */
 bool say_hides(int32_t character);
 
 /* Copy a text as one line that prints: newlines are escaped as well. It is cut at the end of a

@@ -16,7 +16,7 @@ struct host;                /* base/host.h */
  * <sysexits.h> and returns NULL. */
 char *source_read(struct host *h, const char *file, size_t *size, int *code);
 
-/* A file in parts. While it is read, the host is told how much of it is. */
+/* A file in parts. While it is read, the host gets progress. */
 typedef struct source {
     const char *text;           /* this part: whole lines, followed by a 0; all of them if it is of
                                  * one part */
@@ -58,8 +58,8 @@ typedef struct {
 extern const option source_rows[];
 const char *source_given_name(const source_given *from);    /* in messages */
 
-/* Does the text start with `<`, after at most a byte order mark and white space, or with the mark
- * of UTF-16? */
+/* True if the text starts with `<`, after at most a byte order mark and white space, or with the
+ * mark of UTF-16. */
 bool source_is_xml(const char *text);
 
 #endif

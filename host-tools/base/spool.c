@@ -3,7 +3,7 @@
  *
  * The file is mapped, so its pages are not of the process alone: the system writes them to the disk
  * and takes them when it needs memory. Its bytes are allocated before they are mapped: a full disk
- * is told here, not by a signal at a write.
+ * is reported here, not by SIGBUS at a write.
  */
 #include <fcntl.h>
 #include <stdbool.h>

@@ -58,7 +58,7 @@ static int bits_for(const drawing *d)
     return bits;
 }
 
-/* Are the inner points on the thirds, as far as the table tells? */
+/* True if the inner points are on the thirds, to the digits of the table. */
 static bool is_line(const drawing_curve *c, int bits)
 {
     for (int i = 0; i < 2; i++)

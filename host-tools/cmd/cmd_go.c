@@ -42,7 +42,7 @@ static const option go_rows[] = { { "place", OPTION_WORD(go_options, place), .le
     OPTION_GROUP(go_options, move, mover_rows),
     FEED_ROW(go_options),
                                   { "by", OPTION_FLAG(go_options, by),
-                                    .help = "by so much from where the tool is" },
+                                    .help = "by that much, from where the tool is" },
                                   { 0 } };
 
 static int go(void *options)

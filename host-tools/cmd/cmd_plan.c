@@ -233,7 +233,7 @@ static int trace_drawing(const plan_options *o, const engine_limits *limits, rep
                        : code;
 }
 
-/* What is done between motions is no part of the plan that is analysed. */
+/* Dwells and tool actions are excluded from the times. */
 static void tell_times(const plan_options *o, const drawing *d)
 {
     if (d->events > 0)
@@ -322,7 +322,7 @@ static const option plan_rows[] = {
     { 0 }
 };
 
-/* Can that be drawn, and judged? Returns 0, or an exit code after printing one line. */
+/* Refuse what cannot be drawn or judged. Returns 0, or an exit code after printing one line. */
 static int check_plan(const plan_options *o)
 {
     bool png;

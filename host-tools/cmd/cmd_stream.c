@@ -182,7 +182,7 @@ static int dry_run(const stream_options *o, const drawing *d, const stream_parts
     return code;
 }
 
-/* Can the machine do what the options ask? */
+/* Refuse what the machine cannot do. */
 static int check_machine(const stream_options *o, const loft_sender *s)
 {
     if (!o->chip || (s->machine.kinds & 1u << LOFT_CURVES && s->machine.curves > 0))

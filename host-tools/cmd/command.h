@@ -24,7 +24,7 @@ typedef struct {
 /* Its table with the options that all commands have. */
 void command_options(const command *c, option whole[3]);
 
-/* The size of the struct that this table fills; was --strict given? */
+/* The size of the struct that this table fills; whether --strict was given. */
 size_t command_size(const command *c);
 bool command_is_strict(const command *c, const void *options);
 

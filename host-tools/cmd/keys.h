@@ -28,7 +28,7 @@ int keys_answer(int wait);
  * sent yet, and a long computation does not check keys_interrupted. */
 void keys_hasty(bool hasty);
 
-/* Has the user asked to stop? The second ^C ends the program at once, with EX_TEMPFAIL. */
+/* True if the user has asked to stop. The second ^C ends the program at once, with EX_TEMPFAIL. */
 bool keys_interrupted(void);
 
 #endif

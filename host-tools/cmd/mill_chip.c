@@ -103,7 +103,7 @@ static int dry_run(mill_chip *c, const surfaces *all, const char *file)
     return code;
 }
 
-/* Can the machine do that? */
+/* Refuse what the machine cannot do. */
 static int check_machine(mill_chip *c, const talk *t)
 {
     const loft_welcome *m = &t->sender.machine;

@@ -23,7 +23,7 @@ typedef struct {
     uint32_t id;                    /* 0: the machine keeps none */
 } report_job;
 
-/* Is the pen down in this move of the path? */
+/* True if the pen is down in this move of the path. */
 static inline bool report_draws(const report_job *of, size_t move)
 {
     return of->path != NULL && move < of->path->count && of->path->curve[move] != TOOLPATH_TRAVEL;
@@ -42,7 +42,7 @@ void report_planned(const report_job *job, double seconds, uint32_t items);
 /* Show this, at most ten times a second. The bar is a line of standard error, as `words`. */
 void report_show(const send_facts *f, const char *words);
 
-/* Is the state shown, so that a line about it would repeat it? */
+/* True if the state is shown, so that a line about it would repeat it. */
 bool report_shown(void);
 
 /* Tell an event in one line. */

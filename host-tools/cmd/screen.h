@@ -8,7 +8,7 @@
 
 #include <stdbool.h>
 
-/* Can the option `name` have the terminal? Returns 0, or an exit code after printing one line. */
+/* Refuse the option `name` without a terminal. Returns 0, or an exit code after one line. */
 int screen_check(const char *name);
 
 /* Take the terminal. Returns false if it cannot do this. A second call does nothing. */

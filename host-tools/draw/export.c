@@ -26,7 +26,7 @@ static void put_number(FILE *out, double x)
 
 static bool is_drawn(const drawing_curve *c)    { return !(c->feed < 0); }
 
-/* Does curve i begin a path? Also behind a travel. */
+/* True if curve i begins a path, also behind a travel. */
 static bool begins(const drawing *d, size_t i)
 {
     return i == 0 || d->curve[i].path != d->curve[i - 1].path || !is_drawn(&d->curve[i - 1]);

@@ -142,9 +142,9 @@ void   plot_scale_bar(const plot_view *v, double y, double parts);
 void   plot_number(char *out, size_t size, double value, double step);
 const char *plot_base_name(const char *path);
 
-/* Is the extension of `output` known, and is it a PNG? Begin a picture of that format: v->cairo on
- * a canvas of v->width x v->height. End it: returns an exit code after printing one line. `v` must
- * not move in between. */
+/* Tell whether the extension of `output` is known, and whether it is a PNG. Begin a picture of that
+ * format: v->cairo on a canvas of v->width x v->height. End it: returns an exit code after printing
+ * one line. `v` must not move in between. */
 bool plot_known(const char *output, bool *png);
 cairo_surface_t *plot_begin(plot_view *v, const char *output);
 int  plot_end(plot_view *v, cairo_surface_t *canvas, const char *output);

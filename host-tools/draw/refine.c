@@ -69,7 +69,7 @@ static void add_triangle(work *w, unsigned kite, refined_place a, refined_place 
 // Edges
 // -----
 
-/* On which sides of its kite is a place? Bits: u = 0, u = 1, v = 0, v = 1, u + v = 1. */
+/* The sides of its kite on which a place is. Bits: u = 0, u = 1, v = 0, v = 1, u + v = 1. */
 static unsigned sides_of(const surface *s, const refined_place *x)
 {
     const bool triangle = surface_is_triangle(s);
@@ -331,7 +331,7 @@ static size_t share_node(work *w, const double p[ENGINE_AXES])
     return made;
 }
 
-/* Is the side that begins at cell corner k of a grid, toward the next, one point? */
+/* True if the side that begins at cell corner k of a grid, toward the next, is one point. */
 static void open_ends(refined_place at[4], bool along_u[4])
 {
     for (int k = 0; k < 4; k++) {

@@ -4,7 +4,7 @@
  *     refined r = { 0 };
  *     code = refine_surfaces(&r, all, file, e, 0.01);
  *     code = code ? code : refined_mesh(&r, all, file, &m);       // for mesh_write
- *     refined_body(&r, &body);                                    // is it closed? its volume
+ *     refined_body(&r, &body);                                    // closed or not; its volume
  *
  * A node is a point that triangles share, also those of different surfaces. So a patch that
  * continues another one along the same edge has the same corners there: no gap opens.

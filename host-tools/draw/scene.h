@@ -18,7 +18,7 @@
 
 /* The colours of a map: from dark to bright; or, with `signs`, blue below 0, white, red above. */
 typedef struct {
-    double limit;               /* the value at its ends; 0: there is nothing to show */
+    double limit;               /* the value at its ends; 0: none */
     bool signs;
     bool clipped;               /* some values are larger */
 } scene_scale;

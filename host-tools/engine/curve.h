@@ -104,15 +104,15 @@ static inline const char *curve_name(enum curve_kind kind) { return curve_kinds[
 /* What the library says of this curve, and the remedy (engine_status). */
 const char *curve_status(const curve *c, int status);
 
-/* Does it have weights? Has it points beyond its ends? Is it a B-spline? */
+/* It has weights; it has points beyond its ends; it is a B-spline. */
 static inline bool curve_is_rational(const curve *c) { return curve_kinds[c->kind].rational; }
 static inline bool curve_extends(const curve *c) { return curve_kinds[c->kind].extends; }
 static inline bool curve_has_knots(const curve *c) { return curve_kinds[c->kind].knots; }
 
-/* Is it a Bezier curve of a degree above those of the library? */
+/* True if it is a Bezier curve of a degree above those of the library. */
 bool curve_is_high(const curve *c);
 
-/* Has it a first and a last point that only give directions? Does it end where it began? */
+/* Its first and its last point only give directions; it ends where it began. */
 bool curve_hides_ends(const curve *c);
 bool curve_is_closed(const curve *c);
 

@@ -135,7 +135,7 @@ static double bound_of(const left *l, const piece *p, const double tip[3])
 
 /* The path */
 
-/* What the path leaves at a point, or some of it that is no more than enough. */
+/* What the path leaves at a point; stops early below `enough`. */
 static double left_at(const left *l, const shortlist *s, const double p[3], double enough)
 {
     double least = INFINITY;
@@ -324,7 +324,7 @@ static bool fill_piece(piece *p)
     return true;
 }
 
-/* Is its first corner one of the sheet, which may be trimmed? */
+/* True if its first corner is one of the sheet, which may be trimmed. */
 static bool has_corner(const piece *p)
 {
     const loft_sheet *const s = p->sheet;
@@ -342,7 +342,7 @@ static bool has_corner(const piece *p)
            loft_region_has(s->trim, loft_region_spot(v.axis[0], v.axis[1]));
 }
 
-/* Is nothing of it left by the loops to which the sheet is trimmed? */
+/* True if the loops to which the sheet is trimmed leave nothing of it. */
 static bool is_outside(const piece *p)
 {
     loft_box box = p->sheet->box;
@@ -478,7 +478,7 @@ static void begin_search(left *l)
     free(every);
 }
 
-/* Where much may be left, what is little beside it need not be told, nor the tool be so low. */
+/* Where much may be left, small remainders need no report, nor a tool that low. */
 static void look_coarsely(left *l)
 {
     const double little = l->known[0] * l->share[0];

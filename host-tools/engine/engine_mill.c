@@ -21,7 +21,7 @@
 
 #define FEW     16      /* so many surfaces are cut into 64 sheets each */
 #define NEAR    16      /* of the tolerance: bounds of pieces come so near */
-#define BEYOND  0.7     /* radii: so much at least, to round the border */
+#define BEYOND  0.7     /* radii: at least that far, to round the border */
 #define AROUND  1.25    /* radii: there is room to go around */
 
 /* Surfaces stay open, for sheets borrow them. */

@@ -41,7 +41,7 @@ static void give(valleys *v, const loft_vec *p)
     mill_cuts_add(v->out, point);
 }
 
-/* Is the middle of two places near to a valley that is known? */
+/* True if the middle of two places is near to a valley that is known. */
 static bool is_known(const valleys *v, const loft_touch *a, const loft_touch *b)
 {
     double at[2];

@@ -87,7 +87,7 @@ static double way_of(loft_vec a, loft_vec b, double out[ENGINE_AXES])
     return sqrt(square);
 }
 
-/* Is it one straight line that never turns back, however it is cut? */
+/* True if it is one straight line that never turns back, however it is cut. */
 static bool is_one_line(const engine_plan *p)
 {
     double along[ENGINE_AXES], off[ENGINE_AXES], before = 0;

@@ -20,7 +20,7 @@
 #define MOST    64
 #define LEVEL   1e-3            /* less of a normal beside z: the surface is level */
 #define SLACK   64              /* a radius by this: what a contact may err along its normal */
-#define STEEP   (1.0 / 16)      /* there the slack is so much of its height */
+#define STEEP   (1.0 / 16)      /* the slack there, over its height */
 
 typedef struct {
     loft_drop d;                /* without a floor */
@@ -29,7 +29,7 @@ typedef struct {
     unsigned cells;             /* along a side of a sheet */
 } touches;
 
-/* May the tip be there? */
+/* True if the tip may be there. */
 static bool is_free(const touches *t, const double tip[3], const double n[3])
 {
     const double slack = t->o->radius / SLACK / fmax(n[2], STEEP);

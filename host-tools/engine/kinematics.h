@@ -52,7 +52,7 @@ typedef struct kinematics_kind {
     bool pole;          /* motor 1 turns around a pole: `turn`, `inside` */
     /* Compute `geometry`; `zero` follows from it. */
     void (*prepare)(kinematics *k);
-    /* Is this geometry impossible? */
+    /* True if this geometry is impossible. */
     bool (*faulty)(const kinematics *k, kinematics_fault *why);
     /* As kinematics_beyond. */
     bool (*beyond)(const kinematics *k, const double at[ENGINE_AXES], char why[160]);
@@ -88,7 +88,7 @@ kinematics kinematics_usual(void);
 /* Compute the derived fields. */
 void kinematics_ready(kinematics *k);
 
-/* Is the geometry impossible? Then `why` says what is wrong, and the remedy. */
+/* True if the geometry is impossible; then `why` says what is wrong, and the remedy. */
 bool kinematics_faulty(const kinematics *k, kinematics_fault *why);
 
 /* The name of the kind; and the reverse. Returns false for an unknown word. */
@@ -102,7 +102,7 @@ void kinematics_names(char out[KINEMATICS_NAMES]);
 /* The names of the motors, "xyz" or "abc". */
 const char *kinematics_axes(const kinematics *k);
 
-/* Is the place out of reach? Then `why` says why: "20.0 mm from the pole .." */
+/* True if the place is out of reach; then `why` says why: "20.0 mm from the pole .." */
 bool kinematics_beyond(const kinematics *k, const double tool[ENGINE_AXES], char why[160]);
 
 /* The motors for a place within reach. An angle is the one closest to that of `near`. */

@@ -14,7 +14,7 @@ typedef struct piece {
     unsigned degree;
 } piece;
 
-/* Are the weights different? */
+/* True if the weights differ. */
 bool piece_is_rational(const piece *c);
 
 /* The point at t in 0..1, and its first and second derivatives. */

@@ -45,10 +45,10 @@ typedef struct {
 
 sided_node sided_owner(const surface *patch, sided_node at, unsigned half);
 
-/* Is the side along which s of a kite runs (t: `before`) a side of the patch, not a diagonal? */
+/* True if the side along which s of a kite runs (t: `before`) is one of the patch, no diagonal. */
 bool sided_is_border(const surface *patch, unsigned kite, bool before);
 
-/* Is a point in the polygon of the patch, up to rounding? True if there is no polygon. */
+/* True if a point is in the polygon of the patch, up to rounding, or if there is no polygon. */
 bool sided_has(const surface *patch, double x, double y);
 
 /* The patch's own parameters in the middle of its first part. */
@@ -57,7 +57,7 @@ sided_place sided_middle(const surface *patch);
 /* Set the default polygon: regular, in the unit circle, vertex 0 at the top, counterclockwise. */
 void sided_regular(surface *patch);
 
-/* Does the polygon have integer vertices from -32 to 32, and is it convex and counterclockwise? */
+/* True if the polygon is convex and counterclockwise, with integer vertices from -32 to 32. */
 bool sided_is_lattice(const surface *patch);
 
 /* The parameters that a patch has at the place s, t of its quarter at a vertex: the point of the

@@ -94,13 +94,13 @@ typedef struct surfaces {
 
 const char *surface_name(enum surface_kind kind);
 
-/* Is its domain the triangle u + v <= 1? */
+/* True if its domain is the triangle u + v <= 1. */
 bool surface_is_triangle(const surface *s);
 
-/* Has it a degree above those of the library? */
+/* True if it has a degree above those of the library. */
 bool surface_is_high(const surface *s);
 
-/* Does it have n sides? */
+/* True if it has n sides. */
 bool surface_is_sided(const surface *s);
 
 /* The number of kites of a grid over it (one for each side of each part of a patch with n sides,

@@ -218,7 +218,7 @@ static char *read_back(FILE *f)
     return all;
 }
 
-/* Is the word in this row, not behind it? */
+/* True if the word is in this row, not behind it. */
 static bool row_has(const char *row, const char *word, size_t length)
 {
     const char *end = row + strcspn(row, "\n");

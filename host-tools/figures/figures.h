@@ -26,7 +26,7 @@ typedef struct {
                              * with `eval`; "#meet": the number of rows with `meet`; "@2:3": row 2,
                              * column 3                                                           */
     double want;
-    double lsb, off;        /* the bound: so many LSB of a number of this size, and so much more */
+    double lsb, off;        /* the bound: LSB of a number of this size, and what is added to them */
     double floats;          /* instead of `off` in f32 and f64, if not 0 */
     const char *text;       /* instead of a number: this is in the output, lines joined with `;` */
 } figure_proof;

@@ -103,7 +103,7 @@ gcode_program *gcode_open(struct host *h, const char *file, enum gcode_dialect d
 /* The tools of the machine, for G41, G43 and M6; NULL: none. They outlive the program. */
 void gcode_set_tools(gcode_program *g, const struct machine_tools *tools);
 
-/* Has the program said its end (M2, M30 or the second %)? */
+/* True if the program has said its end (M2, M30 or the second %). */
 bool gcode_ended(const gcode_program *g);
 
 /* Run at most so many lines behind the first O-word; 0: the usual bound. */

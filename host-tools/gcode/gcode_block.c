@@ -189,7 +189,7 @@ static void take_message(gcode_scanner *s)
     s->at = s->end;
 }
 
-/* Commands of a printer's firmware that are words, as Klipper's: they are left out, and told. */
+/* Commands of a printer's firmware that are words, as Klipper's: they are left out and reported. */
 static bool takes_command(gcode_scanner *s)
 {
     gcode_block *b  = s->b;

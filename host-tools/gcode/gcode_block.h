@@ -33,7 +33,7 @@ typedef struct {
     gcode_named named[GCODE_NAMED];
     unsigned count;
     unsigned depth;             /* subroutines in each other */
-    double value, returned;     /* of the last one, and did it give one? */
+    double value, returned;     /* of the last one; whether it gave one */
 } gcode_parameters;
 
 typedef struct {

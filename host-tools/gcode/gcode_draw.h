@@ -15,7 +15,7 @@ extern const reader reader_gcode;
  * after one message. */
 int drawing_read_gcode(host *h, drawing *d, const char *file, const char *text, size_t size);
 
-/* Is it a program of a 3-D printer? */
+/* True if it is a program of a 3-D printer. */
 bool gcode_is_printer(const char *text);
 
 #endif

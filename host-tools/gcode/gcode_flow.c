@@ -167,7 +167,7 @@ static bool take_o(gcode_scanner *s)
     return gcode_take(s, 'O');
 }
 
-/* `runs`: a label may be computed, and what is wrong is told. */
+/* `runs`: a label may be computed, and errors are reported. */
 static void read_o_word(gcode_scanner *s, o_word *out, bool runs)
 {
     int n = 0;
@@ -187,7 +187,7 @@ bool gcode_flow_steers(gcode_program *g, const char *text, size_t length)
 
     if (g->printer || (g->b.skip && gcode_peek(&s) == '/') || !take_o(&s))
         return false;
-    s.code = -1;                /* nothing is told here */
+    s.code = -1;                /* nothing is reported here */
     read_o_word(&s, &o, false);
     return o.word != NAME || o.text[0] == '<' || o.text[0] == '\0';
 }
@@ -372,7 +372,7 @@ static void go_to(gcode_program *g, unsigned n)
     g->flow->at = (place){ g->flow->at.unit, s->line, s->at, n };
 }
 
-/* The next line of the label with that word behind line n; 0 is behind the last one, and told. */
+/* The next line of the label with that word behind line n; 0: none, which is reported. */
 static int find_word(gcode_program *g, unsigned n, const o_word *o, enum word word, unsigned *out)
 {
     const unit *u = unit_at(g);

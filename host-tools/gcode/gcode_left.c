@@ -1,4 +1,4 @@
-/* host-tools/gcode/gcode_left.c -- words that this machine has no use for: told once, at the end
+/* host-tools/gcode/gcode_left.c -- words that this machine has no use for: reported at the end
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>

@@ -10,7 +10,7 @@
 
 #include "gcode/gcode_state.h"
 
-/* Distances from the centre may differ so much, as in LinuxCNC: */
+/* Limits of the difference between distances from the centre, as in LinuxCNC: */
 #define SPIRAL_PART 0.001       /* of the radius, */
 #define SPIRAL      (0.02 * 1.41421356237309505)        /* or mm, in G20 a tenth of it in inches, */
 #define SPIRAL_MOST 100         /* and never more than so many times it */

@@ -124,7 +124,7 @@ static bool has_axes(const gcode_block *b)
     return (b->has & (GCODE_BIT('X') | GCODE_BIT('Y') | GCODE_BIT('Z'))) != 0 || is_polar(b);
 }
 
-/* M67 and M68 set the output E: they are left out, and told. */
+/* M67 and M68 set the output E: they are left out and reported. */
 static bool has_output(const gcode_block *b)
 {
     for (unsigned i = 0; i < b->ms; i++)
@@ -235,7 +235,7 @@ static int check_used(const gcode_program *g)
     return 0;
 }
 
-/* Where this machine has no output of its own, such words are left out, and told. */
+/* Where this machine has no output of its own, such words are left out and reported. */
 static int run_outputs(gcode_program *g)
 {
     for (unsigned i = 0; i < g->b.ms; i++) {
@@ -399,7 +399,7 @@ static int set_modes(gcode_program *g, const int of[GROUPS])
                                 of[SYSTEM] < 591 ? (of[SYSTEM] - 530) / 10 : 6 + of[SYSTEM] - 590);
     if (code == 0 && of[LATHE] == 70)
         code = wrong_code(g, 'G', 70, "gcode.lathe-diameter",
-                          "diameters of a lathe are not known here", "give radii (G8)");
+                          "lathe diameters are not supported", "give radii (G8)");
     if (of[SPINDLE] == 960) {           /* the speed is that of the cut, of a lathe */
         gcode_leave_out(g, 'G', 960);
         (void)gcode_value(&g->b, 'D');

@@ -58,7 +58,7 @@ struct gcode_program {
     bool incremental, centre_absolute;
     int feed_mode;              /* 930 940 950 */
     double feed;                /* units per minute, per turn; 1/minutes */
-    bool fed;                   /* was it given? */
+    bool fed;                   /* it was given */
     double speed;               /* S; 0, if it is not `timed` */
     bool timed;
     int spindle, coolant;       /* 3, 4 or 0; 1 or 0 */
@@ -90,7 +90,7 @@ struct gcode_program {
         double r, z, p, q;
         double aside[3];        /* I J K of G87 */
         double initial;         /* the height before the first one */
-        bool leveled;           /* is `initial` known? */
+        bool leveled;           /* `initial` is known */
         int code;               /* 0: none before */
     } cycle;
 
@@ -143,7 +143,7 @@ int gcode_line(gcode_program *g, const char *text, size_t length);
 const char *gcode_line_end(const char *text, const char *end);
 const char *gcode_next_line(const char *stop, const char *end);
 
-/* gcode_flow.c: is it a line with an O-word that is not just the program's name? From line number
+/* gcode_flow.c: true if a line has an O-word that is not just the program's name. From line number
  * `line` on the text is kept, and run when it is complete. M98 of the line. */
 bool gcode_flow_steers(gcode_program *g, const char *text, size_t length);
 void gcode_flow_open(gcode_program *g, unsigned line);

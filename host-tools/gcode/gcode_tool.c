@@ -85,7 +85,7 @@ int gcode_tool_side(gcode_program *g, int code)
         return gcode_fails(g, "gcode.compensation-no-diameter", "G41.1 and G42.1 want the diameter",
                            "give D of 0 or more");
     if (gcode_has(&g->b, 'L') && fabs(gcode_value(&g->b, 'L')) > 0)
-        return gcode_fails(g, "gcode.lathe-tool", "L: tools of a lathe are not known here",
+        return gcode_fails(g, "gcode.lathe-tool", "L: lathe tools are not supported",
                            "leave it out");
     return gcode_radius_on(g, side, gcode_value(&g->b, 'D') * g->frame.unit);
 }

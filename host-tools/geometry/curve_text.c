@@ -390,7 +390,7 @@ static int knot_line(reading *r)
                : lines_wrong(&r->at, "not a knot", "give numbers, as many as points + degree + 1");
 }
 
-/* The curve is complete: is it valid? */
+/* The curve is complete: refuse what is not valid. */
 static int end_curve(reading *r)
 {
     const lines at = { .host = r->at.host, .file = r->at.file, .line = r->now ? r->now->line : 0 };

@@ -8,7 +8,7 @@
 
 struct host;                    /* base/host.h */
 
-/* Does the name of the file, or the first word of the text, say that it holds curves? */
+/* True if the name of the file, or the first word of the text, says that it holds curves. */
 bool curves_is_text(const char *file, const char *text);
 
 /* Append the curves of a text. Returns 0, or an exit code after one message. `*all` must be

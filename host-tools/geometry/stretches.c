@@ -22,7 +22,7 @@ static double stretch_gap(const double a[CURVE_AXES], const double b[CURVE_AXES]
     return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
-/* Does one stretch begin where the other ends, or before? The seam of a closed curve does not
+/* True if one stretch begins where the other ends, or before. The seam of a closed curve does not
  * count. */
 static bool stretches_touch(const double s[3], double at[3][CURVE_AXES], const double other[3],
                             double other_at[3][CURVE_AXES], double gap, double range)

@@ -71,7 +71,7 @@ static int broken_domain(const lines *at, const surface *s, const unsigned side[
     return lines_wrong(at, words, "list its vertices once around, so that no two sides touch");
 }
 
-/* Is the polygon valid, and valid for these coordinates? */
+/* Refuse a polygon that is invalid, in itself or for these coordinates. */
 static int judge_domain(const lines *at, surface *s)
 {
     unsigned where[2];

@@ -372,7 +372,7 @@ static void count_degree(surface *s)
         s->m++;
 }
 
-/* The surface is complete: is it valid? */
+/* The surface is complete: refuse what is not valid. */
 static int end_surface(reading *r)
 {
     const lines at = { .host = r->at.host, .file = r->at.file, .line = r->now ? r->now->line : 0 };

@@ -16,7 +16,7 @@ int surfaces_read(struct host *h, surfaces *all, const char *file);
 /* The same, but a file without surfaces is an error. */
 int surfaces_read_only(struct host *h, surfaces *all, const char *file);
 
-/* Does a surface begin with this word? Read a text. */
+/* True if a surface begins with this word. Read a text. */
 bool surface_begins(const char *word);
 int  surfaces_read_text(struct host *h, surfaces *all, const char *file, const char *text);
 

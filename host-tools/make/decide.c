@@ -111,7 +111,7 @@ const option decide_rows[] = { { "of", OPTION_LIST(decide_options, of), .least =
                                  .value = "FILE", .remedy = "one word too many" },
                                { 0 } };
 
-/* As many files and numbers as the question takes? */
+/* Refuse other numbers of files and values than the question takes. */
 static int check_question(const char *name, const decide_question *q, const decide_options *o)
 {
     const size_t files = q->takes == DECIDE_NUMBERS ? 0 : q->takes == DECIDE_BOTH ? 2 : 1;

@@ -39,7 +39,7 @@ static bool triangular(size_t count, unsigned *degree)
 // Numbers
 // -------
 
-#define LONG_DEGREE 48          /* from there on it is told that it takes seconds */
+#define LONG_DEGREE 48          /* above this degree warn: slow */
 
 /* A polynomial, and memory to decide about it. */
 typedef struct {

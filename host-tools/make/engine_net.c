@@ -54,7 +54,8 @@ static int open_only(void *context, loft_net net, const engine_net_part *part)
     return LOFT_OK;
 }
 
-/* What cannot be asked is told before another is, which may take long; a row is told at once. */
+/* A question that cannot be asked is refused before any other is computed, which may take long; a
+ * row is printed at once. */
 static int ask_each(net_question *q, engine_net_visit *visit, void (*tell)(const net_question *q))
 {
     int status = LOFT_OK;

@@ -59,7 +59,7 @@ static inline void decide_refuse_kind(const decide_input *in, size_t number, con
                  number);
     else if (surface_is_sided(s))
         snprintf(in->why, DECIDE_WHY,
-                 "surface %zu: a %s is no quotient of polynomials up to degree 9: give another "
+                 "surface %zu: a %s is not rational up to degree 9: give another "
                  "kind, or cut it by planes: `loft contour`",
                  number, surface_name(s->kind));
     else

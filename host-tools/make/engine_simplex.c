@@ -61,7 +61,7 @@ static bool degree_of(size_t count, bool solid, unsigned *degree)
     return false;
 }
 
-/* Whole, 0 to most? */
+/* True if it is whole, 0 to most. */
 static bool whole_of(double x, double most, unsigned *out)
 {
     if (!(x >= 0 && x <= most) || x != floor(x))

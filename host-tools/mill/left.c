@@ -136,7 +136,7 @@ typedef struct {
     const left_over *l;
     mesh *m;
     size_t n[2], rows;          /* cells along x and y, and of the sides upward */
-    bool *hidden;               /* is the middle of a cell over a surface? */
+    bool *hidden;               /* the middle of a cell is over a surface */
     double *height;             /* of each corner, NAN: not known yet */
 } grid;
 

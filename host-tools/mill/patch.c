@@ -47,7 +47,7 @@ static double length_across(const surface *s, const patch_order *o, unsigned m, 
     return most;
 }
 
-/* Is it a patch that can be sent at all? */
+/* Refuse a patch that cannot be sent at all. */
 static int check_kind(const surface *s, const char *file)
 {
     if ((s->kind != SURFACE_TENSOR && s->kind != SURFACE_BICUBIC) || s->rational ||
@@ -169,7 +169,7 @@ typedef struct {
     drawing *d;
     unsigned line;
     size_t room;
-    bool cut;                   /* did the last move cut? */
+    bool cut;                   /* the last move cut */
 } path_making;
 
 static double length_of(const engine_move *m)

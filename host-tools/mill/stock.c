@@ -29,7 +29,7 @@ bool stock_parse(const char *text, void *out)
     return s->given;
 }
 
-/* Is a vertex inside of the loops? It is if a ray from it crosses them an odd number of times. */
+/* True if a vertex is inside of the loops: a ray from it crosses them an odd number of times. */
 static bool is_kept(const mill_trim *trim, const mesh_vertex *v)
 {
     const double at[2] = { trim->plane ? v->p[0] : v->u, trim->plane ? v->p[1] : v->v };

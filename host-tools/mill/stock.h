@@ -25,7 +25,7 @@ bool stock_parse(const char *text, void *out);
  *   error   the surfaces are known by at least 16 x 16 points each, those of few by 96 x 96 */
 int stock_place(stock *s, const surfaces *all, const mill_trim *trim, const char *file);
 
-/* Do the places of a path stay over the block and above its bottom? Returns as above. */
+/* Refuse a path with places beside the block or below its bottom. Returns as stock_place. */
 int stock_holds(const stock *s, const mill_cut *path, const char *file);
 
 #endif

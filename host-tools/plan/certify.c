@@ -143,7 +143,7 @@ static void compare_paths(certify *c, const certify_plan *plan, double fine)
 // All of it
 // ---------
 
-/* May it be beyond its bound by the error of these parts alone? */
+/* True if the error of these parts alone may take it beyond its bound. */
 static bool is_doubtful(const certify_worst *w, double parts)
 {
     return w->worst > w->tol && w->worst <= w->tol * (1 + DOUBT / parts);

@@ -19,7 +19,7 @@ typedef struct {
     certify_worst speed[ENGINE_AXES], accel[ENGINE_AXES], jerk[ENGINE_AXES]; /* of the limits */
     certify_worst off, missed;      /* mm: of the motion from the drawing, and of the drawing from
                                      * the motion */
-    bool connected;                 /* does each span begin where the last one ended? */
+    bool connected;                 /* each span begins where the last one ended */
 } certify;
 
 /* Judge.
@@ -38,7 +38,7 @@ void certify_span(certify *c, const engine_limits *limits, const engine_span *s,
 /* Add what a part of a plan has, if that is worse. */
 void certify_fold(certify *sum, const certify *part);
 
-/* Is everything within its bounds? */
+/* True if everything is within its bounds. */
 bool certify_holds(const certify *c);
 
 /* Print the table. `axes` are the names of the motors. Returns whether everything is within its

@@ -93,7 +93,7 @@ typedef struct {
     job j;
 } job_work;
 
-/* Can a job do this, on a machine that does so much? */
+/* True if a job can do this on a machine with these outputs. */
 bool job_can(const struct job_does *does, const drawing_event *e);
 
 /* Begin a job along the path of the motors; the path and *j must not move. Checks all moves, and
@@ -137,7 +137,7 @@ int  job_finish(job *j);
 /* The total number of items; LOFT_ITEMS_OPEN until it is known. */
 uint32_t job_items(const job *j);
 
-/* Should planning continue now? */
+/* True if planning should continue now. */
 bool job_waits(const job *j, size_t kept);
 
 /* The planned fraction of the path, 0..1, and the total number of ticks: an estimate until the job

@@ -184,7 +184,7 @@ static void map_piece(const mapping *m, engine_move *move, double t0, double t1,
     }
 }
 
-/* Examine the piece along its way: is the tool on the path, and how do the lengths compare? */
+/* Examine the piece along its way: how far the tool is off the path, how lengths compare. */
 static void examine_piece(const mapping *m, engine_move *move, double t0, double t1, piece *p)
 {
     double before[ENGINE_AXES];
@@ -219,7 +219,7 @@ static int refuse_place(const mapping *m, const double at[ENGINE_AXES], const ch
                       at[2], kinematics_name(m->j->k), why);
 }
 
-/* Is each place within reach? The sampling is as fine as the cuts of curves, so nothing can be far
+/* Refuse places out of reach. The sampling is as fine as the cuts of curves, so nothing can be far
  * out of reach unnoticed. */
 static int check_reach(const mapping *m, engine_move *move)
 {

@@ -29,7 +29,7 @@ typedef struct {
     double scale[ENGINE_AXES];      /* planned units per unit of each motor */
     double least;                   /* planned units per mm of the tool */
     double within;                  /* mm of the tolerance that are used up */
-    bool   scaled;                  /* is some scale not 1? */
+    bool   scaled;                  /* some scale is not 1 */
 } joints;
 
 typedef struct {
@@ -57,7 +57,7 @@ typedef struct {
     engine_plan *plan;              /* NULL: none */
     size_t first, count;
     certify_along *along;           /* judges each span; NULL: none is judged */
-    bool holds;                     /* is all within its bounds so far? */
+    bool holds;                     /* all is within its bounds so far */
 } joints_planning;
 
 /* Begin to plan moves first .. end - 1, from rest to rest, within limits of the motors, with

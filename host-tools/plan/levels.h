@@ -37,7 +37,7 @@ typedef struct {
 /* The level of an event: its S of s_max; without any S full. */
 double levels_of(const drawing_event *e, double s_max);
 
-/* Must the output still follow? */
+/* True if the output must still follow. */
 static inline bool levels_wait(const levels *l) { return l->is < l->given || l->is > l->given; }
 
 /* Begin to cut a span of the line; it must not move. */

@@ -1,4 +1,4 @@
-/* host-tools/plan/table.h -- does a drawing stay on the machine's table?
+/* host-tools/plan/table.h -- whether a drawing stays on the machine's table
  * SPDX-License-Identifier: MIT
  *
  * The table is a box for the tool: `x.min` and `x.travel` of the machine's file. An axis without a
@@ -20,8 +20,8 @@ int table_check(const machine_file *m, const char *file, const drawing *d, const
 /* `x -5..215.3, y 10..287, z 0..1`: where the tool is, as table_check sees it. */
 const char *table_words(const drawing *d, const toolpath *path, char out[160]);
 
-/* Check a straight move of the tool. An axis that begins outside may return, or stay. Returns
- * as above. */
+/* Check a straight move of the tool. An axis that begins outside may return, or stay. Returns as
+ * table_check. */
 int table_place(const machine_file *m, const double from[ENGINE_AXES], const double to[ENGINE_AXES],
                 double tol);
 

@@ -159,7 +159,7 @@ static void add_moment(making *m, const engine_span *s, double begin, double h, 
     causes_add(&m->causes, &now);
 }
 
-/* Does it cruise: is its speed the same but for rounding? */
+/* True if it cruises: its speed is the same but for rounding. */
 static bool is_even(const engine_span *s)
 {
     for (int i = 0; i < ENGINE_AXES; i++)

@@ -39,7 +39,7 @@ static int draw_curve(pen *out)
     const int opened = drawn_pieces(out->c, draw_piece, out),
               status = opened != 0 ? opened : out->status;
 
-    if (out->code != 0 || status == 0)      /* the first fault is told alone */
+    if (out->code != 0 || status == 0)      /* only the first fault is reported */
         return out->code;
     return host_error(out->host, EX_DATAERR, "curve.not-drawn",
                       (host_place){ out->file, out->c->line }, NULL, "%s: %s",

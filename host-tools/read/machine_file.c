@@ -302,7 +302,7 @@ static unsigned line_of(const reading *r, size_t key)
     return line;
 }
 
-/* Has a machine of these kinematics the key? No name is a part of another. */
+/* True if a machine of these kinematics has the key. No name is a part of another. */
 static bool has_key(const kinematics *k, const row *key)
 {
     return key->of == NULL || strstr(key->of, kinematics_name(k)) != NULL;

@@ -33,7 +33,7 @@ int machine_tools_line(machine_tools *t, const char *file, unsigned line, const 
 /* The tool of a name; NULL: there is none. */
 const machine_tool *machine_tools_find(const machine_tools *t, const char *name);
 
-/* Does it draw what no other tool names? */
+/* True if it draws what no other tool names. */
 bool machine_tool_draws_rest(const machine_tool *t);
 
 #endif

@@ -43,7 +43,7 @@ typedef struct {
 int  record_read(record *r, const char *file, uint32_t job);
 void record_free(record *r);
 
-/* Did pulse i move the pen over the paper? */
+/* True if pulse i moved the pen over the paper. */
 bool record_draws(const record *r, size_t i);
 
 /* The time from the first to the last pulse in seconds; 0 if the record has no slot rate. */

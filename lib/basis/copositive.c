@@ -73,7 +73,7 @@ static loft_exact cofactor(const minor *a, unsigned i, unsigned j)
     return (i + j) % 2 ? loft_exact_neg(d) : d;
 }
 
-/* Does this submatrix show that the matrix is not copositive? */
+/* True if this submatrix shows that the matrix is not copositive. */
 static bool is_witness(const minor *a)
 {
     if (loft_exact_sign(determinant(a, a->n, a->at, a->at)) >= 0)

@@ -1,4 +1,4 @@
-/* lib/basis/copositive.h -- is a quadratic form >= 0 for all nonnegative variables? Decided exactly
+/* lib/basis/copositive.h -- whether a quadratic form is >= 0 for nonnegative variables, exactly
  * SPDX-License-Identifier: MIT
  *
  * A symmetric matrix M is copositive if x^T M x >= 0 for all x >= 0. Every positive semidefinite
@@ -15,7 +15,7 @@ LOFT_BEGIN_C
 
 #define LOFT_COPOSITIVE_MAX 6
 
-/* Is the matrix of order n copositive?
+/* True if the matrix of order n is copositive.
  *
  *   shape   m: the upper triangle by rows, m11 m12 .. m1n m22 .. mnn: n (n + 1) / 2 numbers
  *   range   n = 1..6, otherwise LOFT_ERR_ARG; f32, f64: numbers that pass loft_exact_valid,

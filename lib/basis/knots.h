@@ -109,8 +109,8 @@ void loft_knots_bezier(const loft_knots *knots, unsigned span, loft_acc c[], lof
 
 /* Knot insertion -------------- */
 
-/* May another knot be inserted at u? It may if u is within the domain and occurs less than degree +
- * 1 times.
+/* True if another knot may be inserted at u: u is within the domain and occurs less than degree + 1
+ * times.
  *
  *   error   none
  *   cost    two comparisons per knot

@@ -69,8 +69,8 @@ enum loft_status loft_bernstein_positivity(const loft_real b[], unsigned degree,
 enum loft_status loft_bernstein_positivity_in(const loft_real b[], unsigned degree, uint32_t work[],
                                               loft_positivity *out) LOFT_CHECKED;
 
-/* Is the polynomial convex on 0..1, and is its control polygon (`net`), which is sufficient? To
- * degree 4, loft_bernstein_convex of sign.h is faster.
+/* Decide whether the polynomial is convex on 0..1, and whether its control polygon (`net`) is,
+ * which is sufficient. To degree 4, loft_bernstein_convex of sign.h is faster.
  *
  *   shape   work[LOFT_POSITIVITY_WORK(degree)]
  *   range   as loft_bernstein_positivity_in; *net, *polynomial are untouched after an error

@@ -41,8 +41,8 @@ static loft_exact twice(loft_exact x) { return loft_exact_add(x, x); }
  *     f(k) = (m - k) (m - k - 1) a0 + 2 k (m - k) a1 + k (k - 1) a2,      k = 0..m
  *
  * This is quadratic in k: f(0) = m (m - 1) a0, f(1) - f(0) = 2 (m - 1) (a1 - a0), and the second
- * difference is 2 d with d = a0 - 2 a1 + a2. Are all of them > 0? All values are below 62 * 61 *
- * 2^R. */
+ * difference is 2 d with d = a0 - 2 a1 + a2. True if all of them are > 0. All values are below
+ * 62 * 61 * 2^R. */
 static bool elevated_is_positive(const loft_exact a[3], loft_exact d, int32_t m)
 {
     loft_exact f    = loft_exact_mul(loft_exact_from_int(m * (m - 1)), a[0]);

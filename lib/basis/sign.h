@@ -31,9 +31,9 @@ typedef struct {
  */
 enum loft_status loft_quadratic_sign(const loft_real a[3], loft_sign *out) LOFT_CHECKED;
 
-/* Is a polynomial of degree 0..4 convex on 0..1 (to 32: positivity.h)? `net` tells whether its
- * control polygon is convex: all second differences >= 0, which is sufficient, and for degrees up
- * to 3 also necessary.
+/* Decide whether a polynomial of degree 0..4 is convex on 0..1 (to 32: positivity.h). `net` tells
+ * whether its control polygon is convex: all second differences >= 0, which is sufficient, and for
+ * degrees up to 3 also necessary.
  *
  *   range   degree 0..4, otherwise LOFT_ERR_ARG
  *   error   none

@@ -207,8 +207,8 @@ static unsigned common_degree(const bank *b, unsigned one, unsigned two)
     return degree;
 }
 
-/* Do the derivatives of these orders have a root in common inside the part, where the second one
- * has a single, simple root? */
+/* True if the derivatives of these orders have a root in common inside the part, where the second
+ * one has a single, simple root. */
 static bool is_root_common(const bank *b, unsigned one, unsigned two, part at)
 {
     const unsigned degree = common_degree(b, one, two);

@@ -220,7 +220,7 @@ static void look_across(loft_acc gap, loft_piece *line, const loft_piece *other,
     c->high += gap;
 }
 
-/* Is the other piece outside the range of the line? */
+/* True if the other piece is outside the range of the line. */
 static bool is_other_apart(const across *c, unsigned degree)
 {
     bool below = true, above = true;

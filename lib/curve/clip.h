@@ -29,7 +29,7 @@ typedef struct {
     loft_acc   p[LOFT_AXES][LOFT_DEGREE_MAX + 1];       /* and of the piece            */
     loft_chord chord;                                   /* of the piece                */
     loft_acc   reach;                                   /* its largest component       */
-    bool       aimed;                                   /* has it length and direction? */
+    bool       aimed;                                   /* it has length and direction */
 } loft_piece;
 
 /* The whole curve, which is borrowed.
@@ -77,15 +77,15 @@ loft_unit loft_piece_at(const loft_piece *x, loft_unit t);
  */
 void loft_piece_range(const loft_piece *x, int axis, loft_acc *low, loft_acc *high);
 
-/* Are the boxes around the control points further apart than `gap` along an axis?
+/* True if the boxes around the control points are further apart than `gap` along an axis.
  *
  *   error   none
  *   cost    two loft_piece_range per axis
  */
 bool loft_piece_boxes_apart(const loft_piece *a, const loft_piece *b, loft_acc gap);
 
-/* Are the hulls of the control points further apart than `gap`, along an axis or the direction
- * between the nearest points of the chords?
+/* True if the hulls of the control points are further apart than `gap`, along an axis or the
+ * direction between the nearest points of the chords.
  *
  *   error   never true by mistake, but for roundings of control points
  *   cost    3 loft_chord_foot, a root, and a product per control point and axis

@@ -337,7 +337,7 @@ enum loft_status loft_conic_foci(const loft_weighted p[3], loft_vec focus[2], un
     return LOFT_OK;
 }
 
-/* Is h3 - 3 h2 + 3 h1 - h0 = 0 for h = w x (axis) or h = w (axis -1)? */
+/* True if h3 - 3 h2 + 3 h1 - h0 = 0 for h = w x (axis) or h = w (axis -1). */
 static bool third_difference_zero(const loft_weighted p[4], int axis)
 {
     static const int8_t factor[4] = { -1, 3, -3, 1 };
@@ -360,7 +360,7 @@ static bool cubic_exact(const loft_weighted p[4])
     return true;
 }
 
-/* An exact conic in numbers that can be exact? */
+/* Refuse numbers that cannot be exact, and a cubic that is no conic. */
 static enum loft_status check_cubic(const loft_weighted p[4])
 {
     if (!cubic_exact(p))

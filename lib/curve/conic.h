@@ -71,8 +71,8 @@ enum loft_status loft_conic_axes(const loft_weighted p[3], loft_vec *centre,
 enum loft_status loft_conic_foci(const loft_weighted p[3], loft_vec focus[2],
                                  unsigned *count) LOFT_CHECKED;
 
-/* Is this rational cubic a conic, exactly? Then out[3] is the rational quadratic, with the weights
- * of both ends.
+/* Decide exactly whether this rational cubic is a conic. Then out[3] is the rational quadratic,
+ * with the weights of both ends.
  *
  *   range   LOFT_SINGULAR if it is not, and where the middle weight is 0; LOFT_ERR_RANGE as
  *           loft_conic_init and if the middle point does not fit; *out is then untouched

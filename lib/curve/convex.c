@@ -1,4 +1,4 @@
-/* lib/curve/convex.c -- is a polygon the boundary of a convex region?
+/* lib/curve/convex.c -- whether a polygon is the boundary of a convex region
  * SPDX-License-Identifier: MIT
  *
  * Null edges are skipped. The others must turn one way: all products of neighbours >= 0, or all <=
@@ -44,7 +44,7 @@ static int turn(const edge *a, const edge *b)
 }
 
 typedef struct {
-    bool left, right;       /* has a left, a right turn occurred? */
+    bool left, right;       /* a left, a right turn has occurred */
     unsigned changes;       /* of the half plane          */
 } tally;
 

@@ -121,7 +121,7 @@ static enum loft_status roots_of(const pair *x, loft_whole_root out[], unsigned 
     return loft_whole_roots(&w, out, count);
 }
 
-/* Does the point that one of them is lie on the other? */
+/* True if the point that one of them is lies on the other. */
 static enum loft_status meet_at_point(const pair *x)
 {
     const loft_whole_poly w = { 2 * x->n, 2 * (LOFT_RESIDUE_REAL + 2 * x->n + 3), distance_square,
@@ -189,7 +189,7 @@ static bool is_same_place(const place *x, const place *y, loft_sci gap)
     return true;
 }
 
-/* Is the sine of the angle above 2^-30? */
+/* True if the sine of the angle is above 2^-30. */
 static bool is_at_angle(const place *x, const place *y)
 {
     const loft_sci one = loft_sci_mul(x->along[0], y->along[1]),

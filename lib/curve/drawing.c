@@ -24,7 +24,7 @@ static void point(loft_drawing_walk *w, loft_vec *p)
     }
 }
 
-/* Do paths and runs end where the table ends? */
+/* True if paths and runs end where the table ends. */
 static bool whole(const loft_drawing_walk *w)
 {
     uint32_t i = 0;

@@ -119,7 +119,7 @@ static void keep_end(const system_of *s, unsigned end, const loft_vec *p)
 // The solution
 // ------------
 
-/* Is the pivot so small that rounding may have made it? */
+/* True if the pivot is so small that rounding may have made it. */
 static bool pivot_is_lost(loft_sci pivot, loft_sci before)
 {
     const loft_sci part = loft_sci_div(before, loft_sci_pow(loft_sci_from_int(2), 44));

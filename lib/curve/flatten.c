@@ -122,7 +122,7 @@ static bool is_curve_along(const loft_flatten *f, uint32_t to, const loft_chord 
     }
 }
 
-/* May a chord lead from the last point to the one at `to`? *end is its end. */
+/* True if a chord may lead from the last point to the one at `to`. *end is its end. */
 static bool is_chord_close(const loft_flatten *f, uint32_t to, loft_vec *end)
 {
     loft_acc p[4][LOFT_AXES];

@@ -64,7 +64,7 @@ typedef struct {
 
 /* One piece */
 
-/* Are the control points within `limit` of the even steps along the chord? */
+/* True if the control points are within `limit` of the even steps along the chord. */
 static bool is_piece_flat(const loft_piece *x, loft_acc limit)
 {
     const unsigned n = x->b->degree;
@@ -82,7 +82,7 @@ static bool is_piece_flat(const loft_piece *x, loft_acc limit)
     return true;
 }
 
-/* Is the piece straight, if it is another one than before? */
+/* Decide whether the piece is straight, if it is another one than before. */
 static void judge_side(const search *z, side *s)
 {
     const bool last = s->x.to - s->x.from == 1;
@@ -262,7 +262,7 @@ static void judge_crossing(const search *z, loft_crossing *c, loft_acc least)
 
 /* The traversal */
 
-/* Is all of a's chord near b's? It is if both its ends are. */
+/* True if all of a's chord is near b's: both its ends are. */
 static bool is_chord_along(const loft_piece *a, const loft_piece *b, loft_acc gap)
 {
     const loft_chord_pair c = pair_of(a, b);
@@ -315,7 +315,7 @@ static bool add_shared(const search *z, loft_crossing out[], size_t room, size_t
     return add_crossing(c, out, room, count);
 }
 
-/* Is nothing left to find in this pair but the shared stretch? */
+/* True if nothing is left to find in this pair but the shared stretch. */
 static bool is_pair_covered(const search *z)
 {
     const loft_piece *a = &z->a.x, *b = &z->b.x;

@@ -39,7 +39,7 @@ static void subtract(whole_vec *v, const whole_vec *a)
         v->axis[i] = loft_exact_sub(v->axis[i], a->axis[i]);
 }
 
-/* Is |v / d| <= tol? For tol = 0: is v null? */
+/* True if |v / d| <= tol; for tol = 0: if v is null. */
 static bool is_within(const whole_vec *v, loft_exact d, loft_real tol)
 {
     const loft_acc wide = loft_to_acc(tol);
@@ -78,7 +78,7 @@ static void decide_parametric(loft_join *j, const loft_vec p[], const loft_vec q
     }
 }
 
-/* Decide G2 and eta, for G1 with alpha = n / d. Does eta fit a coordinate? */
+/* Decide G2 and eta, for G1 with alpha = n / d. True if eta fits a coordinate. */
 static bool decide_curvature(loft_join *j, const loft_vec p[], const loft_vec q[], loft_exact n,
                              loft_exact d, loft_real tol)
 {

@@ -29,7 +29,7 @@ typedef struct {
     unsigned degree;
 } scene;
 
-/* Is the point at t of the current piece n nearer than the best one found? Then store it. */
+/* Store the point at t of the current piece n if it is nearer than the best one found. */
 static void try_at(scene *s, loft_dyad n, loft_unit t, loft_vec p, loft_nearest *out)
 {
     loft_acc x[LOFT_AXES], c[LOFT_DEGREE_MAX + 1];

@@ -333,7 +333,7 @@ static loft_acc smallest_speed(const trial *r, unsigned m)
     return least;
 }
 
-/* Is the span within the tolerance? */
+/* True if the span is within the tolerance. */
 static bool is_span_close(const loft_offset *o, const trial *r)
 {
     const loft_acc quarter = wide_unit(LOFT_UNIT(0.25)), p = largest_sideways(r, o->degree),
@@ -350,8 +350,8 @@ static bool is_span_close(const loft_offset *o, const trial *r)
 
 /* Cusps */
 
-/* Does the offset run forwards (1) or backwards (-1) at the start or the end of the span, with a
- * leg longer than `least`? */
+/* The direction of the offset at the start or the end of the span, with a leg longer than `least`:
+ * 1 forwards, -1 backwards. */
 static int run_direction(const trial *r, int end, loft_acc least)
 {
     const loft_acc leg[2] = { r->c[0][2 * end + 1] - r->c[0][2 * end],

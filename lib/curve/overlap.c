@@ -59,7 +59,7 @@ static void add_nearest(const loft_bezier *a, const loft_bezier *b, loft_real to
     }
 }
 
-/* Do the pieces agree within `limit`, and are they longer than 4 tol? */
+/* True if the pieces agree within `limit`, and are longer than 4 tol. */
 static bool pieces_agree(const loft_bezier *a, const loft_bezier *b, place from, place to,
                          loft_acc limit, loft_acc *distance)
 {

@@ -34,9 +34,9 @@ typedef struct {
 bool loft_bezier_overlap(const loft_bezier *a, const loft_bezier *b, loft_real tol,
                          loft_overlap *out) LOFT_CHECKED;
 
-/* Is every place where s_from..s_to of `a` meets t_from..t_to of the other curve on the stretch? It
- * is if the piece of `a` that contains both turns by less than 60 degrees. `a` is the one of
- * loft_bezier_overlap.
+/* True if every place where s_from..s_to of `a` meets t_from..t_to of the other curve is on the
+ * stretch. It is if the piece of `a` that contains both turns by less than 60 degrees. `a` is the
+ * one of loft_bezier_overlap.
  *
  *   error   never true by mistake: false if it cannot be decided
  *   cost    one loft_bernstein_sub

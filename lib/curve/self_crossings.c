@@ -67,7 +67,7 @@ static void cut(const search *z, loft_dyad at, piece *out)
     out->b.degree = z->b->degree;
 }
 
-/* Do all legs of the polygon go along the way from `from` to `to`? */
+/* True if all legs of the polygon go along the way from `from` to `to`. */
 static bool goes_along(const piece *x, const loft_vec *from, const loft_vec *to)
 {
     for (unsigned k = 1; k <= x->b.degree; k++) {
@@ -118,7 +118,7 @@ static loft_unit place_in(const piece *x, loft_unit t)
                : at;
 }
 
-/* Do stretches of one parameter touch? Cuts are exact, places in pieces are rounded. */
+/* True if stretches of one parameter touch. Cuts are exact, places in pieces are rounded. */
 static bool touch(loft_unit from, loft_unit to, loft_unit from2, loft_unit to2)
 {
     const loft_unit gap = LOFT_UNIT(1.0 / 262144);

@@ -62,7 +62,7 @@ static loft_exact times(int32_t k, loft_exact a)
     return loft_exact_mul(loft_exact_from_int(k), a);
 }
 
-/* Compute u, v, w; is it one point? The sign is chosen so that v > 0, or v = 0 and u >= 0. */
+/* Compute u, v, w. True if it is one point. The sign is such that v > 0, or v = 0 and u >= 0. */
 static bool find_invariants(const loft_cubic *c, invariants *i)
 {
     loft_exact x[3], y[3];

@@ -77,9 +77,9 @@ enum loft_status loft_bezier_curvature(const loft_bezier *b, loft_unit t, loft_r
 enum loft_status loft_bezier_curvature_vec(const loft_bezier *b, loft_unit t, loft_real *curvature,
                                            loft_vec *tangent) LOFT_CHECKED;
 
-/* Is a planar polygon the boundary of a convex region, traversed once? An edge from the last point
- * to the first closes it. Points may coincide with their predecessor, and edges may continue
- * straight. */
+/* Whether a planar polygon is the boundary of a convex region, traversed once. An edge from the
+ * last point to the first closes it. Points may coincide with their predecessor, and edges may
+ * continue straight. */
 enum loft_convexity {
     LOFT_COLLINEAR  = -1,   /* all points are on a line, or coincide                            */
     LOFT_NOT_CONVEX =  0,

@@ -54,7 +54,7 @@ static uint32_t weighted_residue(const piece *s, const loft_residue *r, const ui
     return sum;
 }
 
-/* Is X' w = w' X modulo this prime? */
+/* True if X' w = w' X modulo this prime. */
 static bool stops_modulo(const piece *s, const loft_residue *r, const uint32_t at[],
                          const uint32_t slope[])
 {

@@ -51,7 +51,8 @@ loft_foot loft_chord_closest(const loft_chord_pair *c, const loft_foot end[2], l
     return low.gap <= high.gap ? low : high;
 }
 
-/* Is the gap at `at` at least `near`? A convex function is above its tangent, that at `out`. */
+/* True if the gap at `at` is at least `near`. A convex function is above its tangent, that at
+ * `out`. */
 static bool is_far_at(const loft_chord_pair *c, const loft_foot *out, loft_unit at, loft_acc near)
 {
     const loft_unit way = out->at > at ? out->at - at : at - out->at;

@@ -77,7 +77,7 @@ static inline bool loft_vec_round_axis(const loft_acc x[], unsigned count, int a
     return true;
 }
 
-/* Is every coordinate within -limit .. limit? */
+/* True if every coordinate is within -limit .. limit. */
 static inline bool loft_vec_within(loft_vec a, loft_real limit)
 {
     for (int i = 0; i < LOFT_AXES; i++)
@@ -98,7 +98,7 @@ static inline loft_acc loft_vec_dot(loft_vec a, loft_vec b)
     return sum;
 }
 
-/* Are all coordinates valid numbers? Always true in q16. */
+/* True if all coordinates are valid numbers: always in q16. */
 static inline bool loft_vec_valid(loft_vec p)
 {
     for (int i = 0; i < LOFT_AXES; i++)

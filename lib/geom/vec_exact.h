@@ -23,7 +23,7 @@
 
 LOFT_BEGIN_C
 
-/* Can the first `axes` coordinates of all points be represented exactly? Always true in q16; false
+/* True if the first `axes` coordinates of all points are represented exactly: always in q16, never
  * for nan. */
 bool loft_vec_exact_valid(const loft_vec p[], unsigned count, int axes);
 

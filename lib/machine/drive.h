@@ -140,8 +140,8 @@ enum loft_status loft_drive_place(loft_drive *d, uint8_t axes,
 enum loft_status loft_drive_table(loft_drive *d, int end, uint8_t axes,
                                   const int32_t position[LOFT_AXES]) LOFT_CHECKED;
 
-/* Does the item that is pushed next end on the table, or lead back to it? Between its ends a span
- * may bend outwards, by at most acceleration * time^2 / 8.
+/* True if the item that is pushed next ends on the table, or leads back to it. Between its ends a
+ * span may bend outwards, by at most acceleration * time^2 / 8.
  *
  *   cost    two products per axis that has a table */
 bool loft_drive_inside(const loft_drive *d, const loft_item *item);
@@ -184,8 +184,8 @@ void loft_drive_close(loft_drive *d);
  * 7 of them. Call it repeatedly. */
 void loft_drive_prepare(loft_drive *d);
 
-/* Will a short span soon need a walk that cannot be prepared yet? Then the main loop does nothing
- * long before it calls loft_drive_prepare again. */
+/* True if a short span will soon need a walk that cannot be prepared yet. Then the main loop does
+ * nothing long before it calls loft_drive_prepare again. */
 bool loft_drive_pressed(const loft_drive *d);
 
 /* Read the report. When state is DONE or ABORTED, it is final. */

@@ -78,7 +78,7 @@ static uint16_t level_of_pace(uint16_t full, uint16_t pace)      /* Q8; 2^14 * 2
     return pace >= 512 ? (uint16_t)(4 * full) : (uint16_t)((uint32_t)full * pace * pace >> 16);
 }
 
-/* Does a span of several ticks come next? Its beginning is enough work for one tick. */
+/* True if a span of several ticks comes next. Its beginning is enough work for one tick. */
 static bool long_span_begins(const loft_drive *d)
 {
     return d->kind != LOFT_POINTS && d->left == 0 && d->supply && loft_queue_first(&d->queue) &&
@@ -202,7 +202,7 @@ static void walk_item(loft_drive_walk *walk, const volatile loft_item *item,
     }
 }
 
-/* Is the next span that needs a walk prepared, even if spans that need none come first? */
+/* True if the next span that needs a walk is prepared, even if spans that need none come first. */
 static bool walk_is_prepared(const loft_drive *d)
 {
     return d->ready && (uint8_t)(d->ready_item - d->item) < LOOKS;
@@ -349,7 +349,7 @@ static bool next_target(loft_drive *d)
     return true;
 }
 
-/* Does a span come next that the main loop must still prepare? */
+/* True if a span comes next that the main loop must still prepare. */
 static bool walk_is_missing(const loft_drive *d)
 {
     if (LOFT_MACHINE_TICK_PREPARES || d->kind == LOFT_POINTS || d->left || !d->ahead ||

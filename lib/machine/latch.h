@@ -46,7 +46,7 @@ static inline const int32_t *loft_latch_place(const loft_latch *l)
     return l->guard.inputs ? l->place : NULL;
 }
 
-/* Is a change awaited? Otherwise loft_latch_keep has no effect. */
+/* True if a change is awaited. Otherwise loft_latch_keep has no effect. */
 static inline bool loft_latch_waits(const loft_latch *l)        { return l->waits; }
 
 /* Of these closed inputs, those of the guard that are as it wants. */

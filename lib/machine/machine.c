@@ -44,7 +44,7 @@ static enum loft_status init_planner(loft_machine *m, loft_machine_config *confi
     return loft_planner_init(m->planner, &config->plan, config->cells);
 }
 
-/* Is the job, under way or over, a job of curves? */
+/* True if the job, under way or over, is one of curves. */
 static bool job_has_curves(const loft_machine *m)        { return m->job.kind == LOFT_CURVES; }
 
 static enum loft_status begin_planner(loft_machine *m, const loft_job *job)

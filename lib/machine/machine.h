@@ -74,9 +74,9 @@ typedef struct {
 #if LOFT_MACHINE_SQUARES
     volatile uint16_t gated;            /* of a guard that squares: inputs that have closed */
 #endif
-    volatile uint8_t  lost;             /* bit i: the place of axis i is in doubt until told */
+    volatile uint8_t  lost;             /* bit i: the place of axis i is in doubt till LOFT_PLACE */
     uint16_t      guarded;              /* inputs that have made the guard true, */
-    volatile uint8_t told;              /* which the main loop must still be told of */
+    volatile uint8_t told;              /* 1: `guarded` is new to the main loop */
 } loft_machine;
 
 /* Prepare, idle and listening.

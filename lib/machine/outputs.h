@@ -70,7 +70,7 @@ static inline uint16_t loft_outputs_now(const loft_outputs *o, int output)
     return output > 0 && output <= LOFT_MACHINE_OUTPUTS ? o->output[output - 1].now : 0;
 }
 
-/* Is it off while time stands still, as a laser is? */
+/* True if it is off while time stands still, as a laser is. */
 bool loft_outputs_moving(const loft_outputs *o, int output);
 
 #else       /* a machine without outputs takes no actions */

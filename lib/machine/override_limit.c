@@ -77,7 +77,7 @@ static int32_t raw_difference(int32_t a, int32_t b, bool *far)
     return (int32_t)d;
 }
 
-/* Does the velocity jump? */
+/* True if the velocity jumps. */
 static bool velocity_jumps(int32_t d, uint16_t n, int32_t e, uint16_t m)
 {
     const int64_t by = (int64_t)d * m - (int64_t)e * n, rounding = 2 * (int32_t)(m + n);

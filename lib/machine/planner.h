@@ -110,13 +110,13 @@ enum loft_refusal loft_planner_end(loft_planner *p) LOFT_CHECKED;
  *   cost    as loft_plan_part and next of the patches */
 bool loft_planner_next(loft_planner *p, bool hurry, loft_item *span);
 
-/* Are all curves planned, and do no more follow? */
+/* True if all curves are planned, and no more follow. */
 static inline bool loft_planner_done(const loft_planner *p)     { return p->ended && p->rests; }
 
-/* Was there no span as that takes more work? Then the next call goes on with it. */
+/* True if there was no span because that takes more work: the next call goes on with it. */
 static inline bool loft_planner_busy(const loft_planner *p)     { return p->busy; }
 
-/* Has a patch led beyond LOFT_PLAN_REACH? Then the job must end. */
+/* True if a patch has led beyond LOFT_PLAN_REACH: the job must end. */
 static inline bool loft_planner_failed(const loft_planner *p)   { return p->failed; }
 
 /* The number of items that can be pushed now; no more after a patch. */

@@ -84,7 +84,7 @@ const volatile loft_cell *loft_queue_cell(const loft_queue *q, uint16_t index);
 /* Remove the oldest item. Returns false if no item that was looked at is left. */
 bool loft_queue_poll(loft_queue *q);
 
-/* Does every cell hold an item that was looked at? */
+/* True if every cell holds an item that was looked at. */
 static inline bool loft_queue_full(const loft_queue *q)     { return q->looked == q->count; }
 
 LOFT_END_C

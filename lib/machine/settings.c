@@ -36,7 +36,7 @@ static uint16_t size_of(const loft_settings *s, uint8_t which)
     return (uint16_t)(word_of(s, which, SIZE_AT) & 0xFFFFu);
 }
 
-/* Is a copy of this size the order to go back to the firmware's values? */
+/* True if a copy of this size orders the firmware's values back. */
 static bool says_usual(uint16_t size) { return size == LOFT_SETTINGS_AXES; }
 
 /* The copy to write to. */

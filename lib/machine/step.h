@@ -44,7 +44,7 @@ typedef struct {
     uint8_t dir;
 } loft_step_tick;
 
-/* Is it short, so that a pulse is the carry of phase + rate, and nothing is taken off the phase? */
+/* True if it is short: a pulse is the carry of phase + rate, and nothing is taken off the phase. */
 static inline bool loft_step_short(const loft_step_tick *t) { return t->slots <= LOFT_STEP_SHORT; }
 
 /* The struct is complete so that it can be static; the fields may change without notice. */
@@ -84,10 +84,10 @@ void loft_step_halt(loft_step *s, const int32_t position[LOFT_AXES]);
  *           tick before; called from one context only */
 uint16_t loft_step_load(loft_step *s, const int32_t target[LOFT_AXES], uint16_t slots);
 
-/* May a tick be prepared? */
+/* True if a tick may be prepared. */
 static inline bool loft_step_room(const loft_step *s)       { return !s->full; }
 
-/* Have all pulses been given? Position is then the last target. */
+/* True if all pulses have been given: position is then the last target. */
 static inline bool loft_step_done(const loft_step *s)       { return !s->full && !s->busy; }
 
 /* Give the pins of the next slot.

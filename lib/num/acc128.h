@@ -98,7 +98,7 @@ loft_acc128 loft_acc128_add(loft_acc128 x, loft_acc128 y);
 loft_acc128 loft_acc128_sub(loft_acc128 x, loft_acc128 y);
 loft_acc128 loft_acc128_times(loft_acc128 x, uint32_t k);
 
-/* Is x < y? q16: |x|, |y| < 2^126
+/* x < y. q16: |x|, |y| < 2^126
  *
  *   error   none
  *   cost    q16: one pass over 4 limbs
@@ -112,8 +112,8 @@ bool      loft_acc128_below(loft_acc128 x, loft_acc128 y);
  */
 void loft_acc128_step(loft_acc128 d[], unsigned degree);
 
-/* Is a coordinate small enough for a walk? f64: below 2^900, which leaves headroom for a weight and
- * n^degree.
+/* True if a coordinate is small enough for a walk. f64: below 2^900, which leaves headroom for a
+ * weight and n^degree.
  *
  *   error   none
  *   cost    two comparisons

@@ -28,7 +28,7 @@ typedef double loft_fine;
 
 #endif
 
-/* Is a coordinate in the range of these functions? f32, f64: below 2^400. */
+/* True if a coordinate is in the range of these functions. f32, f64: below 2^400. */
 bool loft_fine_valid(loft_real a);
 
 /*   range   |a| < 8, |x| < 8

@@ -48,7 +48,7 @@ typedef struct {
     uint32_t limb[LOFT_EXACT_LIMBS];
 } loft_exact;
 
-/* Can this coordinate be represented exactly? Always true in q16; false for nan. */
+/* True if this coordinate is represented exactly: always in q16, never for nan. */
 bool       loft_exact_valid(loft_real a);
 
 /* x * 2^LOFT_EXACT_REAL of a valid coordinate; an integer unchanged. */

@@ -25,13 +25,14 @@ static inline loft_acc  loft_to_acc(loft_real a)                  { return (loft
 /* error f32: none   f64: 1/2 ulp */
 static inline loft_acc loft_prod(loft_real a, loft_real b) { return (loft_acc)a * (loft_acc)b; }
 
-/* Does x round into a real? (The half ulp of f32 above LOFT_REAL_MAX, and NaN, are not covered.) */
+/* True if x rounds into a real. (The half ulp of f32 above LOFT_REAL_MAX, and NaN, are not
+ * covered.) */
 static inline bool      loft_acc_valid(loft_acc x)
 {
     return x <= (loft_acc)LOFT_REAL_MAX && x >= -(loft_acc)LOFT_REAL_MAX;
 }
 
-/* Is it finite? f64: below 2^1000, so that no sum or small multiple overflows. */
+/* True if it is finite. f64: below 2^1000, so that no sum or small multiple overflows. */
 static inline bool      loft_real_valid(loft_real a)
 {
     return a >= -LOFT_REAL_REACH && a <= LOFT_REAL_REACH;

@@ -27,8 +27,8 @@
  *   loft_acc_mul(x, a)  loft_acc_div(x, a)    acc times real, acc divided by real
  *   loft_acc_ratio(x, k)                      acc divided by an integer k >= 1
  *   loft_acc_quot(x, y)                       quotient of two accs as real
- *   loft_acc_valid(x)   loft_acc_round(x)     does it fit a real? the nearest real
- *   loft_real_valid(a)                        is it a valid coordinate? always true in q16
+ *   loft_acc_valid(x)   loft_acc_round(x)     whether it fits a real; the nearest real
+ *   loft_real_valid(a)                        whether it is a valid coordinate: always in q16
  *   loft_acc_ulp(s)     loft_real_ulp(s)      the distance between neighbouring numbers of size s
  *   loft_acc_int(x)     loft_prod_int(a, b)   the nearest integer, ties upward
  *   loft_acc_sqrt(x)                          square root as real
@@ -42,7 +42,7 @@
  *   loft_real_from_int(i)                     integer to real
  *   loft_real_floor(a)                        the largest integer <= a real
  *   loft_real_from_raw(i)                     raw Q16.16, the form on the wire, to real
- *   loft_raw_from_real(a) loft_raw_valid(a)   real to raw Q16.16; does it fit?
+ *   loft_raw_from_real(a) loft_raw_valid(a)   real to raw Q16.16; whether it fits
  *   LOFT_REAL(1.25)  LOFT_UNIT(0.5)           constants, folded by the compiler
  *
  * q16 rounds to nearest, ties upward. Nothing saturates and nothing may wrap: each operation states

@@ -129,7 +129,7 @@ static inline uint64_t loft_acc_size(int64_t x) { return x < 0 ? 0 - (uint64_t)x
 /* An upper bound of the error of loft_acc_hypot for that result. */
 static inline loft_acc loft_hypot_ulp(loft_acc length)    { return length / 268435456 + 1; }
 
-/* Does x round into a real? */
+/* True if x rounds into a real. */
 static inline bool loft_acc_valid(loft_acc x)
 {
     return x >= (loft_acc)INT32_MIN * 65536 - 32768 && x < (loft_acc)INT32_MAX * 65536 + 32768;

@@ -1,5 +1,5 @@
-/* lib/num/residue.h -- is a polynomial of the given numbers exactly 0? By remainders, in 32 bits
- * SPDX-License-Identifier: MIT
+/* lib/num/residue.h -- whether a polynomial of the given numbers is exactly 0, by remainders in 32
+ * bits SPDX-License-Identifier: MIT
  *
  * Whether a surface has a normal at a point is a determinant of values of high degree: thousands of
  * bits. An integer below 2^bits is 0 if and only if its remainders are, for primes whose product is
@@ -77,7 +77,8 @@ uint32_t loft_residue_digit(const loft_residue *r, const uint32_t prime[], const
                             unsigned at, uint32_t radix, uint32_t remainder);
 int      loft_residue_sign(const uint32_t prime[], const uint32_t digit[], unsigned primes);
 
-/* Are the three vectors of `size` numbers linearly dependent? All minors of order 3 are 0. */
+/* True if the three vectors of `size` numbers are linearly dependent: all minors of order 3 are
+ * 0. */
 bool loft_residue_dependent(const loft_residue *r, uint32_t v[][3], unsigned size);
 
 LOFT_END_C

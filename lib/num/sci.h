@@ -180,7 +180,7 @@ loft_sci loft_sci_deriv(loft_sci c[], unsigned degree, unsigned order, loft_sci 
  */
 loft_sci loft_sci_pow(loft_sci a, unsigned k);
 
-/* Is x a parameter in 0..1 that a loft_unit represents exactly? Then it is stored in *t.
+/* True if x is a parameter in 0..1 that a loft_unit represents exactly; it is stored in *t.
  *
  *   error   none */
 bool     loft_sci_is_unit(loft_sci x, loft_unit *t) LOFT_CHECKED;

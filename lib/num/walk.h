@@ -195,7 +195,7 @@ static inline void loft_state_step3(loft_state d[4])
 #endif
 }
 
-/* Is loft_state_step3 the way to step this degree? */
+/* True if loft_state_step3 steps this degree. */
 static inline bool loft_walk_cubic(unsigned degree)
 {
 #if defined(__AVR__)
@@ -310,7 +310,7 @@ static inline loft_real loft_walk3_step(loft_walk3 *w, bool last)
     return last ? loft_walk3_end(w, loft_state_real(w->d)) : loft_state_real(w->d);
 }
 
-/* Are n >= 1 steps within the law of ranges (walk_start.c)? */
+/* True if n >= 1 steps are within the law of ranges (walk_start.c). */
 bool loft_walk_steps_valid(unsigned degree, uint32_t n);
 
 /* The powers of 1 / n that all axes share.
@@ -389,7 +389,7 @@ uint32_t loft_walk_coarsest(const loft_real p[], unsigned degree);
 void loft_walk_halve(loft_walk *w, unsigned degree);
 void loft_walk_double(loft_walk *w, unsigned degree);
 
-/* Is every control value within the range of a walk? */
+/* True if every control value is within the range of a walk. */
 bool loft_walk_valid(const loft_real p[], unsigned degree);
 
 LOFT_END_C

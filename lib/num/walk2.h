@@ -36,12 +36,12 @@ static inline size_t   loft_walk2_column(const loft_walk2 *s, unsigned l)
     return s->triangle ? l * (s->p + 1u) - l * (l - 1u) / 2 : l * (s->p + 1u);
 }
 
-/* Are these numbers of steps within the law of ranges (walk2.c)? All >= 1, degrees up to
+/* True if these numbers of steps are within the law of ranges (walk2.c). All >= 1, degrees up to
  * LOFT_WALK_DEGREE_MAX. */
 bool loft_walk2_steps_valid(const loft_walk2 *s);
 
-/* Is it a valid control value for such a walk? f32, f64: within LOFT_REAL_MAX / 2^32, so that no
- * sum overflows. */
+/* True if it is a valid control value for such a walk. f32, f64: within LOFT_REAL_MAX / 2^32, so
+ * that no sum overflows. */
 bool loft_walk2_valid(loft_real a);
 
 /* Start at the first value of the net net[0], net[stride] .. in the order above.

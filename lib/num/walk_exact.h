@@ -48,7 +48,7 @@ static inline loft_real loft_walk_exact_step(loft_walk_exact *s, unsigned degree
 
 #endif
 
-/* Is n^degree below 2^63? n >= 1 */
+/* True if n^degree is below 2^63; n >= 1 */
 bool     loft_walk_exact_steps_valid(unsigned degree, uint32_t n);
 uint64_t loft_walk_exact_power(unsigned degree, uint32_t n);       /* n^degree */
 

@@ -11,7 +11,7 @@
 
 static unsigned next_corner(unsigned corner) { return corner < 2 ? corner + 1 : 0; }
 
-/* Is this control point cut off? */
+/* True if this control point is cut off. */
 static bool point_is_cut(const uint8_t l[3], unsigned degree, const uint8_t cut[3])
 {
     for (unsigned i = 0; i < 3; i++)
@@ -76,7 +76,7 @@ static enum loft_status sum_terms(const loft_basepoint *b, const loft_sci factor
     return loft_weighted_sum_project(&sum, out);
 }
 
-/* Is exactly one phi 0, and can a loft_unit hold the quotient of the other two? Then *number is the
+/* True if exactly one phi is 0, and a loft_unit holds the quotient of the other two; *number is the
  * side there. */
 static bool find_side(const loft_basepoint *b, const loft_sci phi[3], unsigned *number,
                       loft_unit *t)

@@ -24,7 +24,7 @@ static bool real_between(loft_real x, loft_real a, loft_real b)
     return a < b ? x >= a && x <= b : x >= b && x <= a;
 }
 
-/* p is on the line through a and b: does it lie between them? */
+/* True if p, which is on the line through a and b, lies between them. */
 static bool on_segment(const loft_spot *p, const loft_spot *a, const loft_spot *b)
 {
     return real_between(p->at[0], a->at[0], b->at[0]) && real_between(p->at[1], a->at[1], b->at[1]);
@@ -32,7 +32,7 @@ static bool on_segment(const loft_spot *p, const loft_spot *a, const loft_spot *
 
 static bool spots_equal(const loft_spot *a, const loft_spot *b) { return on_segment(a, b, b); }
 
-/* Do two edges a b and c d that are not neighbours cross, or does one begin on the other? Testing
+/* True if two edges a b and c d that are not neighbours cross, or one begins on the other. Testing
  * the begins is enough. Where an edge ends another begins, and if that one is a neighbour of the
  * touched edge, it folds back onto it. */
 static bool edges_touch(const loft_spot *a, const loft_spot *b, const loft_spot *c,
@@ -45,8 +45,8 @@ static bool edges_touch(const loft_spot *a, const loft_spot *b, const loft_spot 
     return abc * loft_spot_turn(a, b, d) < 0 && cda * loft_spot_turn(c, d, b) < 0;
 }
 
-/* Does the edge from `at` fold back over the whole edge before it, which may have no length? If it
- * covers only a part, the vertex after it touches that edge. Of three points on a line one edge
+/* True if the edge from `at` folds back over the whole edge before it, which may have no length. If
+ * it covers only a part, the vertex after it touches that edge. Of three points on a line one edge
  * covers another. */
 static bool edge_folds(const loft_spot *before, const loft_spot *at, const loft_spot *after)
 {

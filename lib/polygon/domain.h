@@ -33,7 +33,7 @@ typedef struct {
     bool convex;                        /* strictly: every inner angle is below half a turn */
 } loft_domain;
 
-/* On which side of the line from a to b is c? 1 left, -1 right, 0 on it.
+/* The side of the line from a to b on which c is: 1 left, -1 right, 0 on it.
  *
  *   range   f32, f64: points that loft_spot_valid accepts
  *   error   none: exact
@@ -116,7 +116,7 @@ void loft_domain_vertex(const loft_domain *d, unsigned vertex, loft_sci phi[]);
  */
 void loft_domain_nearest(const loft_domain *d, loft_spot p, loft_sci phi[]);
 
-/* Does this point have exact coordinates? Always in q16.
+/* True if this point has exact coordinates: always in q16.
  *
  *   error   none
  *   cost    floats: that of loft_exact_valid twice

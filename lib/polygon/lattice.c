@@ -34,7 +34,7 @@ static bool vertex_valid(loft_whole p)
     return true;
 }
 
-/* Are all other vertices strictly left of every edge? */
+/* True if all other vertices are strictly left of every edge. */
 static bool convex(const loft_whole v[], unsigned sides)
 {
     for (unsigned i = 0; i < sides; i++) {

@@ -21,8 +21,8 @@ static unsigned vertex_at(const remainder_run *r, unsigned k)
     return r->vertex[(r->start + k) % r->count];
 }
 
-/* On which side of edge k of the run is the vertex? The last edge closes the run. 1 inside, 0 on
- * its line. */
+/* The side of edge k of the run on which the vertex is: 1 inside, 0 on its line. The last edge
+ * closes the run. */
 static int turn_at(const remainder_run *r, unsigned k, unsigned vertex)
 {
     const unsigned after = vertex_at(r, k + 1 < r->length ? k + 1 : 0);

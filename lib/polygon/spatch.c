@@ -43,7 +43,7 @@ static unsigned next_vertex(unsigned i, unsigned sides) { return i + 1 < sides ?
 
 /* Points */
 
-/* Are the coordinates 0 except for those of one edge? Then *edge is the first of them. */
+/* True if the coordinates are 0 except for those of one edge; *edge is the first of them. */
 static bool find_edge(const loft_spatch *s, const loft_sci phi[], unsigned *edge)
 {
     const unsigned n = s->sides;

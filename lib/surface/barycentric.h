@@ -34,7 +34,7 @@ static inline unsigned loft_triangle_place(unsigned j, unsigned k)
     return (j + k) * (j + k + 1) / 2 + k;
 }
 
-/* Is a point inside the triangle or on its edges? */
+/* True if a point is inside the triangle or on its edges. */
 static inline bool loft_bary_inside(loft_bary u)
 {
     return u.v >= 0 && u.w >= 0 && u.v <= LOFT_UNIT(1) && u.w <= LOFT_UNIT(1) - u.v;

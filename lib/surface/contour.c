@@ -229,8 +229,8 @@ enum loft_status loft_contour_init_level(loft_contour *c, loft_surface surface,
     return LOFT_OK;
 }
 
-/* Does a curve that is not yet walked begin in this triangle? The first pass looks at the border
- * only, the second pass everywhere. */
+/* True if a curve that is not yet walked begins in this triangle. The first pass looks at the
+ * border only, the second pass everywhere. */
 static bool curve_begins(const loft_contour *c, const loft_contour_cell *t, unsigned *entry)
 {
     loft_contour_cell beyond = *t;

@@ -38,9 +38,9 @@ loft_net loft_net_from_tensor_rational(const loft_tensor_rational *s);
 loft_net loft_net_from_triangle(const loft_triangle *s);
 loft_net loft_net_from_triangle_rational(const loft_triangle_rational *s);
 
-/* Do two nets have the same control points and weights, with the parameters of one turned round,
- * exchanged or permuted? Then they are one surface. Others may be too, for example after raising
- * the degree: false says nothing.
+/* True if two nets have the same control points and weights, with the parameters of one turned
+ * round, exchanged or permuted. Then they are one surface. Others may be too, for example after
+ * raising the degree: false says nothing.
  *
  *   error   none
  *   cost    up to 8 comparisons of all points

@@ -157,7 +157,7 @@ static void velocity_of(const loft_net_place *s, const loft_sci k[4], loft_sci o
                                  loft_sci_mul(k[1], s->column[1][axis]));
 }
 
-/* Are two directions within a third of a radian? */
+/* True if two directions are within a third of a radian. */
 static bool are_aligned(const loft_sci a[3], const loft_sci b[3])
 {
     const loft_sci cosine = loft_sci_from_unit(LOFT_UNIT(0.94));
@@ -174,7 +174,7 @@ static bool step_by(const loft_net_both *z, const loft_net_place *s, const loft_
     return loft_net_settle(z, held, to);
 }
 
-/* Is the step from s to `to` within the tolerance? */
+/* True if the step from s to `to` is within the tolerance. */
 static bool is_step_good(const loft_net_both *z, const loft_net_place *s, const loft_sci k[4],
                          unsigned held, loft_sci by, const loft_net_place *to)
 {
@@ -262,7 +262,7 @@ static enum loft_net_went step_on(const loft_net_both *z, loft_net_place *s, lof
     return LOFT_NET_ON;
 }
 
-/* Did the step from a to b pass the place where the branch began? */
+/* True if the step from a to b passed the place where the branch began. */
 static bool is_back(const loft_net_both *z, const loft_net_place *a, const loft_net_place *b,
                     const loft_net_place *start)
 {

@@ -45,7 +45,7 @@ void loft_net_look(const loft_net_both *z, loft_net_place *s, loft_sci apart[3])
  */
 bool loft_net_settle(const loft_net_both *z, unsigned held, loft_net_place *s);
 
-/* Are the parameters in 0..1?
+/* True if the parameters are in 0..1.
  *
  *   error   2^-30 beyond counts as within
  *   cost    8 comparisons
@@ -59,7 +59,7 @@ bool loft_net_within(const loft_net_both *z, const loft_net_place *s);
  */
 bool loft_net_place_vec(const loft_net_both *z, const loft_sci p[3], loft_vec *out);
 
-/* Is p within tol of the chord from a to b?
+/* True if p is within tol of the chord from a to b.
  *
  *   error   as loft_chord_foot
  *   cost    mostly a comparison per axis

@@ -87,7 +87,7 @@ static void combine(const loft_net_form *f, const loft_sci m[3], loft_sci_net *o
         }
 }
 
-/* Is the determinant of three columns larger than 2^-30 of the product of their sizes? */
+/* True if the determinant of three columns is larger than 2^-30 of the product of their sizes. */
 static bool is_regular(loft_sci column[3][3], loft_sci det)
 {
     loft_sci size = loft_sci_power2(-30);
@@ -342,8 +342,8 @@ static loft_sci speed_of(loft_sci jet[LOFT_NET_JET][LOFT_AXES], const loft_net_c
     return loft_sci_sqrt(loft_sci_dot3(sum, sum));
 }
 
-/* Are the hulls of the control points over their weights apart? If not, their legs are measured.
- * Four nets are too much for one frame: 32 kB with six axes on an AVR. */
+/* True if the hulls of the control points over their weights are apart. If not, their legs are
+ * measured. Four nets are too much for one frame: 32 kB with six axes on an AVR. */
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif

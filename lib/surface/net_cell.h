@@ -1,4 +1,4 @@
-/* lib/surface/net_cell.h -- one part of two surfaces: do they meet in it, and how often?
+/* lib/surface/net_cell.h -- one part of two surfaces: whether they meet in it, and how often
  * SPDX-License-Identifier: MIT
  *
  * The steps of net_meet.h. A cell is a part of both surfaces: four parameters, 0..1 each in the

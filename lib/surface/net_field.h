@@ -55,7 +55,7 @@ void loft_net_field_load(loft_net s, loft_vec apex, enum loft_net_field_of of, l
  */
 void loft_net_field_cut(loft_net_field *x, const loft_dyad_box *part);
 
-/* Along which parameter does the part change more? 0: u, 1: v.
+/* The parameter along which the part changes more. 0: u, 1: v.
  *
  *   error   none: any answer is right
  *   cost    2 p q dot products

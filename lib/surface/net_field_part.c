@@ -127,7 +127,7 @@ static loft_sci change_of(const loft_sci c[], unsigned m, unsigned n, unsigned e
                                               sci_of(rows * columns));
 }
 
-/* Along u: 0, or v: 1? The weight counts as what it changes the quotient by. */
+/* Along u: 0, along v: 1. The weight counts as what it changes the quotient by. */
 unsigned loft_net_field_longer(const loft_net_field *x)
 {
     loft_sci change[2];

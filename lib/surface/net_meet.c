@@ -118,7 +118,7 @@ static void place_in(const loft_dyad_box *pair, const loft_net_cell *cell, loft_
                                   loft_sci_add(cell->start[k], loft_sci_mul(cell->slope[k], f)));
 }
 
-/* Is the place for f within the cell? */
+/* True if the place for f is within the cell. */
 static bool place_at(const search *z, const loft_dyad_box *pair, const loft_net_cell *cell,
                      loft_sci f, loft_net_place *s)
 {
@@ -160,7 +160,7 @@ static bool follow_three(search *z, const loft_dyad_box *pair, const loft_net_ce
     return true;
 }
 
-/* Is nothing left to do in a cell where they meet once for each f? */
+/* True if nothing is left to do in a cell where they meet once for each f. */
 static bool is_once_done(search *z, const loft_dyad_box *pair, const loft_net_cell *cell)
 {
     const loft_sci half = loft_sci_power2(-1), two = loft_sci_from_int(2);

@@ -181,7 +181,7 @@ static loft_sci plane_bound(const search *z, const loft_sci middle[LOFT_AXES], l
     return least;
 }
 
-/* Can the part hold a point that is tol nearer than the best one? */
+/* True if the part can hold a point that is tol nearer than the best one. */
 static bool is_part_open(search *z, const loft_dyad part[2])
 {
     const loft_sci half = loft_sci_power2(-1);
@@ -200,7 +200,7 @@ static bool is_part_open(search *z, const loft_dyad part[2])
            loft_sci_less(plane_bound(z, middle[LOFT_NET_POINT], far), limit);
 }
 
-/* Is the net longer along u? By its longest leg. */
+/* True if the net is longer along u, by its longest leg. */
 static bool is_longer_along_u(const search *z)
 {
     loft_sci most[2] = { loft_sci_zero(), loft_sci_zero() };

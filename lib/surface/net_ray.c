@@ -67,7 +67,7 @@ static void load_nets(search *z)
     }
 }
 
-/* Are all coefficients of one sign? */
+/* True if all coefficients are of one sign. */
 static bool has_no_root(const loft_sci_net *x, loft_sci noise)
 {
     bool above = false, below = false;
@@ -127,7 +127,7 @@ static bool precondition(search *z, loft_sci noise[2])
     return true;
 }
 
-/* Has h at most one root in the part? */
+/* True if h has at most one root in the part. */
 static bool is_root_unique(const search *z)
 {
     const loft_sci one = loft_sci_one(), zero = loft_sci_zero();
@@ -252,7 +252,7 @@ static void add_place(search *z, const loft_dyad part[2], const loft_sci x[2], b
     }
 }
 
-/* Is nothing left to do in this part? */
+/* True if nothing is left to do in this part. */
 static bool is_part_done(search *z, const loft_dyad part[2])
 {
     const loft_sci half = loft_sci_power2(-1);

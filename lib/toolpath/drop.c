@@ -146,7 +146,7 @@ static void slope_of_cutter(const way *w, const foot *at, loft_real g[2])
 
 /* Pieces of a sheet */
 
-/* Is all of it beside the way? */
+/* True if all of it is beside the way. */
 static bool lies_aside(const way *w, const loft_box *box, loft_acc off)
 {
     const loft_acc reach = loft_to_acc(w->d->cutter.radius) + off;
@@ -225,7 +225,7 @@ static loft_acc find_bound(const way *w, const piece *p, loft_acc off, const foo
     return loft_acc_min(bound, bound_of(w, p, off, g));
 }
 
-/* Is it a point of a sheet that may be trimmed? */
+/* True if it is a point of a sheet that may be trimmed. */
 static bool belongs_to(const loft_sheet *s, const loft_vec *p, loft_unit u, loft_unit v)
 {
     if (!s->trim)
@@ -236,7 +236,7 @@ static bool belongs_to(const loft_sheet *s, const loft_vec *p, loft_unit u, loft
                                                            loft_acc_round(loft_unit_to_acc(v))));
 }
 
-/* A point of the surface: the cutter must rise at least so much for it. */
+/* A point of the surface, a lower bound of the cutter's height over it. */
 static void learn_point(way *w, const loft_vec *p, uint32_t sheet, loft_unit u, loft_unit v)
 {
     foot at;
@@ -273,8 +273,8 @@ static loft_vec get_corner(way *w, uint32_t sheet, const loft_sheet_piece *at, u
     return p;
 }
 
-/* Does an upright plane separate the piece from the sides of the cutter? It is tried across the
- * direction from the foot. */
+/* True if an upright plane across the direction from the foot separates the piece from the sides of
+ * the cutter. */
 static bool lies_beyond(const way *w, const piece *p, loft_acc off, const foot *middle)
 {
     const loft_acc reach = loft_to_acc(w->d->cutter.radius) + off + off + w->d->slack,
@@ -312,7 +312,7 @@ static void grow_box(loft_box *box, loft_acc off)
     }
 }
 
-/* Is the piece of interest? Then p->bound is known. */
+/* True if the piece is of interest; then p->bound is known. */
 static bool weigh_piece(way *w, uint32_t sheet, piece *p, bool learn)
 {
     const loft_acc off = loft_sheet_gap(&w->d->sheet[sheet], p->at.level);

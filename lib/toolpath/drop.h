@@ -40,7 +40,7 @@ static inline loft_real loft_drop_tol(void)
     return LOFT_REAL_LSB > 0 ? 16 * LOFT_REAL_LSB : LOFT_REAL(0.00000095367431640625);
 }
 
-/* Is the area (of x and y) within LOFT_SHEET_REACH and not empty? */
+/* True if the area (of x and y) is within LOFT_SHEET_REACH and not empty. */
 static inline bool loft_drop_takes(const loft_box *area)
 {
     const loft_real reach = LOFT_REAL(LOFT_SHEET_REACH);
@@ -77,7 +77,7 @@ enum loft_status loft_drop_init(loft_drop *d, const loft_sheet sheet[], uint32_t
  */
 loft_real loft_drop_height(const loft_drop *d, loft_real x, loft_real y, loft_drop_spot *spot);
 
-/* Does the cutter, moved straight from one tip to another, cut nothing?
+/* True if the cutter, moved straight from one tip to another, cuts nothing.
  *
  *   range   coordinates within LOFT_SHEET_REACH
  *   error   true: proved, for every place of the way. false: it cuts, or passes too near to tell

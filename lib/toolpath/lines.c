@@ -155,7 +155,7 @@ static void add_tip(loft_lines *l, unsigned slot)
  * A line is cut from one end of `row` to the other; the places that it leaves free take the points
  * of the next one, which come along v. So that one lies in the order in which this one was cut. */
 
-/* Is this line cut toward the end of `row`? */
+/* True if this line is cut toward the end of `row`. */
 static bool goes_up(const loft_lines *l) { return l->back == l->mirrored; }
 
 /* Its place number k, in the order of cutting. */

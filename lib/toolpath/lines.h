@@ -70,7 +70,7 @@ typedef struct {
     bool leaving;
 } loft_lines;
 
-/* Can a patch be cut so? *near: may the ends of two lines be joined by a straight curve?
+/* True if a patch can be cut so. *near: a straight curve may join the ends of two lines.
  *
  *   shape   with the patch below the ball, P_u x P_v may look up or down, everywhere the same way
  *   range   degrees 1..LOFT_LINES_DEGREE, three axes, coordinates within LOFT_LINES_REACH, radius

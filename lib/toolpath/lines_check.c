@@ -323,7 +323,8 @@ static loft_sci bound_rounding(const part_bound *b, const loft_lines_way *way, l
                                                                loft_sci_mul(grid, skew))));
 }
 
-/* Is `bend` h^order / share within what is left of the tolerance? h is 1 / steps of 2^level parts.
+/* True if `bend` h^order / share is within what is left of the tolerance. h is 1 / steps of 2^level
+ * parts.
  */
 static bool step_fits(loft_sci bend, uint16_t steps, unsigned level, unsigned order, int32_t share,
                       loft_sci left)

@@ -55,7 +55,8 @@ enum loft_status loft_pencil_init(loft_pencil *p, const loft_drop *d,
  */
 bool loft_pencil_touch(const loft_pencil *p, loft_real x, loft_real y, loft_touch *out);
 
-/* Is what it touches at two places so far apart that a valley may lie between: half a radius?
+/* True if what it touches at two places is so far apart that a valley may lie between: half a
+ * radius.
  *
  *   error   none
  *   cost    a length

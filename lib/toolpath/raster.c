@@ -72,8 +72,8 @@ enum loft_status loft_pass_init(loft_pass *p, const loft_drop *d, const loft_vec
     return LOFT_OK;
 }
 
-/* May the chord to `end`, over step `to`, be given? It is looked at in its quarters: the middle
- * alone does not tell a wave from a straight line. */
+/* True if the chord to `end`, over step `to`, may be given. It is looked at in its quarters: the
+ * middle alone does not tell a wave from a straight line. */
 static bool chord_fits(loft_pass *p, const loft_vec *end, uint32_t to)
 {
     const loft_acc a = loft_to_acc(loft_vec_axis(&p->from, 2)),
@@ -216,7 +216,7 @@ enum loft_status loft_raster_init(loft_raster *r, const loft_drop *d, const loft
     return status == LOFT_OK ? begin_line(r) : status;
 }
 
-/* Does the line lie at the upper end of what is left of a spiral? */
+/* True if the line lies at the upper end of what is left of a spiral. */
 static bool is_upper(const loft_raster *r) { return r->side == 1 || r->side == 2; }
 
 /* The step that should leave the wished cusp: it goes about with the square of the step. */
@@ -320,8 +320,9 @@ enum loft_status loft_raster_init_spiral(loft_raster *r, const loft_drop *d, con
     return begin_side(r, &area->min);
 }
 
-/* Is the tangent plane of a sheet at a spot nearly at a right angle to the ball's radius there? At
- * a border it is not. The spot errs by what the tolerance allows: sqrt(2 tol / radius) < 1/8. */
+/* True if the tangent plane of a sheet at a spot is nearly at a right angle to the ball's radius
+ * there. At a border it is not. The spot errs by what the tolerance allows: sqrt(2 tol / radius) <
+ * 1/8. */
 static bool rests_inside(const loft_drop *d, const loft_drop_spot *spot, const loft_vec *tip)
 {
     const loft_surface *s = &d->sheet[spot->sheet].surface;

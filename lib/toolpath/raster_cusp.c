@@ -19,8 +19,8 @@
 #include "toolpath/place.h"
 
 #define FEET  3                 /* tries of the place that is nearest to a point */
-#define CLOSE 8                 /* sections are so much closer where cusps change */
-#define ALIKE 4                 /* what two lines leave differs at most by so much */
+#define CLOSE 8                 /* how many times closer sections are where cusps change */
+#define ALIKE 4                 /* the largest ratio of what two lines leave */
 
 /* Two lines, at one place along them. */
 typedef struct {

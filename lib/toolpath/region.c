@@ -40,7 +40,7 @@ bool loft_region_has(const loft_region *r, loft_spot p)
     return in;
 }
 
-/* May the edge meet the box? Not if a line parts them. */
+/* True if the edge may meet the box: no line parts them. */
 static bool meets(const loft_region_edge *e, loft_spot low, loft_spot high)
 {
     int left = 0, right = 0;

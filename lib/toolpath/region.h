@@ -33,15 +33,15 @@ static inline loft_spot loft_region_spot(loft_real x, loft_real y)
     return s;
 }
 
-/* Has every edge coordinates that loft_spot_valid accepts, and does at each place end one that
- * another begins?
+/* True if every edge has coordinates that loft_spot_valid accepts, and as many edges begin as end
+ * at each place.
  *
  *   error   none
  *   cost    `count` comparisons per edge
  */
 bool loft_region_valid(const loft_region *r);
 
-/* Is the point inside? On an edge: either.
+/* True if the point is inside. On an edge: either.
  *
  *   error   none: exact
  *   cost    two comparisons per edge, and a loft_spot_turn where it passes beside the point

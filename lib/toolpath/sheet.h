@@ -55,8 +55,8 @@ static inline loft_sheet_piece loft_sheet_piece_quarter(const loft_sheet_piece *
     return q;
 }
 
-/* Over a piece, corners of its quarters are a grid of 3 x 3: where in it is corner k of quarter q?
- * And corner k of the piece? */
+/* Over a piece, corners of its quarters are a grid of 3 x 3: the place in it of corner k of quarter
+ * q, and of corner k of the piece. */
 static inline unsigned loft_sheet_piece_spot(const loft_sheet_piece *p, const loft_sheet_piece *q,
                                              unsigned k)
 {

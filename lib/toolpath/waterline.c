@@ -81,7 +81,7 @@ bool loft_waterline_clear(const loft_waterline *w, loft_real x, loft_real y)
     return lies_inside(&w->area, x, y, 0) && clears(w, 0, x, y);
 }
 
-/* Is a sheet or the border of the area within tol? */
+/* True if a sheet or the border of the area is within tol. */
 static bool touches(const loft_waterline *w, loft_real x, loft_real y)
 {
     return !lies_inside(&w->area, x, y, 2 * w->least) || !clears(w, 1, x, y);
@@ -183,7 +183,7 @@ static bool find_direction(const loft_waterline *w, loft_real toward[2])
     return true;
 }
 
-/* May the chord be given? */
+/* True if the chord may be given. */
 static bool chord_fits(const loft_waterline *w, const loft_vec *end)
 {
     const loft_real x = loft_vec_axis(&w->from, 0), y = loft_vec_axis(&w->from, 1),
@@ -197,7 +197,7 @@ static bool chord_fits(const loft_waterline *w, const loft_vec *end)
     return loft_drop_clear(&w->d, &w->from, end);
 }
 
-/* Does the chord to `end` pass the gate? */
+/* True if the chord to `end` passes the gate. */
 static bool passes_gate(const loft_waterline *w, const loft_vec gate[2], const loft_vec *end)
 {
     const loft_vec *const place[2] = { &w->from, end };

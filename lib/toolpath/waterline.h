@@ -44,7 +44,7 @@ typedef struct {
 enum loft_status loft_waterline_init(loft_waterline *w, const loft_drop *d, const loft_box *area,
                                      loft_real z) LOFT_CHECKED;
 
-/* May a line run here? True: the cutter is in the area and at least tol / 2 from every sheet.
+/* True if a line may run here: the cutter is in the area and at least tol / 2 from every sheet.
  *
  *   range   |x|, |y| up to LOFT_SHEET_REACH
  *   error   false also where it passes too near to tell (loft_drop_clear)

@@ -22,7 +22,7 @@ LOFT_BEGIN_C
 uint8_t loft_curve_encode(uint8_t byte[LOFT_CURVE_BYTES], const loft_predictor *p,
                           const loft_item *item);
 
-/* Is it a part of a patch: without a feed, ending where it begins? */
+/* True if it is a part of a patch: without a feed, ending where it begins. */
 bool loft_curve_is_part(const loft_predictor *p, const loft_item *item);
 
 /* Read a curve that loft_curve_size has accepted. Returns the address after it. */

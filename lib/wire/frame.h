@@ -73,7 +73,7 @@ size_t loft_frame_encode(uint8_t wire[LOFT_FRAME_MAX], size_t count);
  * sent; it is combined with the CRC by exclusive or. Seal 0 is loft_frame_encode. */
 size_t loft_frame_seal(uint8_t wire[LOFT_FRAME_MAX], size_t count, uint32_t seal);
 
-/* Is the last frame that loft_frame_push ended (count > 0) good, with this seal?
+/* True if the last frame that loft_frame_push ended (count > 0) is good, with this seal.
  *
  *   error   a damaged or otherwise sealed frame passes with probability 2^-32
  *   cost    4 CRC steps

@@ -49,7 +49,7 @@ enum loft_machine_state {
     LOFT_STATE_FAULT        /* the position is unreliable: no job until the machine restarts    */
 };
 
-/* Is a job under way, so that no other job can begin? */
+/* True if a job is under way, so that no other job can begin. */
 static inline bool loft_state_busy(uint8_t state)
 {
     return state >= LOFT_STATE_RUNNING && state <= LOFT_STATE_STOPPING;
@@ -273,7 +273,7 @@ size_t loft_set_encode(const loft_set *m, uint8_t session, uint8_t wire[LOFT_FRA
  * items. */
 void loft_data_init(loft_packer *p, enum loft_kind kind, const loft_predictor *predictor,
                     uint8_t frame_max, uint8_t wire[LOFT_FRAME_MAX]);
-bool   loft_data_carried(const loft_frame *f);     /* is it one of the four? */
+bool   loft_data_carried(const loft_frame *f);     /* true: it is one of the four */
 size_t loft_data_encode(const loft_packer *p, uint32_t first, uint32_t seal, uint8_t session,
                         uint8_t wire[LOFT_FRAME_MAX]);
 
@@ -296,7 +296,8 @@ enum loft_status loft_set_decode(const loft_frame *f, loft_set *m) LOFT_CHECKED;
 // Machine to host
 // ---------------
 
-/* As above. WELCOME may grow at its end in later versions: additional bytes are not an error. */
+/* Each encode returns the length of the frame. WELCOME may grow at its end in later versions:
+ * additional bytes are not an error. */
 size_t loft_welcome_encode(const loft_welcome *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_axis_encode(const loft_axis *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_ack_encode(const loft_ack *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
@@ -305,7 +306,7 @@ size_t loft_machine_status_encode(const loft_machine_status *m, uint8_t session,
 size_t loft_report_encode(const loft_report *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 size_t loft_kept_encode(const loft_kept *m, uint8_t session, uint8_t wire[LOFT_FRAME_MAX]);
 
-/* As above. */
+/* Each decode gives LOFT_ERR_DATA as those of the other direction. */
 enum loft_status loft_welcome_decode(const loft_frame *f, loft_welcome *m) LOFT_CHECKED;
 enum loft_status loft_axis_decode(const loft_frame *f, loft_axis *m) LOFT_CHECKED;
 enum loft_status loft_ack_decode(const loft_frame *f, loft_ack *m) LOFT_CHECKED;

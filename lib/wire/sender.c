@@ -311,7 +311,7 @@ static void take_ack(loft_sender *s, const loft_ack *m, uint32_t now)
     }
 }
 
-/* Is an answer due to something that could be sent again? */
+/* True if an answer is due to something that could be sent again. */
 static bool answer_is_due(const loft_sender *s)
 {
     return s->phase == LOFT_PHASE_STREAMING && !s->aborting &&

@@ -56,8 +56,8 @@ void loft_window_back(loft_window *w);
 /* The line damages frames: make them shorter. */
 void loft_window_shrink(loft_window *w);
 
-/* Can a frame be sent, if the machine takes items before `limit`, preferably `step` new ones at a
- * time? */
+/* True if a frame can be sent, where the machine takes items before `limit`, preferably `step` new
+ * ones at a time. */
 bool loft_window_ready(const loft_window *w, uint32_t limit, uint32_t step);
 
 /* Give the next frame, ready to send. Returns its size, or 0 if its first item cannot be encoded.

@@ -9,7 +9,7 @@
  *
  *     cortex_block    a half of the ring is given: in the interrupt of highest priority
  *     cortex_fill     in that of lowest priority: makes that half, and latches
- *     cortex_sample   while a guard waits, 100,000 times a second: has its input changed?
+ *     cortex_sample   while a guard waits, 100,000 times a second: looks at its input
  *
  * An output changes where the half begins in which its tick does: 0.25 ms before it, at most. While
  * the timer stands all are off.

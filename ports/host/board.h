@@ -61,7 +61,7 @@ struct loft_board {
      * Returns their number. */
     unsigned (*watch)(struct loft_board *b, struct pollfd fd[LOFT_BOARD_WATCHED], int *ms);
 
-    /* Do the lines still obey? If not, the program ends. */
+    /* False if the lines do not obey any more: the program ends. */
     bool     (*works)(struct loft_board *b);
 
     /* A job is over and its last slot is given: print its statistics on standard output, and reset

@@ -314,7 +314,7 @@ static void note_state(struct host *h)
 }
 
 
-/* Have all slots of the job been given? */
+/* True if all slots of the job have been given. */
 static bool slots_given(const struct host *h) { return !h->board || h->board->left(h->board) == 0; }
 
 /* Let the board report after the last slot of a job. */
@@ -502,7 +502,8 @@ static void run_slots(struct host *h, uint64_t count)
     loft_machine_tick(&h->machine);
 }
 
-/* Ends a halt if that was asked. Does the machine stand at one? Without a sender there is none. */
+/* Ends a halt if that was asked. True if the machine stands at one: never without a
+ * sender. */
 static bool is_halted(struct host *h)
 {
     const double *at = &h->o->halt[h->halts];
@@ -522,7 +523,7 @@ static bool is_halted(struct host *h)
     return h->halted;
 }
 
-/* Is something asked that the state does not show yet, or does it need no more items? */
+/* True if something is asked that the state does not show yet, or if it needs no more items. */
 static bool obeys(const loft_drive *d)
 {
     return (d->abort && d->state != LOFT_STATE_STOPPING) ||
@@ -540,7 +541,7 @@ static bool sender_is_gone(struct host *h)
     return !owned && now_ns() - h->heard > GONE_MS * 1000000LL;
 }
 
-/* Simulated time: can the machine continue without the line, or does the line bring bytes? */
+/* Simulated time: the machine can continue without the line, or the line brings bytes. */
 static bool queue_supplied(struct host *h)
 {
     const loft_drive *d = &h->machine.drive;
@@ -631,8 +632,8 @@ static int advance_time(struct host *h)
     return h->board ? run_board(h) : h->o->fast ? run_simulated(h) : run_real(h);
 }
 
-/* May the program end? Yes when the host has closed the job and read the last answer, which would
- * be lost with the line, or when the host does not come for it. */
+/* True if the program may end: when the host has closed the job and read the last answer, which
+ * would be lost with the line, or when the host does not come for it. */
 static bool may_finish(struct host *h)
 {
     const bool told = h->sent == h->count && host_line_drained(&h->line);

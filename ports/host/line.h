@@ -60,13 +60,13 @@ static inline void host_line_wait(struct host_line *l, bool write, int ms, const
     host_line_poll(l, write, ms, during, NULL, 0);
 }
 
-/* Has the other end read everything? */
+/* True if the other end has read everything. */
 bool host_line_drained(const struct host_line *l);
 
-/* Are there bytes to read? */
+/* True if there are bytes to read. */
 bool host_line_waits(const struct host_line *l);
 
-/* Is a program at the other end that has locked the line, as `loft` does? */
+/* True if a program at the other end has locked the line, as `loft` does. */
 bool host_line_owned(const struct host_line *l);
 
 #endif

@@ -40,7 +40,7 @@ static bool beyond(const struct loft_host_end *e, int end, double at)
     return end ? at >= e->at : at <= e->at;
 }
 
-/* Does the way from `from` to `to` lead into a wall? Away from it the tool may always move. */
+/* True if the way from `from` to `to` leads into a wall. Away from it the tool may always move. */
 static bool blocked(const struct host_world *w, const double from[LOFT_AXES],
                     const double to[LOFT_AXES])
 {
@@ -114,7 +114,7 @@ double host_world_skew(const struct host_world *w)
     return w->o->gantry < 0 ? 0 : (double)w->ahead / w->o->steps_per_mm[w->o->gantry];
 }
 
-/* Is the switch of this end touched, or of a gantry that of its first or second motor? */
+/* True if the switch of this end is touched, or of a gantry that of its first or second motor. */
 static bool touches(const struct host_world *w, int axis, int which)
 {
     const struct loft_host_end *limit = w->o->limit[axis];

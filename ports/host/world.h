@@ -49,7 +49,7 @@ double host_world_skew(const struct host_world *w);
 /* Time passes without slots: no contact bounces any longer. */
 void host_world_settle(struct host_world *w);
 
-/* Is there a wall, a switch or a probe? */
+/* True if there is a wall, a switch or a probe. */
 bool host_world_limited(const struct host_world *w);
 
 #endif

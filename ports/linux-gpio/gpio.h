@@ -30,7 +30,7 @@ unsigned   gpio_chip_lines(gpio_chip *chip);
 /* The number of the line of that name; -1 if there is none. */
 int        gpio_chip_find(gpio_chip *chip, const char *name);
 
-/* Is the line in use? Then `owner` is the consumer ("?" if the kernel does not say). */
+/* True if the line is in use; then `owner` is the consumer ("?" if the kernel does not say). */
 bool       gpio_chip_owner(gpio_chip *chip, unsigned offset, char owner[GPIO_TEXT]);
 
 /* Take `count` lines as outputs at once. Bit i of `high` is the initial value of line offset[i]. */

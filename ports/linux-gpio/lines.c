@@ -146,8 +146,8 @@ static int find_line(struct lines *l, const struct settings *s, const struct lin
 // Taking
 // ------
 
-/* Is it free? This is checked first, because a request of many lines does not say which is
- * refused. */
+/* Refuse a line that is in use. This is checked first, because a request of many lines does not say
+ * which is refused. */
 static int check_free(struct lines *l, const struct line_wanted *w, int chip, unsigned offset)
 {
     char owner[GPIO_TEXT], text[200];

@@ -25,7 +25,7 @@ int  powers_open(struct powers *p, const struct settings *s);
 /* The outputs that can be driven: 0, 1 or 2. */
 int  powers_count(const struct settings *s);
 
-/* Can output 1 have this level, or follow the speed? */
+/* True if output 1 can have this level, or follow the speed. */
 bool powers_can(const struct powers *p, int output, bool moving);
 
 /* Set an output, from 1, to a level, 65535 at most. Returns false if something did not obey. */

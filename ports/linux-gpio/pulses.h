@@ -94,7 +94,7 @@ uint64_t pulses_left(const struct pulses *p);
 /* The steps that are made and not given. */
 void     pulses_ahead(const struct pulses *p, int32_t steps[LOFT_AXES]);
 
-/* Have all lines obeyed? */
+/* True if all lines have obeyed. */
 bool     pulses_work(const struct pulses *p);
 
 /* Print the lateness of pulses, and reset it. Call it when no slots are left, or after

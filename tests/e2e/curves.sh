@@ -177,8 +177,8 @@ case_decide() {
     done
     one_line 65 'not a tolerance' "$loft" decide area --of=-1 "$tmp/octant.loft"
     printf 'ring 3 2\n0 0\n5 0\n9 0\n5 5\n0 9\n0 5\n3 3 1\n' >"$tmp/sided.loft"
-    one_line 65 'a ring is no quotient of polynomials' "$loft" decide area "$tmp/sided.loft"
-    one_line 65 'a ring is no quotient of polynomials' "$loft" measure "$tmp/sided.loft"
+    one_line 65 'a ring is not rational' "$loft" decide area "$tmp/sided.loft"
+    one_line 65 'a ring is not rational' "$loft" measure "$tmp/sided.loft"
     one_line 64 'holds surfaces: .loft make meet' "$loft" measure --intersect "$tmp/sided.loft"
     one_line 64 'nearest: give x,y,z' "$loft" measure --nearest 1,2 "$tmp/sided.loft"
     one_line 64 'not known to decide'  "$loft" decide nothing

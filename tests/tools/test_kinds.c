@@ -64,14 +64,11 @@ static void random_arc(arb *a, curve *c)
 
 static curve *random_curve(arb *a, curves *all)
 {
-    static const unsigned degrees[CURVE_KINDS] = {
-        [CURVE_LINE] = 1, [CURVE_PARABOLA] = 2, [CURVE_HERMITE5] = 5
-    };
     curve *c = curves_add(all, (enum curve_kind)arb_below(a, CURVE_KINDS), 1);
-    const bool knots = c->kind == CURVE_BSPLINE || c->kind == CURVE_NURBS;
+    const bool knots = curve_has_knots(c);
     unsigned count   = 4 + arb_below(a, 8);
 
-    c->degree  = degrees[c->kind] ? degrees[c->kind] : 3;
+    c->degree  = curve_kinds[c->kind].degree;
     c->tension = c->kind == CURVE_CATMULL ? (double)arb_below(a, 5) / 4 : random_to(a, 2);
     c->ends    = (enum curve_ends)arb_below(a, CURVE_ENDS);
     c->chord   = !curve_hides_ends(c) && arb_below(a, 2);
@@ -81,7 +78,7 @@ static curve *random_curve(arb *a, curves *all)
     }
     if (knots)
         c->degree = 1 + arb_below(a, 9), count += c->degree - 3 < 9 ? c->degree - 3 : 0;
-    if (c->kind == CURVE_BEZIER || c->kind == CURVE_RATIONAL)
+    if (curve_kinds[c->kind].bezier)
         c->degree = 1 + arb_below(a, 9), count = c->degree + 1;
     if (c->kind == CURVE_PARABOLA)
         count = 3;

@@ -105,9 +105,9 @@ enum loft_status loft_coons_bezier_init(loft_coons_bezier *c, const loft_bezier 
                                         const loft_bezier v[][2], unsigned orders,
                                         loft_real tol) LOFT_CHECKED;
 
-/* Do u and v agree on all data that both give at the corners: slopes along the boundaries, twists,
- * curvatures? If so, the patch follows all curves. If not, it follows the curves along v, and
- * misses the data of u by the difference.
+/* True if u and v agree on all data that both give at the corners: slopes along the boundaries,
+ * twists, curvatures. Then the patch follows all curves. Otherwise it follows the curves along v,
+ * and misses the data of u by the difference.
  *
  *   error   q16: none   f32, f64: the compared numbers err by 8 n^2 ulp of double, n the highest
  *           degree: give a tol

@@ -140,7 +140,7 @@ static void sum_of_points(const loft_gregory *g, const loft_sci weight[], loft_s
     }
 }
 
-/* Is (u, v) a corner with two different points inside? */
+/* True if (u, v) is a corner with two different points inside. */
 static bool has_no_second(const loft_gregory *g, loft_unit u, loft_unit v)
 {
     const bool ends = (u <= 0 || u >= LOFT_UNIT(1)) && (v <= 0 || v >= LOFT_UNIT(1));

@@ -71,7 +71,7 @@ enum loft_status loft_nurbs_surface_deriv(const loft_nurbs_surface *s, unsigned 
 enum loft_status loft_nurbs_surface_eval(const loft_nurbs_surface *s, loft_real u, loft_real v,
                                          loft_vec *out) LOFT_CHECKED;
 
-/* Has the surface a tangent plane at (u, v)? P_u and P_v are not parallel and not 0.
+/* True if the surface has a tangent plane at (u, v): P_u and P_v are not parallel and not 0.
  *
  *   range   f32, f64: numbers that pass loft_exact_valid, otherwise false
  *   error   none

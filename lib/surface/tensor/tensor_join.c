@@ -113,7 +113,8 @@ static void cut_edge(edge *e, loft_dyad piece)
     }
 }
 
-/* Do both normals have one direction at the first (s = 0) or last coefficient, which are values? */
+/* True if both normals have one direction at the first (s = 0) or last coefficient, which are
+ * values. */
 static bool signs_agree(edge *e, unsigned s)
 {
     bool some = false;

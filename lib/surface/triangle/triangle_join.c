@@ -95,7 +95,7 @@ enum loft_status loft_triangle_join_continue(const loft_triangle *t, loft_bary s
     return LOFT_OK;
 }
 
-/* Does row i agree? */
+/* True if row i agrees. */
 static bool agrees(const loft_triangle *b, const loft_triangle *c, unsigned i, const weights *x)
 {
     const unsigned m = b->degree - i;

@@ -98,8 +98,8 @@ enum loft_status loft_triangle_rational_split(const loft_triangle_rational *t, l
 enum loft_status loft_triangle_rational_elevate(const loft_triangle_rational *t, unsigned times,
                                                 loft_weighted out[]) LOFT_CHECKED;
 
-/* Has the surface a tangent plane at u? Its derivatives there are not parallel and not 0, as the
- * given numbers decide.
+/* True if the surface has a tangent plane at u: its derivatives there are not parallel and not 0,
+ * as the given numbers decide.
  *
  *   range   u inside the triangle; f32, f64: numbers that pass loft_exact_valid, otherwise false
  *   error   none

@@ -194,7 +194,7 @@ static void test_index(const loft_real b[], unsigned j, unsigned k, loft_net_con
     out->weak = out->weak && pairs && loft_exact_sign(sum) >= 0;
 }
 
-/* Does every step in direction x, from E(x+1) to E(x+2), go up or down, or do the signs differ? */
+/* Whether steps in direction x, from E(x+1) to E(x+2), all go up, all down, or differ. */
 static int8_t trend_of(const loft_real b[], unsigned degree, int x)
 {
     bool up = false, down = false;
