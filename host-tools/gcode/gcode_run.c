@@ -398,8 +398,8 @@ static int set_modes(gcode_program *g, const int of[GROUPS])
         code = gcode_use_system(g,
                                 of[SYSTEM] < 591 ? (of[SYSTEM] - 530) / 10 : 6 + of[SYSTEM] - 590);
     if (code == 0 && of[LATHE] == 70)
-        code = wrong_code(g, 'G', 70, "gcode.lathe-diameter",
-                          "lathe diameters are not supported", "give radii (G8)");
+        code = wrong_code(g, 'G', 70, "gcode.lathe-diameter", "lathe diameters are not supported",
+                          "give radii (G8)");
     if (of[SPINDLE] == 960) {           /* the speed is that of the cut, of a lathe */
         gcode_leave_out(g, 'G', 960);
         (void)gcode_value(&g->b, 'D');
