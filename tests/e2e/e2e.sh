@@ -65,7 +65,7 @@ is_gone() { ! kill -0 "$1" 2>/dev/null; }
 until_true() {          # COMMAND..: it succeeds
     local tries=0
     until "$@"; do
-        [ $((tries += 1)) -lt 9000 ] || return 1
+        [ $((tries += 1)) -lt 30000 ] || return 1
         read -rt 0.02 <>"$top/never"
     done
     true
@@ -191,7 +191,7 @@ cut_off_when_sent() {   # as soon as the machine has accepted the last item; it 
 # without \r in $tmp/screen
 types() {
     local name=$1 script=$2 code; shift 2
-    timeout 300 "$pty" type "$tmp/$name.log" "${machines[$name]-0}" "$script" "$@" >"$tmp/out" 2>&1
+    timeout 1000 "$pty" type "$tmp/$name.log" "${machines[$name]-0}" "$script" "$@" >"$tmp/out" 2>&1
     code=$?
     tr '\r' '\n' <"$tmp/out" >"$tmp/screen"
     return $code

@@ -42,7 +42,7 @@
 
 #define FIFO 512        /* bytes that a line takes at once, like a USB adapter */
 #define RELEASED 0.25   /* s: a key that comes later is no repetition */
-#define PATIENCE 180.0  /* s that a busy computer may take for what is awaited */
+#define PATIENCE 600.0  /* s that a busy computer may take for what is awaited */
 
 static int die(const char *what)
 {

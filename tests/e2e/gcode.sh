@@ -63,12 +63,12 @@ case_a_pause_takes_enter_from_a_pipe() {
         >"$tmp/asks.nc"
     run 0 "$loft" plot "$tmp/asks.nc" -o "$tmp/asks.svg"; says out ': 3 curves$'
     machine asks --speed fast --once
-    printf 'x\n\n' | timeout 200 "$loft" stream "$tmp/asks.nc" --port "$tmp/asks" \
+    printf 'x\n\n' | timeout 1000 "$loft" stream "$tmp/asks.nc" --port "$tmp/asks" \
         >"$tmp/out" 2>"$tmp/err" || job_fails 'it did not go on'
     says err '^pause: turn it: Enter goes on, a gives up$'; says out '^drawn: .*as commanded$'
     gone "$machine"; counted asks
     machine asks --speed fast
-    printf 'a\n' | timeout 200 "$loft" stream "$tmp/asks.nc" --port "$tmp/asks" \
+    printf 'a\n' | timeout 1000 "$loft" stream "$tmp/asks.nc" --port "$tmp/asks" \
         >"$tmp/out" 2>"$tmp/err" && job_fails 'a did not give up'
     says err 'abort\|given up\|gave up\|ended'
 }
