@@ -10,7 +10,7 @@
 #include "gcode/gcode_draw.h"   /* reader_gcode */
 #include "read/drawing_curves.h"    /* reader_loft */
 #include "read/foreign.h"       /* foreign_readers */
-#include "read/points.h"        /* reader_numbers */
+#include "read/number_lines.h"        /* reader_numbers */
 #include "read/reader.h"
 #include "readers.h"
 #include "svg/svg_file.h"       /* reader_svg */

@@ -11,7 +11,7 @@
 #include "geometry/surface_text.h"
 #include "num/status.h"     /* LOFT_ERR_ARG */
 
-#include "draw/contour.h"   /* contour_heights */
+#include "draw/mesh_contour.h"   /* contour_heights */
 #include "geometry/print.h"   /* print_words */
 #include "base/source.h"    /* source_name */
 #include "engine/surface.h"

@@ -12,7 +12,7 @@
 #include "engine/engine_harmonic.h"    /* harmonic_solve; the domain that judges polygons */
 #include "base/create.h"      /* create_refused */
 #include "base/c_name.h"
-#include "base/lines.h"
+#include "base/text_lines.h"
 #include "base/source.h"
 
 typedef struct {

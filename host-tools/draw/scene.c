@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw/contour.h"   /* contour_lines */
+#include "draw/mesh_contour.h"   /* contour_lines */
 #include "draw/scene.h"
 #include "engine/sided.h"   /* sided_net */
 #include "base/tool.h"      /* tool_grow */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw/contour.h"    /* contour_heights */
+#include "draw/mesh_contour.h"    /* contour_heights */
 #include "base/source.h"     /* source_name */
 #include "draw/surface_plot.h"
 #include "base/tool.h"       /* tool_error, tool_grow, sysexits */

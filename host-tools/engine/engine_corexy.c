@@ -1,4 +1,4 @@
-/* host-tools/engine/engine_corexy.c -- kinematics.h of CoreXY and H-bot: motors at x + y and x - y
+/* host-tools/engine/engine_corexy.c -- kinematics of CoreXY and H-bot: motors at x + y and x - y
  * SPDX-License-Identifier: MIT
  *
  * Compiled once per number type.
@@ -6,7 +6,7 @@
 #include "kinematics/kinematics.h"  /* loft_corexy_motors */
 
 #include "engine/engine_num.h"      /* vec_of, point_of */
-#include "engine/kinematics.h"
+#include "engine/machine_kinematics.h"
 
 static void corexy_motors(const kinematics *k, const double at[ENGINE_AXES],
                           const double near[ENGINE_AXES], double out[ENGINE_AXES])

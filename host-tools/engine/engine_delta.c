@@ -1,4 +1,4 @@
-/* host-tools/engine/engine_delta.c -- kinematics.h of linear deltas: three towers, carriages, arms
+/* host-tools/engine/engine_delta.c -- kinematics of linear deltas: three towers, carriages, arms
  * SPDX-License-Identifier: MIT
  *
  * Compiled once per number type. `geometry` is the arm, then x and y of each tower.
@@ -9,9 +9,9 @@
 #include "kinematics/kinematics.h"  /* loft_delta */
 
 #include "engine/engine_num.h"      /* real_of, vec_of, point_of */
-#include "engine/kinematics.h"
+#include "engine/machine_kinematics.h"
 
-#define FLAT  0.99          /* the largest sideways reach over the arm: 8 degrees above horizontal */
+#define FLAT  0.99          /* the largest reach of an arm, of its length: 8 degrees up */
 #define APART 30            /* degrees between towers, at least */
 
 static void delta_prepare(kinematics *k)

@@ -1,4 +1,4 @@
-/* host-tools/engine/engine_polar.c -- kinematics.h of polar machines: a radius and an angle
+/* host-tools/engine/engine_polar.c -- kinematics of polar machines: a radius and an angle
  * SPDX-License-Identifier: MIT
  *
  * Compiled once per number type.
@@ -8,7 +8,7 @@
 #include "kinematics/kinematics.h"  /* loft_polar */
 
 #include "engine/engine_num.h"      /* real_of, vec_of, point_of */
-#include "engine/kinematics.h"
+#include "engine/machine_kinematics.h"
 
 #define POLE 1e-6           /* mm: closer than this is the pole */
 

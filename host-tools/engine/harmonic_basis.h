@@ -7,7 +7,7 @@
 
 #include <complex.h>
 
-#include "engine/harmonic.h"       /* harmonic_series */
+#include "engine/harmonic_solver.h"       /* harmonic_series */
 
 #define HARMONIC_PI 3.14159265358979323846264338327950288L
 

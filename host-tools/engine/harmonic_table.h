@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "engine/harmonic.h"    /* harmonic_series */
+#include "engine/harmonic_solver.h"    /* harmonic_series */
 #include "base/memory.h"        /* memory_grow */
 #include "polygon/harmonic.h"   /* loft_harmonic_table */
 

@@ -9,7 +9,7 @@
 
 #include "polygon/gb.h"     /* loft_gb_place */
 
-#include "draw/contour.h"           /* contour_heights */
+#include "draw/mesh_contour.h"           /* contour_heights */
 #include "engine/engine_sided.h"    /* cut */
 #include "draw/gallery.h"
 #include "figures/study_pictures.h"

@@ -13,7 +13,7 @@
 
 #include "geometry/curve_text.h"
 #include "base/host.h"
-#include "base/lines.h"         /* lines_numbers, lines_wrong */
+#include "base/text_lines.h"         /* lines_numbers, lines_wrong */
 #include "base/scan.h"          /* scan_word */
 #include "geometry/surface_text.h"  /* surface_begins */
 

@@ -6,7 +6,7 @@
 #ifndef LOFT_HOST_SURFACE_ENDS_H
 #define LOFT_HOST_SURFACE_ENDS_H
 
-#include "base/lines.h"         /* lines */
+#include "base/text_lines.h"         /* lines */
 #include "engine/surface.h"
 
 /* Knots of a NURBS surface. Without knots: 0 .. 0 1 2 .. m .. m, as for curves. */

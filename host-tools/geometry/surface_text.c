@@ -16,7 +16,7 @@
 
 #include "engine/engine_sided.h"    /* complete, cut */
 #include "base/host.h"
-#include "base/lines.h"             /* lines_numbers, lines_wrong */
+#include "base/text_lines.h"             /* lines_numbers, lines_wrong */
 #include "base/source.h"            /* source_read */
 #include "base/tool.h"              /* tool_error, sysexits */
 #include "base/scan.h"              /* scan_word */

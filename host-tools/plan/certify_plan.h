@@ -4,7 +4,7 @@
 #ifndef LOFT_CERTIFY_PLAN_H
 #define LOFT_CERTIFY_PLAN_H
 
-#include "engine/kinematics.h"  /* kinematics, engine_span, engine_limits, engine_move */
+#include "engine/machine_kinematics.h"  /* kinematics, engine_span, engine_limits, engine_move */
 
 /* A worst value and where it is: its time, or its move for certify.missed; its place. Of distances
  * it is the one that is the largest part of the tolerance there. */

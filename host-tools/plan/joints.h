@@ -15,7 +15,7 @@
 #define LOFT_JOINTS_H
 
 #include "read/drawing.h"       /* drawing */
-#include "engine/kinematics.h"  /* kinematics */
+#include "engine/machine_kinematics.h"  /* kinematics */
 #include "plan/certify_along.h" /* certify_along */
 #include "plan/toolpath.h"      /* toolpath */
 

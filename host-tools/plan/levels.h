@@ -12,7 +12,7 @@
 #define LOFT_LEVELS_H
 
 #include "engine/engine.h"      /* engine_span */
-#include "engine/kinematics.h"  /* kinematics */
+#include "engine/machine_kinematics.h"  /* kinematics */
 #include "plan/toolpath.h"      /* toolpath_event */
 
 typedef struct {

@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 #include "engine/engine.h"         /* ENGINE_AXES, engine_limits */
-#include "engine/kinematics.h"     /* kinematics */
+#include "engine/machine_kinematics.h"     /* kinematics */
 #include "read/machine_tools.h"
 
 /* Lengths in mm, times in s. Numbers per axis are numbers per motor. Read with machine_read; keys

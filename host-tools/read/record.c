@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "geometry/nearest.h"
+#include "geometry/nearest_piece.h"
 #include "read/record.h"
 #include "base/scan.h"       /* scan_number */
 #include "base/tool.h"       /* tool_error, tool_grow */
@@ -175,8 +175,8 @@ static const double *place_before(const record *r, size_t i)
     return i > 0 ? r->pulse[i - 1].at : r->start;
 }
 
-/* A step of a motor that does not only lift moves x, y and z. There a pulse draws if the tool moves more sideways than up
- * over a few steps. */
+/* Where no motor only lifts, each step moves x, y and z. There a pulse draws if the tool moves more
+ * sideways than up over a few steps. */
 bool record_draws(const record *r, size_t i)
 {
     const bool lifts  = r->machine.k.kind->lifts;

@@ -94,7 +94,7 @@
 #include "toolpath/drop.h"
 #include "toolpath/lines.h"
 #include "toolpath/pencil.h"
-#include "toolpath/place.h"
+#include "toolpath/tip_place.h"
 #include "toolpath/raster.h"
 #include "toolpath/region.h"
 #include "toolpath/sector.h"

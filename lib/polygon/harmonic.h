@@ -5,7 +5,7 @@
  * phi_i solves Laplace's equation inside and is linear on the edges, 1 at vertex i, 0 at the
  * others. So 0 < phi_i < 1 inside, in polygons that are not convex too, sum phi_i = 1 and
  * sum phi_i v_i = p. There is no formula: the host solves the equation once for a polygon (`loft
- * harmonic`, host-tools/engine/harmonic.h), and what is evaluated is a series
+ * harmonic`, host-tools/engine/harmonic_solver.h), and what is evaluated is a series
  *
  *     phi_i = sum c_k Im w^k + sum Re, Im of c_k / (s - pole)
  *             + sum Re, Im of c_k / (z - pole) + sum Re, Im of c_k t^k

@@ -13,7 +13,7 @@
  */
 #include "toolpath/raster.h"
 
-#include "toolpath/place.h"
+#include "toolpath/tip_place.h"
 
 #define FINEST 16               /* a line has at most 2^16 steps */
 #define ROUNDS 8                /* tries of one step across */

@@ -16,7 +16,7 @@
  */
 #include "toolpath/raster.h"
 
-#include "toolpath/place.h"
+#include "toolpath/tip_place.h"
 
 #define FEET  3                 /* tries of the place that is nearest to a point */
 #define CLOSE 8                 /* how many times closer sections are where cusps change */

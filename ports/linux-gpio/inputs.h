@@ -6,7 +6,7 @@
 
 #include <poll.h>
 
-#include "linux-gpio/lines.h"
+#include "linux-gpio/machine_lines.h"
 
 /* A switch. If the kernel debounces, an edge is a steady change. Otherwise it counts when no edge
  * has come for the debounce time. */

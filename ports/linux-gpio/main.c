@@ -12,9 +12,9 @@
 
 #include "host/board.h"             /* struct loft_board */
 #include "linux-gpio/inputs.h"
-#include "linux-gpio/lines.h"
+#include "linux-gpio/machine_lines.h"
 #include "linux-gpio/pulses.h"
-#include "linux-gpio/settings.h"
+#include "linux-gpio/config_file.h"
 #include "wire/message.h"           /* LOFT_INPUT_ENDS */
 
 #define SLOT_HZ_MAX 200000

@@ -4,7 +4,7 @@
 # libgpiod 1.x or 2.x, whichever pkg-config finds
 GPIO_VERSION ?= $(shell pkg-config --atleast-version=2 libgpiod 2>/dev/null && echo 2 || echo 1)
 GPIO_SRC   = $(wildcard ports/host/*.c) \
-             $(patsubst %,ports/linux-gpio/%.c,main settings lines inputs powers pulses)
+             $(patsubst %,ports/linux-gpio/%.c,main config_file machine_lines inputs powers pulses)
 GPIO_HDR   = $(wildcard ports/*.h ports/host/*.h ports/linux-gpio/*.h)
 GPIO_FLAGS = -std=c99 $(WARN) -D_GNU_SOURCE -Ilib -Iports -DLOFT_NUM=LOFT_Q16 -DLOFT_AXES=3
 

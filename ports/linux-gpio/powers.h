@@ -10,7 +10,7 @@
 #ifndef LOFT_POWERS_H
 #define LOFT_POWERS_H
 
-#include "linux-gpio/lines.h"
+#include "linux-gpio/machine_lines.h"
 
 struct powers {
     int duty;                   /* the file of the duty cycle; -1: there is no PWM */

@@ -12,7 +12,7 @@
 #include <pthread.h>
 #include <semaphore.h>
 
-#include "linux-gpio/lines.h"
+#include "linux-gpio/machine_lines.h"
 #include "linux-gpio/powers.h"
 #include "machine/step.h"        /* loft_pins */
 

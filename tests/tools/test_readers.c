@@ -7,7 +7,7 @@
 #include "gcode/gcode_draw.h"
 #include "read/drawing_curves.h"
 #include "read/foreign.h"
-#include "read/points.h"
+#include "read/number_lines.h"
 #include "readers.h"
 #include "svg/svg_file.h"
 #include "tools/drawn.h"    /* caught */

@@ -5,7 +5,7 @@
 
 #include "tools/drawn.h"
 #include "engine/engine.h"
-#include "geometry/nearest.h"
+#include "geometry/nearest_piece.h"
 #include "read/record.h"
 
 static char file[] = "/tmp/loft-record-XXXXXX";

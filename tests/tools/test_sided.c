@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdarg.h>
 
-#include "draw/contour.h"
+#include "draw/mesh_contour.h"
 #include "tools/drawn.h"            /* CHECK, tool_error */
 #include "draw/mesh.h"
 #include "polygon/multiindex.h"     /* loft_multiindex_next */

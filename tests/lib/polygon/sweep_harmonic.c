@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/harmonic.h" /* harmonic_solve */
+#include "engine/harmonic_solver.h" /* harmonic_solve */
 #include "polygon/domain.h"  /* loft_domain_init */
 
 #define LEAST_CORNER 1 /* degrees */

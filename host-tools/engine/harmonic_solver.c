@@ -1,4 +1,4 @@
-/* host-tools/engine/harmonic.c
+/* host-tools/engine/harmonic_solver.c
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>

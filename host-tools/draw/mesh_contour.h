@@ -1,8 +1,8 @@
-/* host-tools/draw/contour.h -- lines of equal height on a mesh
+/* host-tools/draw/mesh_contour.h -- lines of equal height on a mesh
  * SPDX-License-Identifier: MIT
  */
-#ifndef LOFT_HOST_CONTOUR_H
-#define LOFT_HOST_CONTOUR_H
+#ifndef LOFT_MESH_CONTOUR_H
+#define LOFT_MESH_CONTOUR_H
 
 #include "draw/mesh.h"
 

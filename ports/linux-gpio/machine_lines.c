@@ -1,7 +1,7 @@
-/* ports/linux-gpio/lines.c
+/* ports/linux-gpio/machine_lines.c
  * SPDX-License-Identifier: MIT
  */
-#include "linux-gpio/lines.h"
+#include "linux-gpio/machine_lines.h"
 
 #include <ctype.h>
 #include <errno.h>

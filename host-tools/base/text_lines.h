@@ -1,11 +1,11 @@
-/* host-tools/base/lines.h -- reads a text line by line: its words, its numbers and its errors
+/* host-tools/base/text_lines.h -- reads a text line by line: its words, its numbers and its errors
  * SPDX-License-Identifier: MIT
  *
  * This is what curves and surfaces in the format .loft have in common. `#` starts a comment.
  * Blanks, tabs, commas and semicolons separate numbers. A line begins with a word or with a number.
  */
-#ifndef LOFT_HOST_LINES_H
-#define LOFT_HOST_LINES_H
+#ifndef LOFT_TEXT_LINES_H
+#define LOFT_TEXT_LINES_H
 
 #include <stdbool.h>
 

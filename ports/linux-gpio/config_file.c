@@ -1,7 +1,7 @@
-/* ports/linux-gpio/settings.c
+/* ports/linux-gpio/config_file.c
  * SPDX-License-Identifier: MIT
  */
-#include "linux-gpio/settings.h"
+#include "linux-gpio/config_file.h"
 
 #include <ctype.h>
 #include <errno.h>

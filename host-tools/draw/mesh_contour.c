@@ -1,4 +1,4 @@
-/* host-tools/draw/contour.c -- lines of equal height on a mesh
+/* host-tools/draw/mesh_contour.c -- lines of equal height on a mesh
  * SPDX-License-Identifier: MIT
  *
  * A vertex at the height itself counts as above it. So a contour crosses two edges of a triangle,
@@ -6,7 +6,7 @@
  */
 #include <math.h>
 
-#include "draw/contour.h"
+#include "draw/mesh_contour.h"
 #include "draw/plot.h"       /* plot_step */
 
 static void cross_edge(const double a[ENGINE_AXES], const double b[ENGINE_AXES], double height,

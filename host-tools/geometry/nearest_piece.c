@@ -1,4 +1,4 @@
-/* host-tools/geometry/nearest.c -- a tree of boxes over pieces in their given order
+/* host-tools/geometry/nearest_piece.c -- a tree of boxes over pieces in their given order
  * SPDX-License-Identifier: MIT
  *
  * Pieces of a path follow each other, so a range of the list is a compact part of the plane, and
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "geometry/nearest.h"
+#include "geometry/nearest_piece.h"
 #include "base/tool.h"       /* tool_grow */
 
 #define LEAF 4

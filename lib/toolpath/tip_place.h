@@ -1,8 +1,8 @@
-/* lib/toolpath/place.h -- places of a tip on lines along an axis; part of raster.c
+/* lib/toolpath/tip_place.h -- places of a tip on lines along an axis; part of raster.c
  * SPDX-License-Identifier: MIT
  */
-#ifndef LOFT_TOOLPATH_PLACE_H
-#define LOFT_TOOLPATH_PLACE_H
+#ifndef LOFT_TOOLPATH_TIP_PLACE_H
+#define LOFT_TOOLPATH_TIP_PLACE_H
 
 #include "geom/vec.h"   /* loft_vec */
 

@@ -1,5 +1,5 @@
-/* host-tools/engine/harmonic.h -- the series of lib/polygon/harmonic.h for a polygon: Laplace's
- * equation, solved on the host
+/* host-tools/engine/harmonic_solver.h -- the series of lib/polygon/harmonic.h for a polygon:
+ * Laplace's equation, solved on the host
  * SPDX-License-Identifier: MIT
  *
  * The terms are harmonic, so only the boundary counts. The coefficients are the damped least
@@ -10,8 +10,8 @@
  *     if (harmonic_solve(v, 5, HARMONIC_TARGET_F64, &s)) ..        s.bound is what was reached
  *     harmonic_free(&s);
  */
-#ifndef LOFT_HARMONIC_H
-#define LOFT_HARMONIC_H
+#ifndef LOFT_HARMONIC_SOLVER_H
+#define LOFT_HARMONIC_SOLVER_H
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,10 +1,10 @@
-/* ports/linux-gpio/lines.h -- the machine's lines: found and taken; outputs as bits on any chips
+/* ports/linux-gpio/machine_lines.h -- the machine's lines, found and taken; outputs as bits
  * SPDX-License-Identifier: MIT
  */
-#ifndef LOFT_LINES_H
-#define LOFT_LINES_H
+#ifndef LOFT_MACHINE_LINES_H
+#define LOFT_MACHINE_LINES_H
 
-#include "linux-gpio/settings.h"
+#include "linux-gpio/config_file.h"
 
 #define LINES_CHIPS 4           /* the largest number of chips */
 

@@ -1,8 +1,8 @@
-/* host-tools/read/points.h -- curves as numbers: control points, or a cubic per line
+/* host-tools/read/number_lines.h -- curves as numbers: control points, or a cubic per line
  * SPDX-License-Identifier: MIT
  */
-#ifndef LOFT_POINTS_H
-#define LOFT_POINTS_H
+#ifndef LOFT_NUMBER_LINES_H
+#define LOFT_NUMBER_LINES_H
 
 #include "read/reader.h"
 

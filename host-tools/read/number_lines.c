@@ -1,4 +1,4 @@
-/* host-tools/read/points.c -- curves as numbers
+/* host-tools/read/number_lines.c -- curves as numbers
  * SPDX-License-Identifier: MIT
  *
  * Plain lines: `x y [z]` is a control point, an empty line ends the curve, `#` starts a comment;
@@ -11,7 +11,7 @@
 
 #include "base/scan.h"       /* scan_numbers */
 #include "read/csv.h"        /* drawing_csv_parts */
-#include "read/points.h"
+#include "read/number_lines.h"
 
 /* A curve that grows point by point. */
 typedef struct {

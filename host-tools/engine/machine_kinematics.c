@@ -1,12 +1,12 @@
-/* host-tools/engine/kinematics.c -- kinematics of a machine: the table of the kinds, and what holds
- * for all of them
+/* host-tools/engine/machine_kinematics.c -- kinematics of a machine: the table of the kinds,
+ * and what holds for all of them
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "engine/kinematics.h"
+#include "engine/machine_kinematics.h"
 
 const kinematics_kind kinematics_cartesian = {
     .name = "cartesian", .axes = "xyz", .direct = true, .linear = true, .lifts = true

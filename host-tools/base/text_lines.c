@@ -1,10 +1,10 @@
-/* host-tools/base/lines.c -- reads a text line by line
+/* host-tools/base/text_lines.c -- reads a text line by line
  * SPDX-License-Identifier: MIT
  */
 #include <math.h>
 #include <string.h>
 
-#include "base/lines.h"
+#include "base/text_lines.h"
 #include "base/scan.h"       /* scan_numbers, scan_word */
 #include "base/tool.h"       /* tool_error, sysexits */
 

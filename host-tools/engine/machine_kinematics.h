@@ -1,13 +1,13 @@
-/* host-tools/engine/kinematics.h -- kinematics of a machine: the positions of the motors for a
- * place of the tool, and their motion
+/* host-tools/engine/machine_kinematics.h -- kinematics of a machine: the positions of the
+ * motors for a place of the tool, and their motion
  * SPDX-License-Identifier: MIT
  *
  * A kind of kinematics is a file engine_<kind>.c with one row, and its place in the table of
- * kinematics.c. The maps are those of lib/kinematics/kinematics.h in double. Motors are at 0 when
- * the tool is at `center` and z = 0.
+ * machine_kinematics.c. The maps are those of lib/kinematics/kinematics.h in double. Motors are at
+ * 0 when the tool is at `center` and z = 0.
  */
-#ifndef LOFT_KINEMATICS_H
-#define LOFT_KINEMATICS_H
+#ifndef LOFT_MACHINE_KINEMATICS_H
+#define LOFT_MACHINE_KINEMATICS_H
 
 #include "engine/engine.h"         /* ENGINE_AXES */
 

@@ -1,4 +1,4 @@
-/* host-tools/geometry/nearest.h -- finds the nearest of many line pieces to a point
+/* host-tools/geometry/nearest_piece.h -- finds the nearest of many line pieces to a point
  * SPDX-License-Identifier: MIT
  *
  *     nearest n = { 0 };
@@ -6,8 +6,8 @@
  *     nearest_build(&n);
  *     i = nearest_find(&n, p, i, &u, &distance);      // the last answer is the best hint
  */
-#ifndef LOFT_NEAREST_H
-#define LOFT_NEAREST_H
+#ifndef LOFT_NEAREST_PIECE_H
+#define LOFT_NEAREST_PIECE_H
 
 #include <stddef.h>
 

@@ -1,9 +1,9 @@
-/* ports/linux-gpio/settings.h -- the machine's settings and lines: `key = value`, in files and as
- * arguments
+/* ports/linux-gpio/config_file.h -- the machine's settings and lines: `key = value`, in files and
+ * as arguments
  * SPDX-License-Identifier: MIT
  */
-#ifndef LOFT_SETTINGS_H
-#define LOFT_SETTINGS_H
+#ifndef LOFT_CONFIG_FILE_H
+#define LOFT_CONFIG_FILE_H
 
 #include "host/host.h"          /* struct loft_host_options */
 #include "linux-gpio/gpio.h"    /* enum gpio_bias           */
