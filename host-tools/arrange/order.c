@@ -434,6 +434,7 @@ static void order_chains(const order_options *o, chains *c, bool corners, const 
 }
 
 const option order_rows[] = {
+    OPTION_HEADING("order of the paths"),
     { "order", OPTION_TEXT(order_options, how), .choices = "file|layer|best", .standard = "file",
       .help = "of the paths: as in the file, or with the least travel: within each layer of "
               "Inkscape, or in all. What follows is for these two (file)" },

@@ -98,6 +98,7 @@ static bool parse_copies(const char *text, void *out)
 }
 
 const option page_rows[] = {
+    OPTION_HEADING("what of a drawing"),
     { "layer", OPTION_TEXT(page_options, layers), .value = "NAME,..",
       .help = "of SVG: draw only these layers of Inkscape, by name or first number (all)" },
     { "only", OPTION_TEXT(page_options, only), .value = "COLOUR,..",
@@ -105,6 +106,7 @@ const option page_rows[] = {
     { "text", OPTION_TEXT(page_options, text), .value = "HOW",
       .help = "of SVG: outline, line or line:FONT: letters of single lines, as line:rowmans; none "
               "(outline)" },
+    OPTION_HEADING("place on the page"),
     { "page", OPTION_PARSED(page_options, size), .value = "SIZE", .parse = parse_size,
       .remedy = "give A0 to A6, Letter, Legal or Tabloid, with -landscape or without, or "
                 "WIDTHxHEIGHT in mm, cm or in",
@@ -131,6 +133,7 @@ const option page_rows[] = {
       .standard = "5", .help = "between copies" },
     { "crop", OPTION_FLAG(page_options, crop),
       .help = "draw only what is on the page, without its margin" },
+    OPTION_HEADING("areas and strokes"),
     OPTION_GROUP(page_options, fill, fill_rows),
     { "stroke", OPTION_TEXT(page_options, stroke), .value = "HOW", .choices = "line|outline",
       .standard = "line",

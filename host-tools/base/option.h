@@ -34,6 +34,7 @@ enum option_kind {
     OPTION_IS_WORD,             /* no option, but a word after the options */
     OPTION_IS_WORDS,            /* all others */
     OPTION_IS_GROUP,            /* the table of a struct within the struct */
+    OPTION_IS_HEADING,          /* of the rows below it, in the help */
     OPTION_IS_EXCLUDES,
     OPTION_IS_NEEDS
 };
@@ -85,6 +86,9 @@ struct option_row {
     OPTION_IS_CHOICE, offsetof(s, m) + 0 * sizeof(char[sizeof(((s *)0)->m) == sizeof(int) ? 1 : -1])
 #define OPTION_PARSED(s, m)  OPTION_IS_PARSED, offsetof(s, m)
 #define OPTION_GROUP(s, m, rows) { #m, OPTION_IS_GROUP, offsetof(s, m), .group = rows }
+
+/* What the rows below it are for, up to the next one: "the page" */
+#define OPTION_HEADING(text) { NULL, OPTION_IS_HEADING, .help = text }
 
 /* Rules. A condition is one or more terms with `|` between, each one or more with `&` between:
  * `name` is true if the option was given, and `name=value` if it has that value, by default too.

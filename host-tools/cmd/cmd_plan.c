@@ -295,6 +295,7 @@ static int plan_drawing(const plan_options *o, const drawing *d, const drawing *
 
 static const option plan_rows[] = {
     OPTION_GROUP(plan_options, p, planning_rows),
+    OPTION_HEADING("what is printed and drawn"),
     { "csv", OPTION_NUMBER(plan_options, rate), .least = 0.001, .most = 1e6, .value = "RATE",
       .unit = "Hz",
       .help = "rows t,x,y,z,vx,vy,vz,ax,ay,az at RATE Hz, in place of the table, or with -o FILE "

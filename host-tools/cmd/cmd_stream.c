@@ -370,8 +370,10 @@ static int draw_file(stream_options *o, const char *file)
 }
 
 static const option stream_rows[] = {
+    OPTION_HEADING("the machine and its line"),
     OPTION_GROUP(stream_options, line, talk_rows),
     OPTION_GROUP(stream_options, p, planning_rows),
+    OPTION_HEADING("who plans, and what is sent"),
     { "plan", OPTION_CHOICE(stream_options, where), .choices = "host|chip", .standard = "host",
       .help = "host: spans are sent; chip: curves are, and the machine plans" },
     { "points", OPTION_FLAG(stream_options, points),
@@ -380,10 +382,12 @@ static const option stream_rows[] = {
       .help = "send G-code to a controller of grbl's kind, which plans; with --dry-run print it" },
     { "g5", OPTION_FLAG(stream_options, g5),
       .help = "with --grbl: curves as G5, for controllers that have it, instead of arcs" },
+    OPTION_HEADING("without moving"),
     { "dry-run", OPTION_FLAG(stream_options, dry),
       .help = "plan for a usual machine, print a summary, move nothing" },
     { "check", OPTION_FLAG(stream_options, check),
       .help = "the same, and judge it: box, feeds, what an axis cannot do, rapids below 0" },
+    OPTION_HEADING("what is told"),
     { "record", OPTION_FILE(stream_options, record), .value = "FILE",
       .help = "the pulses that `loft simulate --record FILE` writes: measure the path error" },
     { "log", OPTION_FILE(stream_options, line.log), .value = "FILE",
@@ -392,6 +396,7 @@ static const option stream_rows[] = {
       .help = "show the drawing, the numbers and the keys on the whole terminal" },
     { "json", OPTION_FLAG(stream_options, json),
       .help = "tell a program how it goes: JSON, one object a line, on standard output" },
+    OPTION_HEADING("jobs that begin, stop and go on"),
     { "away", OPTION_FLAG(stream_options, away),
       .help = "the drawing leads away from the limit switches that are closed now" },
     { "from-tool", OPTION_TEXT(stream_options, from_tool), .value = "NAME",
@@ -452,7 +457,14 @@ const command command_stream = {
         "leaves at once. The machine never leaves the path. A job that was cut off continues\n"
         "where the machine stopped when the same command runs again. A machine that was restarted\n"
         "in a job must be homed or zeroed before: $XDG_STATE_HOME/loft, or ~/.local/state/loft,\n"
-        "has a note of each job that has not ended.\n",
+        "has a note of each job that has not ended.\n\n"
+        "  loft stream drawing.svg --dry-run                    how long it takes, how large it "
+        "is\n"
+        "  loft stream drawing.svg --port /dev/ttyUSB0          draw it\n"
+        "  loft stream drawing.svg --page A4 --fit --margin 10 --port /dev/ttyUSB0\n"
+        "  loft stream part.nc --check                          judge a program of G-code\n"
+        "  loft stream part.nc --grbl --port /dev/ttyACM0       on a controller of grbl's kind\n"
+        "  loft stream --hold --port /dev/ttyUSB0               stop from another terminal\n",
     .options = stream_rows,
     .size = sizeof(stream_options),
     .run = run_stream,

@@ -7,7 +7,8 @@ typedef struct {
     bool strict;
 } common_options;
 
-static const option common_rows[] = { { "strict", OPTION_FLAG(common_options, strict),
+static const option common_rows[] = { OPTION_HEADING("of each command"),
+                                      { "strict", OPTION_FLAG(common_options, strict),
       .help = "a warning is an error: the command ends with it" },
                                       { 0 } };
 

@@ -26,6 +26,21 @@ static named named_rows(const option rows[])
     return n;
 }
 
+/* The heading above named row i, if it is another one than above the row before; or NULL. */
+static const char *heading_at(const option rows[], const named *n, size_t i)
+{
+    option_at all[OPTIONS_MOST];
+    const size_t count  = option_all(rows, all);
+    const char *heading = NULL;
+
+    for (size_t k = 0; k < count && all[k].row != n->all[i].row; k++)
+        if (all[k].row->kind == OPTION_IS_HEADING)
+            heading = all[k].row->help;
+        else if (option_is_named(all[k].row))
+            heading = NULL;
+    return heading;
+}
+
 /* The words of "q16|f32|f64", separated by spaces. */
 static const char *words_of(const option *o, char words[LONGEST])
 {
@@ -75,6 +90,9 @@ static void print_help(const command *self, const option rows[])
         const option *o = n.all[i].row;
         const bool maybe = o->kind == OPTION_IS_MAYBE;
         char both[2 * LONGEST], value[80], help[400];
+        const char *heading = heading_at(rows, &n, i);
+        if (heading != NULL)
+            printf("\n%s:\n", heading);
         (void)option_value(o, value);
         snprintf(both, sizeof both, "--%s%s%s%s", o->name,
                  maybe    ? " ["
@@ -152,6 +170,9 @@ static void man_command(const command *self, const option rows[])
     for (size_t i = 0; i < n.count; i++) {
         const option *o = n.all[i].row;
         char value[80], help[400];
+        const char *heading = heading_at(rows, &n, i);
+        if (heading != NULL)
+            printf(".SS %s\n", heading);
         printf(".TP\n\\fB\\-\\-");
         put_man(o->name);
         printf("\\fR");

@@ -61,7 +61,7 @@ static const char *kind_name(enum option_kind kind)
     return names[kind];
 }
 
-static void put_option(const option *o)
+static void put_option(const option *o, const char *heading)
 {
     const bool number = o->kind == OPTION_IS_NUMBER || o->kind == OPTION_IS_MAYBE ||
                         o->kind == OPTION_IS_INTEGER || o->kind == OPTION_IS_LIST;
@@ -78,6 +78,7 @@ static void put_option(const option *o)
     put_member("default", o->standard);
     put_member("remedy", o->remedy);
     put_member("help", o->help);
+    put_member("heading", heading);
     putchar('}');
 }
 
@@ -95,15 +96,20 @@ static void put_rows(const option rows[], bool rules)
 {
     option_at all[OPTIONS_MOST];
     const size_t count  = option_all(rows, all);
-    const char *between = "\n  ";
+    const char *between = "\n  ", *heading = NULL;
 
     for (size_t i = 0; i < count; i++) {
         const option *o = all[i].row;
         const bool rule = o->kind == OPTION_IS_EXCLUDES || o->kind == OPTION_IS_NEEDS;
-        if (rule != rules)
+        if (o->kind == OPTION_IS_HEADING)
+            heading = o->help;
+        if (rule != rules || o->kind == OPTION_IS_HEADING)
             continue;
         fputs(between, stdout);
-        (rule ? put_rule : put_option)(o);
+        if (rule)
+            put_rule(o);
+        else
+            put_option(o, heading);
         between = ",\n  ";
     }
 }

@@ -578,6 +578,7 @@ int gcode_line(gcode_program *g, const char *text, size_t length)
 }
 
 const option gcode_rows[] = {
+    OPTION_HEADING("programs of G-code"),
     { "dialect", OPTION_CHOICE(gcode_choice, dialect), .value = "NAME",
       .choices = "any|linuxcnc|grbl|fluidnc|marlin",
       .remedy = "give linuxcnc, grbl, fluidnc or marlin", .standard = "any",

@@ -22,6 +22,7 @@
 #define JERK_PER 20         /* 1/s times the acceleration: reached in 1/20 s */
 
 const option planning_rows[] = {
+    OPTION_HEADING("motion"),
     { "machine", OPTION_FILE(planning, file), .value = "FILE",
       .help = "a machine as text, see host-tools/MACHINE.md: its limits hold too; without a port "
               "it is planned for" },
@@ -50,6 +51,7 @@ const option planning_rows[] = {
     OPTION_GROUP(planning, sheet, page_rows),
     OPTION_GROUP(planning, order, order_rows),
     OPTION_GROUP(planning, program, gcode_rows),
+    OPTION_HEADING("arithmetic"),
     ENGINE_ROW(planning, e, "q16", "number type of the planner"),
     { 0 }
 };

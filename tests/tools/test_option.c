@@ -97,8 +97,11 @@ static void every_table_is_sound(arb *a)
         CHECK(t.count < OPTIONS_MOST);
         for (size_t i = 0; i < t.count; i++) {
             const option *o = t.all[i].row;
+            if (o->kind == OPTION_IS_HEADING)
+                CHECK(o->help != NULL && *o->help != '\0');
             if (o->kind != OPTION_IS_EXCLUDES && o->kind != OPTION_IS_NEEDS) {
-                check_row(&t, o);
+                if (o->kind != OPTION_IS_HEADING)
+                    check_row(&t, o);
                 continue;
             }
             check_terms(&t, o->when);
@@ -108,6 +111,29 @@ static void every_table_is_sound(arb *a)
         char *o = calloc(1, command_size(t.c));
         CHECK(option_begin(&r, t.whole, o, &f) == 0);
         free(o);
+    }
+}
+
+
+/* More options than a screen holds are in groups. */
+static void long_tables_have_headings(arb *a)
+{
+    (void)a;
+    for (size_t k = 0; k < commands_count; k++) {
+        const table t = table_of(commands[k]);
+        size_t names = 0, in_group = 0, most = 0;
+        bool headed = false;
+        for (size_t i = 0; i < t.count; i++) {
+            const option *o = t.all[i].row;
+            if (o->kind == OPTION_IS_HEADING) {
+                headed   = headed || names == 0;
+                in_group = 0;
+            }
+            names += option_is_named(o);
+            in_group += option_is_named(o);
+            most = in_group > most ? in_group : most;
+        }
+        CHECK(names <= 40 || (headed && most <= 12));
     }
 }
 
@@ -382,6 +408,7 @@ static void broken_json_is_refused(arb *a)
 int main(void)
 {
     PROPERTY(every_table_is_sound, 1);
+    PROPERTY(long_tables_have_headings, 1);
     PROPERTY(both_readers_agree, 3000);
     PROPERTY(faults_have_names, 1);
     PROPERTY(broken_json_is_refused, 2000);
