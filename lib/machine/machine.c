@@ -167,7 +167,7 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
     m->job.kind = LOFT_SPANS;
     m->job.id = m->job.away = 0;
     m->closed = m->ended_by = 0;
-    m->told = m->lost = 0;
+    m->guard_ended = m->lost = 0;
     loft_latch_init(&m->latch);
     enum loft_status status = init_planner(m, config);
     if (status == LOFT_OK)
@@ -187,8 +187,8 @@ static void take_snapshot(loft_machine *m, loft_snapshot *now)
 {
     const loft_drive_report r = loft_drive_poll(&m->drive);
 
-    if (m->told) {
-        m->told = 0;
+    if (m->guard_ended) {
+        m->guard_ended = 0;
         note_end(m, m->guarded);
     }
     now->executed = r.executed;
@@ -327,7 +327,7 @@ void loft_machine_sample(loft_machine *m, uint16_t inputs)
         return;
     m->guarded = why;
     LOFT_BARRIER();
-    m->told = 1;
+    m->guard_ended = 1;
     LOFT_BARRIER();
     if (m->latch.guard.how & LOFT_GUARD_HARD)
         loft_drive_halt(&m->drive);

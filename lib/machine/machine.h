@@ -76,7 +76,7 @@ typedef struct {
 #endif
     volatile uint8_t  lost;             /* bit i: the place of axis i is in doubt till LOFT_PLACE */
     uint16_t      guarded;              /* inputs that have made the guard true, */
-    volatile uint8_t told;              /* 1: `guarded` is new to the main loop */
+    volatile uint8_t guard_ended;       /* 1: and the main loop has not seen it */
 } loft_machine;
 
 /* Prepare, idle and listening.

@@ -38,7 +38,7 @@ enum loft_status loft_planner_init(loft_planner *p, const loft_planner_memory *m
         return LOFT_ERR_SPACE;
     p->memory = *memory;
     p->marks  = (uint16_t)(cells + LOFT_PLANNER_AHEAD);
-    p->taken  = p->told = p->spans = p->parts = 0;
+    p->taken  = p->executed = p->spans = p->parts = 0;
     p->mark   = 0;
     p->closed = p->ended = p->rests = true;
     p->busy   = p->failed = false;
@@ -67,8 +67,8 @@ enum loft_status loft_planner_begin(loft_planner *p, const loft_machine_info *ma
     limits.tol     = loft_real_from_raw(asked->tol);
     limits.exact   = 0;
     limits.tick_hz = machine->tick_hz;
-    limits.one_sided = LOFT_AXES > 2 ? 1 << 2 : 0;      /* the pen goes no deeper than it is told */
-    p->taken = p->told = p->spans = p->parts = 0;
+    limits.one_sided = LOFT_AXES > 2 ? 1 << 2 : 0;      /* the pen goes no deeper than planned */
+    p->taken = p->executed = p->spans = p->parts = 0;
     p->mark  = 0;
     p->closed = p->ended = p->rests = p->busy = p->failed = false;
     if (p->memory.patches)
@@ -186,7 +186,7 @@ uint32_t loft_planner_executed(loft_planner *p, uint32_t spans)
     if (spans > 0 && since < p->marks) {
         const uint32_t at = (uint32_t)p->mark + p->marks - 1u - since;
         const uint16_t passed = p->memory.passed[at < p->marks ? at : at - p->marks];
-        p->told += (uint16_t)(passed - (uint16_t)(p->told & 0xFFFFu));
+        p->executed += (uint16_t)(passed - (uint16_t)(p->executed & 0xFFFFu));
     }
-    return p->told < p->taken - p->parts ? p->told : p->taken - p->parts;
+    return p->executed < p->taken - p->parts ? p->executed : p->taken - p->parts;
 }

@@ -66,7 +66,7 @@ typedef struct {
     loft_plan plan;
     loft_planner_memory memory;
     loft_vec at;                        /* where the last curve ends */
-    uint32_t taken, told, spans;        /* items pushed; curves known as executed; spans given */
+    uint32_t taken, executed, spans;    /* items pushed; curves known as executed; spans given */
     uint32_t parts;                     /* of a patch, among the items */
     uint16_t marks, mark;               /* places in `passed`; the place of the next span */
     bool closed, ended;                 /* no more items follow; no more curves */

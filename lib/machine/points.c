@@ -85,7 +85,7 @@ uint16_t loft_points_room(const loft_points *p, loft_queue *q)
 // Consumer
 // --------
 
-/* `seen` is `tail`, with `told` 0, if no cell has been looked at or all have. */
+/* `seen` is `tail`, with `looked` 0, if no cell has been looked at or all have. */
 
 /* Give back the oldest cell if all its points are taken. */
 static void give_back_cell(loft_points *p, loft_queue *q)
@@ -93,9 +93,9 @@ static void give_back_cell(loft_points *p, loft_queue *q)
     if (p->taken == 0 || q->cell[q->tail].tag != (CLOSED | p->taken))
         return;
     q->cell[q->tail].tag = 0;
-    if (q->seen == q->tail && p->told > 0) {
+    if (q->seen == q->tail && p->looked > 0) {
         q->seen = next_cell(q, q->seen);
-        p->told = 0;
+        p->looked = 0;
     }
     q->tail = next_cell(q, q->tail);
     q->looked--;
@@ -105,24 +105,24 @@ static void give_back_cell(loft_points *p, loft_queue *q)
 uint8_t loft_points_look(loft_points *p, loft_queue *q)
 {
     give_back_cell(p, q);
-    if (p->told > 0 && q->cell[q->seen].tag == (CLOSED | p->told)) {
+    if (p->looked > 0 && q->cell[q->seen].tag == (CLOSED | p->looked)) {
         q->seen = next_cell(q, q->seen);
-        p->told = 0;
+        p->looked = 0;
     }
-    if (p->told == 0 && loft_queue_full(q))
+    if (p->looked == 0 && loft_queue_full(q))
         return 0;
     const uint8_t count = q->cell[q->seen].tag & (uint8_t)~CLOSED,
-                  more = (uint8_t)(count - p->told);
-    if (p->told == 0 && count > 0)
+                  more = (uint8_t)(count - p->looked);
+    if (p->looked == 0 && count > 0)
         q->looked++;
-    p->told = count;
+    p->looked = count;
     return more;
 }
 
 bool loft_points_poll(loft_points *p, loft_queue *q)
 {
-    const uint8_t count = q->tail == q->seen && p->told > 0
-                              ? p->told
+    const uint8_t count = q->tail == q->seen && p->looked > 0
+                              ? p->looked
                               : q->cell[q->tail].tag & (uint8_t)~CLOSED;
     const volatile uint8_t *from = bytes_of(q, q->tail) + p->at;
     uint8_t byte[LOFT_POINT_BYTES2];

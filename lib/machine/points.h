@@ -28,7 +28,7 @@ typedef struct {
     uint8_t used, count;                /* producer: bytes and points in the cell being filled */
     int16_t step[LOFT_AXES];            /* consumer: the step of the last taken point */
     uint8_t at, taken;                  /* consumer: bytes and points taken from the oldest cell */
-    uint8_t told;                       /* consumer: points looked at in the cell `seen` */
+    uint8_t looked;                     /* consumer: points looked at in the cell `seen` */
 } loft_points;
 
 /* Begin with an empty queue, at rest. Neither side may be active. */

@@ -23,7 +23,7 @@ enum loft_status loft_receiver_init(loft_receiver *r, const loft_machine_info *i
     r->info   = info;
     r->sessions = (uint8_t)(info->boot & 0xFFu);      /* differs from the numbers of the last run */
     r->session  = 0;
-    r->nonce    = r->job = r->next = r->told = r->damaged = r->dropped = 0;
+    r->nonce    = r->job = r->next = r->offered = r->damaged = r->dropped = 0;
     r->kind     = r->control = r->refusal = r->welcome = r->due = 0;
     r->fresh    = r->opened = r->ended = r->reported = false;
     r->unpacker.count = 0;
@@ -148,7 +148,7 @@ void loft_receiver_answer(loft_receiver *r, const loft_job *job, enum loft_refus
     r->job      = job->id;
     r->kind     = job->kind;
     r->next     = 0;
-    r->told     = 0;
+    r->offered     = 0;
     r->opened   = true;
     r->ended    = false;
     r->reported = false;
@@ -300,7 +300,7 @@ static loft_ack ack_of(loft_receiver *r, const loft_snapshot *now)
 {
     loft_ack a;
     a.next     = r->next;
-    a.limit    = r->told = limit_of(r, now);
+    a.limit    = r->offered = limit_of(r, now);
     a.executed = now->executed;
     a.state    = now->state;
     a.flags = (uint8_t)((r->due & DUE_NAK ? LOFT_FLAG_NAK : 0) | (r->ended ? LOFT_FLAG_ENDED : 0) |
@@ -394,7 +394,7 @@ static void note_changes(loft_receiver *r, const loft_snapshot *now)
                                                    : t->queue;
     const uint32_t step = most < 4 ? 1 : most / 4u;
 
-    if (limit_of(r, now) > r->told && limit_of(r, now) - r->told >= step)
+    if (limit_of(r, now) > r->offered && limit_of(r, now) - r->offered >= step)
         r->due |= DUE_ACK;
     if (job_is_over(now->state) && r->job && !r->reported) {
         r->due |= DUE_REPORT;

@@ -95,7 +95,7 @@ typedef struct {
     loft_frame     frame;
     loft_unpacker  unpacker;
     loft_predictor predictor;
-    uint32_t nonce, job, next, told;    /* told: the last limit sent */
+    uint32_t nonce, job, next, offered;     /* offered: the last limit sent */
     int32_t  start[LOFT_AXES];          /* of the job */
     uint8_t  session, sessions;         /* the current one (0: none); the last number used */
     uint8_t  kind, control, refusal;

@@ -31,7 +31,7 @@ enum loft_phase {
     LOFT_PHASE_READY,       /* welcomed: `machine`, `axis` are known; waits for loft_sender_begin */
     LOFT_PHASE_OPENING,     /* JOB is sent */
     LOFT_PHASE_STREAMING,   /* items are sent; also after the last one, until the report */
-    LOFT_PHASE_CLOSING,     /* the report is here, the machine is told so */
+    LOFT_PHASE_CLOSING,     /* the report is here, and the machine gets CLOSE */
                           /* ... the phases below are final */
     LOFT_PHASE_DONE,        /* done: `report` */
     LOFT_PHASE_ABORTED,     /* ended early: `report` if report.job is not 0 */

@@ -252,7 +252,7 @@ static void append_entry(struct pulses *p, uint64_t slot, loft_pins pins)
 {
     p->ring[p->head & (p->room - 1)] = (struct pulses_entry){ slot, pins, p->outputs_put };
     p->fresh = false;
-    p->told = slot + 1;
+    p->covered = slot + 1;
     STORE(p->head, p->head + 1);
 }
 
@@ -261,7 +261,7 @@ static void append_entry(struct pulses *p, uint64_t slot, loft_pins pins)
 void pulses_put(struct pulses *p, uint64_t slot, loft_pins pins)
 {
     p->put = slot + 1;
-    if (pins.step || pins.dir != p->dir_put || p->fresh || p->put - p->told >= p->slot_hz / 1000)
+    if (pins.step || pins.dir != p->dir_put || p->fresh || p->put - p->covered >= p->slot_hz / 1000)
         append_entry(p, slot, pins);
     p->dir_put = pins.dir;
 }
@@ -304,7 +304,7 @@ void pulses_ahead(const struct pulses *p, int32_t steps[LOFT_AXES])
 
 void pulses_give(struct pulses *p)
 {
-    if (p->told != p->put)
+    if (p->covered != p->put)
         append_entry(p, p->put - 1, (loft_pins){ 0, p->dir_put });
     if (pulses_left(p) == 0 || !__atomic_exchange_n(&p->waiting, false, __ATOMIC_SEQ_CST))
         return;

@@ -56,7 +56,7 @@ struct pulses {
     pthread_t thread;
     bool     runs;
 
-    uint64_t put, told;         /* main loop: slots made; slots up to the last in the ring  */
+    uint64_t put, covered;      /* main loop: slots made; slots up to the last in the ring  */
     uint8_t  dir_put;
     struct pulses_levels outputs_put;
     bool     fresh;             /* they have changed since the last entry */

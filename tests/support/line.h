@@ -334,8 +334,8 @@ static inline void world_up(world *w)
         if (l->out_at == l->out_size) {
             l->out_at = 0;
             l->out_size = loft_receiver_poll(&w->m.r, &w->m.now, l->out_frame);
-            if (w->m.told < w->m.r.told)
-                w->m.told = w->m.r.told;
+            if (w->m.told < w->m.r.offered)
+                w->m.told = w->m.r.offered;
             if (l->out_size == 0)
                 return;
             line_remember(l);

@@ -251,7 +251,7 @@ static void answers_say_what_is(arb *a)
     CHECK(all.types == TYPE(LOFT_ACK) && all.frames == 1);
     same_ack(&all.ack, &m, 0);
 
-    m.r.next = m.r.told = 5000 + arb_below(a, 1000);            /* as if so many had come */
+    m.r.next = m.r.offered = 5000 + arb_below(a, 1000);            /* as if so many had come */
     m.now.executed = 4000 + arb_below(a, 1000);
     m.now.ticks    = arb_below(a, 1 << 30);
     m.now.elapsed  = arb_below(a, 1 << 30);
