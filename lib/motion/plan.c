@@ -98,7 +98,7 @@ static enum loft_path_state fill(loft_plan *plan)
     if (state != LOFT_PATH_PLACE)
         return state;
     if (plan->count == 0)
-        loft_emit_begin(&plan->emit, &plan->period, plan->guess.path.chain.from);
+        loft_emit_begin(&plan->emit, &plan->period, loft_path_from(&plan->guess.path));
     if (plan->count == 2 && is_far(plan, &plan->knot[1].is.on, &p, &plan->knot[1].is.on))
         append_start(plan);
     append(plan, &p);
@@ -450,6 +450,28 @@ static void begin(loft_plan *plan)
     loft_emit_begin(&plan->emit, &plan->period, plan->guess.path.chain.from);
 }
 
+/* A span of a slow run, which stands before a chain; true: that is it, or there is one to wait for.
+ */
+static bool cruise_on(loft_plan *plan, enum loft_plan_state *state, loft_span *out)
+{
+#if LOFT_FOLDS
+    loft_chain *chain = &plan->guess.path.chain;
+
+    if (plan->count > 0 || plan->emit.begun || chain->walked || plan->guess.path.over)
+        return false;
+    const enum loft_cruise_state now = loft_cruise_next(&plan->cruise, chain, out);
+    if (now == LOFT_CRUISE_SPAN)
+        plan->passed = chain->dropped;
+    if (now == LOFT_CRUISE_SPAN && !plan->cruise.runs)
+        loft_guess_begin(&plan->guess);         /* with the curves that are left */
+    *state = now == LOFT_CRUISE_SPAN ? LOFT_PLAN_SPAN : LOFT_PLAN_WAIT;
+    return now != LOFT_CRUISE_NONE;
+#else
+    (void)plan, (void)state, (void)out;
+    return false;
+#endif
+}
+
 /* Why there is no span. */
 static enum loft_plan_state without_span(loft_plan *plan, enum loft_path_state state)
 {
@@ -460,7 +482,7 @@ static enum loft_plan_state without_span(loft_plan *plan, enum loft_path_state s
                                                                      : LOFT_PLAN_WAIT;
     begin(plan);
     plan->passed = plan->guess.path.chain.dropped;
-    return LOFT_PLAN_REST;
+    return plan->guess.path.chain.count > 0 ? LOFT_PLAN_BUSY : LOFT_PLAN_REST;
 }
 
 enum loft_plan_state loft_plan_part(loft_plan *plan, loft_span *out)
@@ -469,12 +491,17 @@ enum loft_plan_state loft_plan_part(loft_plan *plan, loft_span *out)
     bool loaded = !ALL && plan->stage != IDLE;
 
     for (;;) {
+        enum loft_plan_state cruise;
+        if (cruise_on(plan, &cruise, out))
+            return cruise;
         if (loft_emit_next(&plan->emit, out)) {
             plan->passed = loft_emit_passed(&plan->emit);
             return LOFT_PLAN_SPAN;
         }
-        if (plan->emit.ended)
+        if (plan->emit.ended) {
             begin(plan);
+            continue;
+        }
         if (sample(plan))
             continue;
         if (!loaded)
@@ -515,6 +542,9 @@ enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft
     plan->knot = knots;
     plan->room = knot_room;
     plan->passed = 0;
+#if LOFT_FOLDS
+    loft_cruise_init(&plan->cruise);
+#endif
     begin(plan);
     return LOFT_OK;
 }

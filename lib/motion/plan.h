@@ -24,6 +24,7 @@
 #ifndef LOFT_MOTION_PLAN_H
 #define LOFT_MOTION_PLAN_H
 
+#include "motion/cruise.h" /* loft_cruise */
 #include "motion/emit.h"   /* loft_emit   */
 #include "motion/guess.h"  /* loft_guess  */
 
@@ -55,6 +56,9 @@ typedef struct {
     bool even;                          /* are they all alike? */
     loft_time lag;                      /* by how much the steps are too long, all of them */
     loft_emit emit;
+#if LOFT_FOLDS
+    loft_cruise cruise; /* before a chain is planned */
+#endif
     loft_vec to;     /* the end of the chain */
     uint16_t passed; /* curves behind the last span */
 } loft_plan;
@@ -92,7 +96,8 @@ void loft_plan_end(loft_plan *plan);
  *
  *   shape   each span begins exactly where the one before ended, with its velocity and
  *           acceleration, but for rounding: velocity jumps by up to 4 grains of 2^-16 mm in the
- *           shorter one's ticks; the first begins on the first control point, at rest
+ *           shorter one's ticks; the first begins on the first control point, at rest; on
+ *           slow runs, with full effort, acceleration jumps by up to a 128th of its limit
  *   error   speed, acceleration and jerk of each axis: the limits, exactly (f32: but for rounding);
  *           the path is within limits.tol; a feed of less than 6144 grains of 2^-16 mm in a span is
  *           exceeded by up to 6 of them, less a 1024th of it

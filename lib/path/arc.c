@@ -349,3 +349,19 @@ void loft_arc_eval(const loft_arc *arc, loft_acc s, loft_acc out[LOFT_AXES])
         loft_accs_add(out, arc->c[k - 1]);
     }
 }
+
+/* c1 + t (2 c2 + t 3 c3) */
+void loft_arc_heading(const loft_arc *arc, loft_acc s, loft_vec *out)
+{
+    const loft_unit t = parameter_at(arc, loft_unit_ratio(s, arc->length));
+    loft_acc v[LOFT_AXES];
+
+    loft_accs_copy(v, arc->c[3]);
+    loft_accs_triple(v);
+    loft_accs_scale(v, t);
+    loft_accs_add(v, arc->c[2]);
+    loft_accs_add(v, arc->c[2]);
+    loft_accs_scale(v, t);
+    loft_accs_add(v, arc->c[1]);
+    set_direction(v, loft_acc_hypot(v, LOFT_AXES), out);
+}

@@ -54,6 +54,12 @@ void loft_arc_direction(const loft_arc *arc, unsigned n, loft_vec *out);
  */
 void loft_arc_eval(const loft_arc *arc, loft_acc s, loft_acc out[LOFT_AXES]);
 
+/* And the direction there, of an arc that is not dust.
+ *
+ *   error   q16: 2^-15
+ */
+void loft_arc_heading(const loft_arc *arc, loft_acc s, loft_vec *out);
+
 LOFT_END_C
 
 #endif

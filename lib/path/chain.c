@@ -24,6 +24,8 @@ static loft_move *move_at(const loft_chain *chain, unsigned i)
     return &chain->moves[k < chain->room ? k : k - chain->room];
 }
 
+const loft_move *loft_chain_move(const loft_chain *chain, unsigned i) { return move_at(chain, i); }
+
 static loft_move *move_of(const loft_chain *chain, uint16_t number)
 {
     return move_at(chain, (uint16_t)(number - chain->dropped));
@@ -216,8 +218,32 @@ void loft_chain_drop(loft_chain *chain, uint16_t number)
     while (chain->dropped != number) {
         chain->dropped++;
         chain->count--;
+#if LOFT_FOLDS
+        chain->known = (uint16_t)(chain->known - (chain->known > 0));
+#endif
         chain->first = (uint16_t)(chain->first + 1 < chain->room ? chain->first + 1 : 0);
     }
+}
+
+loft_vec loft_chain_end(const loft_chain *chain)
+{
+    const unsigned n = loft_chain_known(chain);
+    return n < chain->count ? move_at(chain, n)->curve.p[0] : chain->to;
+}
+
+void loft_chain_finish(loft_chain *chain)
+{
+    const unsigned known = loft_chain_known(chain);
+
+#if LOFT_FOLDS
+    chain->from = loft_chain_end(chain);
+#endif
+    loft_chain_drop(chain, (uint16_t)(chain->dropped + known));
+    chain->walked = chain->closed = false;
+#if LOFT_FOLDS
+    chain->known = 0;
+    chain->stops = false;
+#endif
 }
 
 /* Is there a curve before the next one that is pushed? */
@@ -299,4 +325,8 @@ void loft_chain_init(loft_chain *chain, const loft_period *period, loft_move mov
     chain->room = room;
     chain->first = chain->count = chain->dropped = 0;
     chain->ended = chain->walked = chain->closed = false;
+#if LOFT_FOLDS
+    chain->known = 0;
+    chain->stops = false;
+#endif
 }

@@ -33,6 +33,10 @@ typedef struct {
     bool               closed;              /* has it come to the end? */
     loft_vec           from, to;            /* where the chain begins; where the last curve ends */
     int16_t            heading[LOFT_AXES];  /* the direction at `to`; 0: none is known */
+#if LOFT_FOLDS
+    uint16_t           known;               /* of the curves, those that may be walked: slow.h */
+    bool               stops;               /* it ends with these: a slow run follows */
+#endif
 } loft_chain;
 
 /* A curve that is walked by its length. */
@@ -74,11 +78,40 @@ static inline uint16_t loft_chain_room(const loft_chain *chain)
 /* Drop the curves before this one, modulo 2^16. */
 void loft_chain_drop(loft_chain *chain, uint16_t number);
 
+/* The oldest curves, that may be walked. */
+static inline uint16_t loft_chain_known(const loft_chain *chain)
+{
+#if LOFT_FOLDS
+    return chain->known;
+#else
+    return chain->count;
+#endif
+}
+
+/* Does it end with these? */
+static inline bool loft_chain_ends(const loft_chain *chain)
+{
+#if LOFT_FOLDS
+    return chain->stops || (chain->ended && chain->known == chain->count);
+#else
+    return chain->ended;
+#endif
+}
+
 /* Are all known curves behind this walk? */
 static inline bool loft_chain_walked(const loft_chain *chain, const loft_chain_walk *w)
 {
-    return (uint16_t)(w->number - chain->dropped) >= chain->count;
+    return (uint16_t)(w->number - chain->dropped) >= loft_chain_known(chain);
 }
+
+/* Curve i of those that wait. */
+const loft_move *loft_chain_move(const loft_chain *chain, unsigned i);
+
+/* Where the known curves end. */
+loft_vec loft_chain_end(const loft_chain *chain);
+
+/* What is known has been walked: what is left begins a chain of its own. */
+void loft_chain_finish(loft_chain *chain);
 
 /* Stand before the first arc. */
 void loft_chain_begin(const loft_chain *chain, loft_chain_walk *w);

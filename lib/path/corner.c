@@ -621,7 +621,7 @@ void loft_corners_scan(loft_corners *c, int64_t to)
         if (more)
             add_stretch(c);
         const unsigned before = c->looked;
-        look(c, room && !more && (chain->ended || chain->count == chain->room));
+        look(c, room && !more && (loft_chain_ends(chain) || chain->count == chain->room));
         if (!more && c->looked == before)
             break;
     }
@@ -630,7 +630,8 @@ void loft_corners_scan(loft_corners *c, int64_t to)
 
 bool loft_corners_end_known(const loft_corners *c)
 {
-    return c->chain->ended && c->looked == c->stretches && loft_chain_walked(c->chain, &c->walk);
+    return loft_chain_ends(c->chain) && c->looked == c->stretches &&
+           loft_chain_walked(c->chain, &c->walk);
 }
 
 void loft_corners_begin(loft_corners *c, const loft_chain *chain)

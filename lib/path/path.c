@@ -6,6 +6,8 @@
  */
 #include "path/path.h"
 
+#include "path/slow.h"      /* loft_slow_look */
+
 #define ONE         LOFT_CORNER_ONE                 /* a period, in times of corners */
 /* Little effort: away from corners places are farther apart, so fewer of them look ahead as far. */
 #define STEP_MAX    (LOFT_PLAN_EFFORT > 1 ? ONE : ONE * 7 / 4)
@@ -107,12 +109,15 @@ static enum loft_path_state start(loft_path *path, loft_path_waiting *out)
     if (!loft_chain_advance(chain, &path->walk)) {
         path->corners.walk = path->check = path->walk;
         loft_chain_drop(chain, path->check.number);
-        return chain->ended ? LOFT_PATH_END : LOFT_PATH_WAIT;
+        return loft_chain_ends(chain) ? LOFT_PATH_END : LOFT_PATH_WAIT;
     }
     (void)loft_chain_advance(chain, &path->check);
     look_along(path);
     loft_corners_add(&path->corners, loft_corner_of(0, 0, path->launch.jerk, false));
     chain->walked = true;
+#if LOFT_FOLDS
+    path->from = chain->from;
+#endif
     out->s = 0;
     loft_chain_place(&path->walk, 0, &out->on.at);
     out->on.number = path->walk.number;
@@ -155,8 +160,10 @@ static bool look_ahead(loft_path *path)
 /* Exactly where the last curve ends. */
 static void set_end(const loft_path *path, loft_path_place *on)
 {
+    const loft_vec to = loft_chain_end(&path->chain);
+
     for (int i = 0; i < LOFT_AXES; i++) {
-        on->at.axis[i] = loft_coord_of(loft_to_acc(path->chain.to.axis[i]));
+        on->at.axis[i] = loft_coord_of(loft_to_acc(to.axis[i]));
 #if LOFT_FOLDS
         on->at.axis[i] = loft_coord_folded(on->at.axis[i], on->fold.axis[i]);
 #endif
@@ -187,12 +194,15 @@ static enum loft_path_state march(loft_path *path, loft_path_waiting *out)
 {
     loft_corners *c = &path->corners;
 
+#if LOFT_FOLDS
+    loft_slow_look(&path->chain);
+#endif
     if (!path->chain.walked)
         return start(path, out);
     const bool ends = look_ahead(path);
     if (path->s >= c->known)
         return ends ? LOFT_PATH_END : LOFT_PATH_WAIT;
-    const bool full = path->chain.count == path->chain.room || path->chain.ended ||
+    const bool full = path->chain.count == path->chain.room || loft_chain_ends(&path->chain) ||
                       loft_corners_full(c);
     const int64_t left = c->known - path->s, need = need_of(path);
     const bool near = left < need;
@@ -538,9 +548,8 @@ static void finish(loft_path *path)
     loft_chain *chain = &path->chain;
 
     path->over = true;
-    path->end = chain->to;
-    chain->walked = chain->closed = false;
-    loft_chain_drop(chain, (uint16_t)(chain->dropped + chain->count));
+    path->end = loft_chain_end(chain);
+    loft_chain_finish(chain);
 }
 
 enum loft_path_state loft_path_next(loft_path *path, loft_path_place *out)

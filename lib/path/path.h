@@ -35,6 +35,9 @@ typedef struct {
                                              * looked at */
     bool               over;
     loft_vec           end;                 /* of the chain that is over */
+#if LOFT_FOLDS
+    loft_vec           from;                /* where the one begins that places are given of */
+#endif
     int64_t            s;                   /* of the last place */
     int32_t            step;                /* to it, 2^-10 periods */
     int64_t            along;               /* where the arc begins to which these belong: */
@@ -55,6 +58,16 @@ void loft_path_init(loft_path *path, const loft_period *period, loft_move moves[
  *           place before; what is pushed then begins a chain of its own after loft_path_begin
  */
 enum loft_path_state loft_path_next(loft_path *path, loft_path_place *out);
+
+/* Where the chain begins that places are given of. */
+static inline loft_vec loft_path_from(const loft_path *path)
+{
+#if LOFT_FOLDS
+    return path->from;
+#else
+    return path->chain.from;
+#endif
+}
 
 /* Begin the next chain, after the end of the last one. */
 void loft_path_begin(loft_path *path);

@@ -104,9 +104,32 @@ static void arcs_are_walked_by_their_length(arb *a)
     }
 }
 
+/* The heading anywhere is the direction in which the next place lies. */
+static void headings_lead_along_the_arc(arb *a)
+{
+    const loft_cubic c = arb_curve(a);
+    loft_arc arc;
+    double p[LOFT_AXES], q[LOFT_AXES];
+
+    for (uint32_t from = 0, to; from < LOFT_ARC_WHOLE; from = to) {
+        to = loft_arc_next(&arc, &c, from);
+        if (wide_value(arc.length) < 0.5)
+            continue;
+        for (int n = 1; n < 8; n++) {
+            loft_vec u;
+            point_at(&arc, arc.length / 8 * n - arc.length / 64, p);
+            point_at(&arc, arc.length / 8 * n + arc.length / 64, q);
+            loft_arc_heading(&arc, arc.length / 8 * n, &u);
+            for (int i = 0; i < LOFT_AXES; i++)
+                CHECK_NEAR(arb_value(u.axis[i]), (q[i] - p[i]) / distance(p, q), 0.001);
+        }
+    }
+}
+
 int main(void)
 {
     PROPERTY(arcs_make_up_the_curve,          2000);
     PROPERTY(arcs_are_walked_by_their_length,  100);
+    PROPERTY(headings_lead_along_the_arc,      100);
     return check_failures();
 }
