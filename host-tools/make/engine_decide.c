@@ -2,6 +2,7 @@
  * per number type
  * SPDX-License-Identifier: MIT
  */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -261,20 +262,35 @@ static bool conic_within_rounding(const decide_input *in, const loft_weighted w[
     return true;
 }
 
-/* An ellipse whose axes differ by what the roundings of its points and weights make of them. */
-static bool is_round(const decide_input *in, const loft_weighted p[3], const loft_conic *c)
+static double distance_of(const loft_weighted *a, const loft_weighted *b)
 {
-    double largest = 0, off = 0;
-    loft_real axes[2];
-    loft_vec centre;
+    return hypot(double_of(a->p.axis[0]) - double_of(b->p.axis[0]),
+                 double_of(a->p.axis[1]) - double_of(b->p.axis[1]));
+}
 
-    if (c->kind != LOFT_CONIC_ELLIPSE || loft_conic_axes(p, &centre, axes) != LOFT_OK)
+/* A conic is a circle if its legs a, b from the middle point are as long as each other, and
+ * 2 |w1| |a| = sqrt(w0 w2) |c|, c its chord. Is it one within the rounding of its numbers, 2 last
+ * bits of each? The middle point of a cubic's conic, (3 q1 - q0) / 2 over w1, has up to 4 of them
+ * over w1, and a rounded weight moves it along its legs. */
+static bool is_round(const decide_input *in, const loft_weighted p[3], bool of_cubic,
+                     const loft_conic *c)
+{
+    const double w1 = fabs(double_of(p[1].w)), lsb = (of_cubic ? 4 : 2) * in->e->lsb,
+                 ends = sqrt(fmax(double_of(p[0].w) * double_of(p[2].w), 0)),
+                 a = distance_of(&p[0], &p[1]), b = distance_of(&p[2], &p[1]),
+                 chord = distance_of(&p[0], &p[2]);
+    double largest = 0;
+
+    if (c->kind != LOFT_CONIC_ELLIPSE || !(ends > 0))
         return false;
     for (int k = 0; k < 3; k++)
         for (int axis = 0; axis < 2; axis++)
             largest = fmax(largest, fabs(double_of(p[k].p.axis[axis])));
-    off = 8 * in->e->lsb * (in->e->fixed ? 1 + largest : largest);
-    return fabs(double_of(axes[0]) - double_of(axes[1])) <= off;
+    const double more = of_cubic ? 1 / fmin(w1, 1) : 1, along = of_cubic ? (a + b) / 4 : 0,
+                 off = lsb * more * (in->e->fixed ? 1 + along : largest),
+                 heavy = lsb * (in->e->fixed ? 1 : w1 + ends);
+    return fabs(a - b) <= 2 * off &&
+           fabs(w1 * (a + b) - ends * chord) <= 2 * off * (w1 + ends) + heavy * (a + b + chord);
 }
 
 static int conic_of(void *context, const arc_piece *a, size_t number)
@@ -310,7 +326,7 @@ static int conic_of(void *context, const arc_piece *a, size_t number)
         status = loft_conic_init(&c, p);
     if (status != LOFT_OK)
         return status;
-    const bool round = !c.circle && is_round(in, p, &c);
+    const bool round = !c.circle && is_round(in, p, a->b.degree == 3, &c);
     printf("%zu %s%s%s%s\n", number, c.circle || round ? "circle, " : "", word[c.kind],
            c.kind < LOFT_CONIC_POINT && !c.finite ? ", through infinity" : "",
            rounded || round ? ", within the rounding of its numbers" : "");

@@ -113,6 +113,26 @@ case_decide() {
         printf 'rational 2\n1 0 : 1\n1 1 : 0.70710678118654757\n0 1 : 1\n' >"$tmp/root.loft"
         run 0 "$loft" decide conic --num $num "$tmp/root.loft"
         says out '^0 circle, ellipse, within the rounding of its numbers$'
+        # arcs of 25, 45 and 80 degrees whose centres and axes are not of few digits
+        printf '%s\n' 'rational 3' \
+            '-11.53005547059864 55.480433327128871 : 1' \
+            '-6.3282725932867567 52.772556557076051 : 0.98419733807995557' \
+            '-1.8358845429645156 49.002995400945437 : 0.98419733807995557' \
+            '1.7341336116494119 44.350457160348824 : 1' 'rational 3' \
+            '9.9971446647455728 0.86914183790399191 : 1' \
+            '10.032314248604656 1.6746577410483194 : 0.94925302167419112' \
+            '9.7565491166590661 2.4323162141417538 : 0.94925302167419112' \
+            '9.2118320104303724 3.0267706228469806 : 1' 'rational 2' \
+            '9.9971446647455728 0.86914183790399191 : 1' \
+            '10.051347890232957 2.1105998064357712 : 0.92387953251128674' \
+            '9.2118320104303724 3.0267706228469806 : 1' 'rational 3' \
+            '80.848888922025552 -56.069690242163489 : 1' \
+            '89.007684480352296 -65.792964160041066 : 0.84402962874598531' \
+            '101.5076844803523 -67.997051418896859 : 0.84402962874598531' \
+            '112.5 -61.650635094610962 : 1' >"$tmp/arcs.loft"
+        run 0 "$loft" decide conic --num $num "$tmp/arcs.loft"
+        [ "$(grep -c '^[0-9] circle, ellipse, within the rounding of its n' "$tmp/out")" = 4 ] ||
+            job_fails "arcs $num: $(cat "$tmp/out")"
         printf 'rational 3\n3 0 : 1\n3 6 : 0.334\n-3 6 : 0.333\n-3 0 : 1\n' >"$tmp/none.loft"
         run 0 "$loft" decide conic --num $num "$tmp/none.loft"
         says out '^0 no conic within the rounding of its numbers$'
