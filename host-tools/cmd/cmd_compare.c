@@ -14,6 +14,7 @@
 #include "engine/curve.h"
 #include "engine/engine.h"
 #include "engine/piece.h"
+#include "geometry/print.h"          /* parameter_text */
 #include "geometry/reference.h"
 #include "base/source.h"         /* source_name */
 #include "readers.h"
@@ -187,13 +188,13 @@ static double unit_of(const engine *e, const curve *c)
 
 static void print_row(const engine *e, const comparison *m, const char *way, size_t curve_number)
 {
-    printf("%-4s %-7s %-5s %5zu %9.4f %9.4f %11.3e %.9g %c %s\n", e->name,
+    printf("%-4s %-7s %-5s %5zu %9.4f %9.4f %11.3e %s %c %s\n", e->name,
            m->quadric   ? "quadric"
            : m->with    ? "other"
            : m->against ? m->against->name
                         : "exact",
-           way, curve_number, m->worst, m->sum / (double)m->count, m->worst * m->unit, m->t,
-           "xyz-"[m->axis], curve_name(m->exact->c->kind));
+           way, curve_number, m->worst, m->sum / (double)m->count, m->worst * m->unit,
+           parameter_text(e, m->t), "xyz-"[m->axis], curve_name(m->exact->c->kind));
 }
 
 static int compare_ways(const engine *e, comparison *m, engine_curve *held, size_t curve_number)

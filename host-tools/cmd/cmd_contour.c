@@ -42,13 +42,13 @@ static void print_curve_of(contouring *c)
     if (c->points < 2)          /* a corner that is only touched */
         return;
     if (!c->rows)
-        printf("line                # surface %zu, %s = %.9g%s\n", c->surface,
-               level_name[c->level.of], c->level.value,
+        printf("line                # surface %zu, %s = %s%s\n", c->surface,
+               level_name[c->level.of], number_text(c->p.e, c->level.value),
                memcmp(c->point[0], c->point[c->points - 1], sizeof c->point[0]) == 0 ? ", closed"
                                                                                      : "");
     for (size_t i = 0; i < c->points; i++) {
         if (c->rows)
-            printf("%zu,%.9g,%zu", c->surface, c->level.value, c->curves);
+            printf("%zu,%s,%zu", c->surface, number_text(c->p.e, c->level.value), c->curves);
         for (int k = 0; k < (c->p.solid ? ENGINE_AXES : 2); k++) {
             fputs(c->rows ? "," : k ? " " : "", stdout);
             print_number(c->p.e, c->point[i][k]);
@@ -86,10 +86,10 @@ static int warn_of_doubt(const contouring *c, const surface *s, engine_surface *
     return tool_error(
         EX_OK,
         "%s:%u: %s: near %.6g %.6g %.6g, and in %u parts of 1/1024 in all, the surface "
-        "runs along %s = %.9g: lines may be joined otherwise there: give another of "
+        "runs along %s = %s: lines may be joined otherwise there: give another of "
         "--heights",
         c->file, s->line, surface_name(s->kind), p[0], p[1], p[2], doubt->parts,
-        level_name[c->level.of], c->level.value);
+        level_name[c->level.of], number_text(c->p.e, c->level.value));
 }
 
 static int one_surface(contouring *c, const surface *s)

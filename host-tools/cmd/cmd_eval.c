@@ -26,12 +26,17 @@ typedef struct {
 // Points
 // ------
 
+static const char *text_of(const evaluation *v, double x) { return number_text(v->p.e, x); }
+
+static const char *place_of(const evaluation *v, double t) { return parameter_text(v->p.e, t); }
+
 static int refuse_parameter(const evaluation *v, const curve *c, double t, int status)
 {
     if (!curve_extends(c) && (t < curve_from(c) || t > curve_to(c)))
-        return tool_error(EX_DATAERR, "%s:%u: t = %g: give %.9g to %.9g for this %s", v->file,
-                          c->line, t, curve_from(c), curve_to(c), curve_name(c->kind));
-    return tool_error(EX_DATAERR, "%s:%u: t = %g: %s", v->file, c->line, t,
+        return tool_error(EX_DATAERR, "%s:%u: t = %s: give %s to %s for this %s", v->file, c->line,
+                          place_of(v, t), place_of(v, curve_from(c)), place_of(v, curve_to(c)),
+                          curve_name(c->kind));
+    return tool_error(EX_DATAERR, "%s:%u: t = %s: %s", v->file, c->line, place_of(v, t),
                       curve_status(c, status));
 }
 
@@ -44,12 +49,6 @@ static void print_more(const evaluation *v, const double p[ENGINE_AXES])
 {
     putchar(' ');
     print_words(&v->p, p);
-}
-
-/* f64 has more digits than 9. */
-static const char *text_of(const evaluation *v, double x)
-{
-    return number_text(v->p.e->lsb < 1e-12, x);
 }
 
 static void print_bend(const evaluation *v, const engine_bend *b)
@@ -124,12 +123,12 @@ static void print_places(const evaluation *v, const engine_shape *s, const curve
     const double a = curve_break(c, i), b = curve_break(c, i + 1) - a;
 
     for (unsigned k = 0; k < s->inflections; k++)
-        printf("inflection at %s, ", text_of(v, a + b * s->inflection[k]));
+        printf("inflection at %s, ", place_of(v, a + b * s->inflection[k]));
     if (s->cusp)
-        printf("cusp at %s, ", text_of(v, a + b * s->cusp_at));
+        printf("cusp at %s, ", place_of(v, a + b * s->cusp_at));
     if (s->loop)
-        printf("loop from %s to %s, ", text_of(v, a + b * s->loop_at[0]),
-               text_of(v, a + b * s->loop_at[1]));
+        printf("loop from %s to %s, ", place_of(v, a + b * s->loop_at[0]),
+               place_of(v, a + b * s->loop_at[1]));
 }
 
 static int print_shapes(evaluation *v, const curve *c, engine_curve *held)
@@ -182,7 +181,6 @@ static int every_curve(evaluation *v, const curves *all, bool shape)
 // Surfaces
 // --------
 
-/* Print a point for each pair of parameters, and an empty line between surfaces. */
 /* Derivatives, the unit normal, curvatures and their directions, behind a point. */
 static int print_look(const evaluation *v, const engine_surface *held, double a, double b)
 {
@@ -237,17 +235,18 @@ static int surface_points_of(const evaluation *v, const surface *s)
             continue;
         if (!surface_is_sided(s) &&
             !(a >= 0 && a <= 1 && b >= 0 && b <= (surface_is_triangle(s) ? 1 - a : 1)))
-            code = tool_error(EX_DATAERR, "%s:%u: u, v = %g, %g: give 0 to 1 for this %s%s",
-                              v->file, s->line, a, b, surface_name(s->kind),
+            code = tool_error(EX_DATAERR, "%s:%u: u, v = %s, %s: give 0 to 1 for this %s%s",
+                              v->file, s->line, place_of(v, a), place_of(v, b),
+                              surface_name(s->kind),
                               surface_is_triangle(s) ? ", u + v at most 1" : "");
         else if (!sided_has(s, a, b))
             code = tool_error(
                 EX_DATAERR,
-                "%s:%u: u, v = %g, %g: outside the domain: give a point x, y of the polygon",
-                v->file, s->line, a, b);
+                "%s:%u: u, v = %s, %s: outside the domain: give a point x, y of the polygon",
+                v->file, s->line, place_of(v, a), place_of(v, b));
         else
-            code = tool_error(EX_DATAERR, "%s:%u: u, v = %g, %g: %s", v->file, s->line, a, b,
-                              surface_status(s, status));
+            code = tool_error(EX_DATAERR, "%s:%u: u, v = %s, %s: %s", v->file, s->line,
+                              place_of(v, a), place_of(v, b), surface_status(s, status));
     }
     make->close(held);
     return code;
@@ -296,9 +295,10 @@ static int eval_solids(const char *file, const engine *e, const option_list *uvw
             double point[ENGINE_AXES];
             if (!(at[0] >= 0 && at[1] >= 0 && at[2] >= 0 && at[0] + at[1] + at[2] <= 1))
                 code = tool_error(EX_USAGE,
-                                  "--uvw: %g, %g, %g: give shares of T2, T3, T4 from 0 "
+                                  "--uvw: %s, %s, %s: give shares of T2, T3, T4 from 0 "
                                   "on, together at most 1",
-                                  at[0], at[1], at[2]);
+                                  parameter_text(e, at[0]), parameter_text(e, at[1]),
+                                  parameter_text(e, at[2]));
             else if (e->solid(s, at, point) != 0)
                 code = tool_error(EX_DATAERR, "%s:%u: tetra: %s", source_name(file), s->line,
                                   engine_status(LOFT_ERR_RANGE, NULL));

@@ -17,6 +17,7 @@
 #include "base/source.h"        /* source_name */
 #include "base/spool.h"         /* spool_passed */
 #include "draw/export.h"
+#include "geometry/print.h"       /* bound_text */
 #include "plan/planning.h"
 #include "read/drawing.h"
 #include "send/gcode_write.h"
@@ -97,11 +98,11 @@ static void fill(table *t, const drawing *d)
         put_curve(t, &d->curve[i], i == 0 || d->curve[i].path != d->curve[i - 1].path);
 }
 
-static void print_words(const table *t, FILE *out)
+static void print_summary(const table *t, FILE *out)
 {
-    fprintf(out, "%zu path%s, %zu curve%s, %zu line%s, %zu bytes, rounded by at most %.3g mm",
+    fprintf(out, "%zu path%s, %zu curve%s, %zu line%s, %zu bytes, rounded by at most %s mm",
             (size_t)t->paths, tool_s(t->paths), t->curves, tool_s(t->curves), t->lines,
-            tool_s(t->lines), t->count * 2, ldexp(0.5, -t->bits));
+            tool_s(t->lines), t->count * 2, bound_text(ldexp(0.5, -t->bits)));
 }
 
 static void write_header(const table *t, const drawing *d, const char *name, FILE *out)
@@ -110,7 +111,7 @@ static void write_header(const table *t, const drawing *d, const char *name, FIL
 
     (void)drawing_box(d, box);
     fprintf(out, "/* A drawing for lib/curve/drawing.h, by `loft export`:\n * ");
-    print_words(t, out);
+    print_summary(t, out);
     fprintf(out, ";\n * x %.6g .. %.6g, y %.6g .. %.6g mm, y up */\n#include \"loft.h\"\n\n",
             box[0][0], box[1][0], box[0][1], box[1][1]);
     fprintf(out, "static const int16_t %s_words[%zu] LOFT_FLASH = {", name, t->count);
@@ -131,7 +132,7 @@ static void write_table(const drawing *d, const char *output, FILE *out)
     write_header(&t, d, name, out);
     if (output != NULL) {
         (void)say(stdout, "%s: ", output);
-        print_words(&t, stdout);
+        print_summary(&t, stdout);
         printf("\n");
     }
     free(t.word);

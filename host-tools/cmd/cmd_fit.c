@@ -57,7 +57,7 @@ static int print_fit(void *context, const spline_fit *f)
         print_knot(f->e, "knots", spline_fit_knot(f, (long)k - (long)f->degree), k,
                    points + f->degree + 1);
     const double off = spline_fit_error(f);
-    printf("# %zu control points for %zu points, within %.3g\n", points, f->count, off);
+    printf("# %zu control points for %zu points, within %s\n", points, f->count, bound_text(off));
     x->failed = x->failed || !(off <= x->o.tol);
     return 0;
 }
@@ -111,8 +111,8 @@ static int refuse_net(const fitting *x, const unsigned points[2], double enough)
     return tool_error(
         EX_DATAERR,
         "%s: the points are noisier than --tol %g, or too few, or have a crease: %u x "
-        "%u control points come within %.3g: give --tol %.3g, or more points",
-        x->file, x->o.tol, points[0], points[1], enough, rounded_up(enough));
+        "%u control points come within %s: give --tol %.3g, or more points",
+        x->file, x->o.tol, points[0], points[1], bound_text(enough), rounded_up(enough));
 }
 
 static void print_net(fitting *x, const unsigned degree[2], const unsigned points[2],
@@ -154,15 +154,15 @@ static int fit_scattered(fitting *x)
     else if (!(f.enough <= x->o.tol) && f.loose > 0 && f.enough < INFINITY)
         code = tool_error(
             EX_DATAERR,
-            "%s: %u x %u control points come within %.3g of the points, which do not tell %u of a "
+            "%s: %u x %u control points come within %s of the points, which do not tell %u of a "
             "finer net: give points all over the rectangle around them, or --tol %.3g",
-            x->file, f.best[0], f.best[1], f.enough, f.loose, rounded_up(f.enough));
+            x->file, f.best[0], f.best[1], bound_text(f.enough), f.loose, rounded_up(f.enough));
     else if (!(f.enough <= x->o.tol))
         code = refuse_net(x, f.best, f.enough);
     if (code == 0) {
         print_net(x, f.degree, f.points, (const double(*)[ENGINE_AXES])f.net, f.knot);
-        printf("# %u x %u control points for %zu points in no order, within %.3g\n", f.points[0],
-               f.points[1], f.count, f.off);
+        printf("# %u x %u control points for %zu points in no order, within %s\n", f.points[0],
+               f.points[1], f.count, bound_text(f.off));
     }
     scatter_fit_free(&f);
     return code;
@@ -183,8 +183,8 @@ static int fit_surface(fitting *x)
     if (!(g->enough <= x->o.tol))
         return refuse_net(x, g->best, g->enough);
     print_net(x, g->degree, g->points, (const double(*)[ENGINE_AXES])g->net, g->knot);
-    printf("# %u x %u control points for %u x %u points, within %.3g\n", g->points[0], g->points[1],
-           g->count[0], g->count[1], g->off);
+    printf("# %u x %u control points for %u x %u points, within %s\n", g->points[0], g->points[1],
+           g->count[0], g->count[1], bound_text(g->off));
     return 0;
 }
 

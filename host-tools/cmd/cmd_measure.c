@@ -41,7 +41,9 @@ static void print_fields(const measuring *m, const double point[ENGINE_AXES])
     }
 }
 
-static void print_value(double x) { printf("\t%.9g", x); }
+static void print_value(const measuring *m, double x) { printf("\t%s", number_text(m->p.e, x)); }
+
+static void print_place(const measuring *m, double t) { printf("\t%s", parameter_text(m->p.e, t)); }
 
 /* `names` ends with the names of the coordinates. Those of `rest` follow. */
 static void print_head(const measuring *m, const char *names, const char *prefix, const char *rest)
@@ -100,7 +102,7 @@ static void print_size(const measuring *m, const char *kind, double length,
                        const double box[2][ENGINE_AXES])
 {
     printf("\t%s", kind);
-    print_value(length);
+    print_value(m, length);
     print_fields(m, box[0]);
     print_fields(m, box[1]);
     putchar('\n');
@@ -188,9 +190,9 @@ static int print_nearest(const measuring *m)
             return code;
         print_name(x);
         printf("\t%s", curve_name(x->of->kind));
-        print_value(near.t);
+        print_place(m, near.t);
         print_fields(m, near.point);
-        print_value(near.distance);
+        print_value(m, near.distance);
         putchar('\n');
     }
     return EX_OK;
@@ -215,13 +217,13 @@ static void print_stretches(const measuring *m, const element *a, const element 
         const stretch *r = &list->row[k];
         print_name(a);
         for (int i = 0; i < 3; i++)
-            print_value(r->s[i]);
+            print_place(m, r->s[i]);
         putchar('\t');
         print_name(b);
         for (int i = 0; i < 3; i++)
-            print_value(r->t[i]);
+            print_place(m, r->t[i]);
         print_fields(m, r->point);
-        print_value(r->distance);
+        print_value(m, r->distance);
         printf("\t%s\n", r->overlap ? "overlap" : "meet");
     }
     list->count = 0;
@@ -314,8 +316,8 @@ static int print_joins(const measuring *m)
         print_name(b);
         for (int k = 0; k < 6; k++)
             printf("\t%d", k < 3 ? j.c[k] : j.g[k - 3]);
-        print_value(j.alpha);
-        print_value(j.eta);
+        print_value(m, j.alpha);
+        print_value(m, j.eta);
         putchar('\n');
     }
     return EX_OK;
@@ -363,7 +365,7 @@ static int print_offset(const measuring *m)
         offsetting o = { m, x->p.degree == 3 ? 0.9 * m->tol : fmin(0.9 * m->tol, m->tol - share),
                          0 };
         if (x->number != number) {
-            printf("# %.9g mm to the %s of ", fabs(m->distance),
+            printf("# %s mm to the %s of ", number_text(m->p.e, fabs(m->distance)),
                    m->distance < 0 ? "right" : "left");
             print_name(x);
             putchar('\n');

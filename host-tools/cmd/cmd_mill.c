@@ -121,13 +121,13 @@ static int print_path(const engine *e, const tool_wish *w, const mill_cut *p, co
                                           : "# above the lowest way: at most %g\n",
            w->o.tol);
     if (r->cusp > 0)
-        printf("# cusps: at most %.6f, asked %g\n", r->cusp, w->o.cusp);
+        printf("# cusps: at most %.6f, asked %g\n", ceil(r->cusp * 1e6) / 1e6, w->o.cusp);
     if (p->count > 0) {
-        printf("# left on the surfaces: at most %.4f\n", r->left);
+        printf("# left on the surfaces: at most %.4f\n", ceil(r->left * 1e4) / 1e4);
         printf(r->hollow > r->reached
                    ? "# left in hollows tighter than the tool: at most %.4f\n"
                    : "# left in hollows tighter than the tool: no more than %.4f\n",
-               fmax(r->hollow, r->reached));
+               ceil(fmax(r->hollow, r->reached) * 1e4) / 1e4);
     }
     if (w->o.entry != MILL_STRAIGHT)
         printf("# entries: %zu by a helix, %zu by a ramp, %zu straight down\n",

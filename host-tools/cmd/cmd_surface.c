@@ -10,9 +10,10 @@
 #include "base/create.h"      /* create_check */
 #include "base/source.h"     /* source_name */
 #include "engine/surface.h"
+#include "geometry/print.h"   /* number_text */
 #include "geometry/surface_text.h"
 
-static void print_body(const refined *r, double tol)
+static void print_body(const refined *r, const engine *e, double tol)
 {
     refined_sum b;
 
@@ -23,10 +24,11 @@ static void print_body(const refined *r, double tol)
     if (b.open + b.turned + b.many)
         printf(" %zu edge%s open, %zu turned, %zu of more than two triangles\n", b.open,
                tool_s(b.open), b.turned, b.many);
-    printf("area %.9g\n", b.area);
+    printf("area %s\n", number_text(e, b.area));
     if (b.open + b.turned + b.many == 0)
-        printf("volume %.9g, within %.3g\ncentroid %.9g %.9g %.9g\n", b.volume, tol * b.area,
-               b.centroid[0], b.centroid[1], b.centroid[2]);
+        printf("volume %s, within %s\ncentroid %s %s %s\n", number_text(e, b.volume),
+               bound_text(tol * b.area), number_text(e, b.centroid[0]),
+               number_text(e, b.centroid[1]), number_text(e, b.centroid[2]));
 }
 
 /* Triangles within a tolerance, and what they are together. */
@@ -44,7 +46,7 @@ static int refine(const surfaces *all, const char *file, const engine *e, double
     if (code == 0) {
         (void)say(stdout, "%s: %zu surface%s, %zu triangles\n", output, all->count,
                   tool_s(all->count), triangles);
-        print_body(&r, tol);
+        print_body(&r, e, tol);
     }
     refined_free(&r);
     return code;

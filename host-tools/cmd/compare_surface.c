@@ -9,6 +9,7 @@
 #include "num/status.h"         /* enum loft_status */
 
 #include "cmd/compare.h"
+#include "geometry/print.h"       /* parameter_text */
 #include "geometry/reference_surface.h"
 #include "engine/sided.h"
 
@@ -141,13 +142,14 @@ static void print_row(const comparison *m, size_t number)
 {
     const compare_to *to = m->to;
 
-    printf("%-4s %-7s %-5s %5zu %9.4f %9.4f %11.3e %.9g,%.9g %c %s\n", m->e->name,
+    printf("%-4s %-7s %-5s %5zu %9.4f %9.4f %11.3e %s,%s %c %s\n", m->e->name,
            to->quadric.count ? "quadric"
            : to->other       ? "other"
            : to->than        ? to->than->name
                              : "exact",
-           "eval", number, m->worst, m->sum / (double)m->count, m->worst * m->unit, m->u, m->v,
-           "xyz-"[m->axis], surface_name(m->s->kind));
+           "eval", number, m->worst, m->sum / (double)m->count, m->worst * m->unit,
+           parameter_text(m->e, m->u), parameter_text(m->e, m->v), "xyz-"[m->axis],
+           surface_name(m->s->kind));
 }
 
 static int compare_one(comparison *m, const surface *given, const surface *other, size_t number)

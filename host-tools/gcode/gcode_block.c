@@ -119,7 +119,7 @@ static void add_code(gcode_scanner *s, char letter, double value)
 
     if (!(fabs(10 * value - tenths) <= 10 * CODE_TOL) || tenths < 0 || tenths > 9999 ||
         (letter == 'M' && fmod(tenths, 10) > 0 && !s->b->printer)) {
-        snprintf(what, sizeof what, "%c%.6g: no such code", letter, value);
+        snprintf(what, sizeof what, "%c%.10g: no such code", letter, value);
         gcode_scan_fail(s, "gcode.code-unknown", what, "leave it out, or correct it");
     } else if (*count == GCODE_CODES) {
         snprintf(what, sizeof what, "more than 16 %c words in a line", letter);

@@ -104,7 +104,7 @@ static int centre_by_radius(const gcode_program *g, double turn, gcode_event *e)
         return gcode_fails(g, "gcode.arc-no-way", "an arc with R that ends where it starts",
                            "give its centre by I, J, K for a full circle");
     if (over > SPIRAL_PART * fabs(r) && over * g->frame.unit > CHORD_OVER) {
-        snprintf(what, sizeof what, "R%.6g is too small for ends %.6g apart", r, 2 * half);
+        snprintf(what, sizeof what, "R%.9g is too small for ends %.9g apart", r, 2 * half);
         return gcode_fails(g, "gcode.arc-radius-short", what, "correct R");
     }
     const double off = over < 0 ? sqrt((fabs(r) - half) * (fabs(r) + half)) : 0,
@@ -139,7 +139,7 @@ static int centre_by_offset(const gcode_program *g, gcode_event *e)
     r[1] = radius_at(g, e->centre, e->to);
     const double off = fabs(r[0] - r[1]), most = g->frame.unit > 2 ? SPIRAL / 10 : SPIRAL;
     if (off > SPIRAL_MOST * most || (off > most && off > SPIRAL_PART * fmax(r[0], r[1]))) {
-        snprintf(what, sizeof what, "an arc that starts %.6g and ends %.6g from its centre", r[0],
+        snprintf(what, sizeof what, "an arc that starts %.9g and ends %.9g from its centre", r[0],
                  r[1]);
         return gcode_fails(g, "gcode.arc-centre", what, "correct I, J, K, or write more digits");
     }

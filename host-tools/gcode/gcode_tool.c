@@ -22,7 +22,7 @@ static int read_number(const gcode_program *g, char letter, long *out)
         *out = (long)said;
         return 0;
     }
-    snprintf(what, sizeof what, "%c%.6g: no such tool", letter, said);
+    snprintf(what, sizeof what, "%c%.10g: no such tool", letter, said);
     return gcode_fails(g, "gcode.tool-number", what, "give a whole number");
 }
 

@@ -24,18 +24,46 @@ void print_number(const engine *e, double x)
     fputs(text, stdout);
 }
 
-const char *number_text(bool all, double x)
-{
-    static char text[8][32];
-    static unsigned next;
-    char *const out = text[next++ % 8];
+#define TEXT 32
 
-    for (int digits = 9; digits <= (all ? 17 : 9); digits++) {
-        snprintf(out, sizeof text[0], "%.*g", digits, x);
-        if (!(fabs(strtod(out, NULL) - x) > 0))
+static char *next_text(void)
+{
+    static char text[8][TEXT];
+    static unsigned next;
+
+    return text[next++ % 8];
+}
+
+static const char *text_within(double x, double near)
+{
+    char *const out = next_text();
+
+    for (int digits = 9; digits <= 17; digits++) {
+        snprintf(out, TEXT, "%.*g", digits, x);
+        if (!(fabs(strtod(out, NULL) - x) > near))
             break;
     }
     return out;
+}
+
+const char *bound_text(double x)
+{
+    char *const out = next_text();
+
+    snprintf(out, TEXT, "%.3g", x);
+    if (strtod(out, NULL) < x)
+        snprintf(out, TEXT, "%.3g", x + pow(10, floor(log10(x)) - 2) / 2);
+    return out;
+}
+
+const char *number_text(const engine *e, double x)
+{
+    return text_within(x, (e->fixed ? e->lsb : e->lsb * fabs(x)) / 4);
+}
+
+const char *parameter_text(const engine *e, double x)
+{
+    return text_within(x, (e->fixed ? 0x1p-24 : e->lsb * fabs(x)) / 4);
 }
 
 void print_words(const print_options *p, const double point[ENGINE_AXES])

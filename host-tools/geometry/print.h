@@ -16,9 +16,13 @@ typedef struct {
 
 void print_number(const engine *e, double x);
 
-/* A computed number as text, for up to 8 in one printf: 9 digits, and if `all` as many as tell it
- * from other doubles. */
-const char *number_text(bool all, double x);
+/* A computed number as text, for up to 8 in one printf: 9 digits, and as many more as tell it from
+ * its neighbours in the number type of `e`; a parameter has 24 bits behind its point. */
+const char *number_text(const engine *e, double x);
+const char *parameter_text(const engine *e, double x);
+
+/* What a number is at most: 3 digits, rounded up. */
+const char *bound_text(double x);
 void print_point(void *context, const double point[ENGINE_AXES]);
 
 /* Print knot k of `count`, in lines that begin with `head`. */

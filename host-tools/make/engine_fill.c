@@ -322,7 +322,7 @@ static int fill_hole(const decide_input *in, const patch_edge edge[], unsigned s
         return status;
     for (unsigned i = 0; i < sides; i++)
         most = fmax(most, side_angle(&edge[i], net, split, sides, degree, i));
-    printf("gb %u %u split\n# tangent planes within %.3g degrees\n", sides, degree, most);
+    printf("gb %u %u split\n# tangent planes within %s degrees\n", sides, degree, bound_text(most));
     write_solid(in, net, loft_gb_count(sides, degree));
     write_solid(in, split, sides);
     return status;

@@ -21,8 +21,8 @@
 
 static inline double double_of_unit(loft_unit t) { return (double)t / (double)LOFT_UNIT(1); }
 
-/* With all digits in f64. */
-static inline const char *text_of(double x) { return number_text(sizeof(loft_real) > 4, x); }
+/* With all digits of the number type. */
+static inline const char *text_of(double x) { return number_text(&ENGINE_OF(engine), x); }
 
 /* What is wrong, and the remedy. */
 static inline int decide_refuse(const decide_input *in, const char *why)
