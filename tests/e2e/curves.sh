@@ -441,6 +441,9 @@ row() {
 }
 case_measure() {
     local num
+    # all digits of the type
+    run 0 "$loft" measure --num f64 --points "0,0 1,0 2,1 3,3"; says out '4\.436828742660'
+    run 0 "$loft" measure --points "0,0 9000,0 9000,12000.0001"; says out '17112\.320[0-9][0-9]'
     printf 'arc left\n10 0\n0 0\n-10 0\nline\n-10 0\n10 0\nrational\n10 0\n10 10 : 0.7071\n0 10\n' \
         >"$tmp/m.loft"
     for num in q16 f32 f64; do
