@@ -28,7 +28,7 @@ typedef struct {
     bool more;
     loft_real tol;
     double area, volume, moment[3];
-    size_t nets;
+    size_t nets, all_nets;      /* of this surface, and of all of them */
 } net_question;
 
 static int ask_nets(net_question *q, engine_net_visit *visit)
@@ -41,16 +41,18 @@ static int ask_nets(net_question *q, engine_net_visit *visit)
         return status;
     status = ENGINE_OF(engine_nets)(held, visit, q);
     ENGINE_OF(engine_surfaces).close(held);
-    if (status == LOFT_ERR_ARG)
+    if (status == LOFT_ERR_ARG && *q->in->why == '\0')
         decide_refuse_kind(q->in, q->number, s);
     return status;
 }
 
-static int open_only(void *context, loft_net net, const engine_net_part *part)
+static int count_only(void *context, loft_net net, const engine_net_part *part)
 {
-    (void)context;
+    net_question *q = context;
+
     (void)net;
     (void)part;
+    q->nets++;
     return LOFT_OK;
 }
 
@@ -61,14 +63,18 @@ static int ask_each(net_question *q, engine_net_visit *visit, void (*tell)(const
     int status = LOFT_OK;
 
     for (q->number = 0; q->number < q->in->surfaces->count && status == LOFT_OK; q->number++)
-        status = ask_nets(q, open_only);
+        status = ask_nets(q, count_only);
+    q->all_nets = q->nets;
     for (q->number = 0; q->number < q->in->surfaces->count && status == LOFT_OK; q->number++) {
         q->found = false;
         q->proved = true;
         q->hits = 0;
         q->more = false;
         q->area = 0;
-        status = ask_nets(q, visit);
+        q->nets = 0;
+        status = ask_nets(q, count_only);
+        if (status == LOFT_OK)
+            status = ask_nets(q, visit);
         if (status == LOFT_OK)
             tell(q);
         fflush(stdout);
@@ -183,12 +189,38 @@ static int tolerance_of(const decide_input *in, loft_real *out)
     return decide_refuse(in, "not a tolerance: give --of a number above 0, or nothing for 0.001");
 }
 
+/* What was refused at a tolerance, is it refused at any? `coarse` is the status at the largest. */
+static int refuse_fine(const net_question *q, int status, int coarse)
+{
+    if (status != LOFT_ERR_RANGE || coarse != LOFT_OK)
+        return status;
+    snprintf(q->in->why, DECIDE_WHY,
+             "surface %zu folds, or its weights differ, by too much for this tolerance: give a "
+             "larger one",
+             q->number);
+    return LOFT_ERR_ARG;
+}
+
+/* The part of the tolerance for each of so many nets. */
+static int share_of(const net_question *q, size_t nets, loft_real *out)
+{
+    return tol_of(double_of(q->tol) / (double)nets, out) && *out > 0
+               ? LOFT_OK
+               : decide_refuse(q->in, "many nets share this tolerance: give a larger one");
+}
+
+/* The nets of a surface are within the tolerance together. */
 static int area_of(void *context, loft_net net, const engine_net_part *part)
 {
     net_question *q = context;
     loft_acc area = 0;
-    const int status = loft_net_area(net, q->tol, memory, &area);
+    loft_real tol;
+    int status = share_of(q, q->nets, &tol);
 
+    if (status == LOFT_OK)
+        status = loft_net_area(net, tol, memory, &area);
+    if (status == LOFT_ERR_RANGE)
+        status = refuse_fine(q, status, loft_net_area(net, LOFT_REAL_MAX, memory, &area));
     (void)part;
     q->area += double_of_acc(area);
     return status;
@@ -214,12 +246,17 @@ static int volume_of(void *context, loft_net net, const engine_net_part *part)
     net_question *q = context;
     const loft_net both[2] = { { &q->point, NULL, 0, 0, false }, net };
     loft_acc volume = 0;
-    const int status = net.weighted ? loft_net_cone_volume(net, q->point, q->tol, memory, &volume)
-                                    : loft_net_volume(both, 2, &volume);
+    loft_real tol;
+    int status = share_of(q, q->all_nets, &tol);
 
+    if (status == LOFT_OK)
+        status = net.weighted ? loft_net_cone_volume(net, q->point, tol, memory, &volume)
+                              : loft_net_volume(both, 2, &volume);
+    if (status == LOFT_ERR_RANGE && net.weighted)
+        status = refuse_fine(q, status,
+                             loft_net_cone_volume(net, q->point, LOFT_REAL_MAX, memory, &volume));
     (void)part;
     q->volume += double_of_acc(volume);
-    q->nets++;
     return status;
 }
 
@@ -238,8 +275,14 @@ static int moment_of(void *context, loft_net net, const engine_net_part *part)
 {
     net_question *q = context;
     loft_sci moment[3];
-    const int status = loft_net_cone_moment(net, q->point, q->tol, memory, moment);
+    loft_real tol;
+    int status = share_of(q, q->all_nets, &tol);
 
+    if (status == LOFT_OK)
+        status = loft_net_cone_moment(net, q->point, tol, memory, moment);
+    if (status == LOFT_ERR_RANGE)
+        status = refuse_fine(q, status,
+                             loft_net_cone_moment(net, q->point, LOFT_REAL_MAX, memory, moment));
     (void)part;
     for (int k = 0; k < 3 && status == LOFT_OK; k++)
         q->moment[k] += number_of_sci(moment[k]);
@@ -248,12 +291,12 @@ static int moment_of(void *context, loft_net net, const engine_net_part *part)
 
 static void tell_nothing(const net_question *q) { (void)q; }
 
-/* Where there is a volume: each net within the tolerance times the side of a cube of it. */
+/* Where there is a volume: its moments within the tolerance times the side of a cube of it. */
 static int tell_centroid(net_question *q)
 {
     const double volume = fabs(q->volume), tol = double_of(q->tol) * cbrt(volume);
 
-    if (!(volume > (double)q->nets * double_of(q->tol)))
+    if (!(volume > double_of(q->tol)))
         return LOFT_OK;
     if (!real_of(tol < 32767 ? tol : 32767, &q->tol) || !(q->tol > 0))
         q->tol = LOFT_REAL(0.001);

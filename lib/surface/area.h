@@ -20,29 +20,33 @@
 
 LOFT_BEGIN_C
 
+/* What is spent on a net, after which its tolerance counts as not provable: halvings at degrees
+ * m = n = 1, at higher ones fewer. */
+#define LOFT_NET_AREA_HALVINGS 100000u
+
 /* Numbers that nets of degrees m, n need, 16 bytes each in q16, 8 in floats. */
 #define LOFT_NET_AREA_MEMORY(m, n)                                                                 \
-    (6u * (3u * (m) + 1) * (3u * (n) + 1) + 2u * ((m) + 1) * ((n) + 1) +                           \
-     (3u * (m) + 1) * (4u * (m) + 2) + (3u * (n) + 1) * (4u * (n) + 2))
+    (6u * (3u * (m)) * (3u * (n)) + 2u * ((m) + 1) * ((n) + 1) +                                   \
+     3u * (m) * ((m) + 5) + 4u * ((m) + 1) + 3u * (n) * ((n) + 5) + 4u * ((n) + 1))
 
 /* The same for loft_net_cone_moment. */
 #define LOFT_NET_MOMENT_MEMORY(m, n)                                                               \
     (6u * (4u * (m) - 1) * (4u * (n) - 1) + 2u * ((m) + 1) * ((n) + 1) +                           \
-     (4u * (m) - 1) * ((m) + 1) + (4u * (n) - 1) * ((n) + 1))
+     (4u * (m) - 1) * ((m) + 5) + 4u * ((m) + 1) + (4u * (n) - 1) * ((n) + 5) + 4u * ((n) + 1))
 
 /* The area, in the first three axes. Folds count more than once.
  *
  *   shape   memory[LOFT_NET_AREA_MEMORY(m, n)]
  *   range   tol > 0, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE when the area does not fit a loft_acc
- *           (q16: 2^31), in f32 and f64 when loft_exact_valid refuses a coordinate, or when 24
- *           halvings of the patch do not prove `tol`; *out is then untouched
+ *           (q16: 2^31), in f32 and f64 when loft_exact_valid refuses a coordinate, or when `tol`
+ *           is not proved by 24 halvings along a parameter, or by LOFT_NET_AREA_HALVINGS over
+ *           m n (m + n) / 2 in all; *out is then untouched
  *   error   tol, in units squared, plus q16: 2^-32 + 2^-48 A   f32, f64: 2^-40 A. A plane patch
  *           without weights and folds has only the second part
  *   cost    once up to m^3 n^3 products of num/sci.h; per piece about 100 m n (m + n) of them, and
- *           300 m n (m + n) with weights. The number of pieces grows with tol^(-2/3);
- *           10 kB of stack in q16; not for an ISR
- *   see     Gravesen: Adaptive subdivision and the length and energy of Bezier curves, 1997, bounds
- *           of the second order for curves
+ *           300 m n (m + n) with weights. The number of pieces grows with tol^(-1/4), along a fold
+ *           with tol^(-1/2); 10 kB of stack in q16; not for an ISR
+ *   see     Davis, Rabinowitz: Methods of Numerical Integration, 2.7: the error of Gauss's formula
  */
 enum loft_status loft_net_area(loft_net s, loft_real tol, loft_sci memory[],
                                loft_acc *out) LOFT_CHECKED;

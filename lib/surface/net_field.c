@@ -173,11 +173,43 @@ static loft_sci product_integral(unsigned p, unsigned k, unsigned r, unsigned i)
 
 static void load_integrals(loft_net_field *x, int along, unsigned p, unsigned r)
 {
-    for (unsigned k = 0; k <= p; k++) {
-        for (unsigned i = 0; i <= p && x->each == 3 && x->power == 3; i++)
-            x->same[along][k * (p + 1) + i] = product_integral(p, k, p, i);
-        for (unsigned i = 0; i <= r && x->weighted; i++)
+    for (unsigned k = 0; k <= p && x->weighted; k++)
+        for (unsigned i = 0; i <= r; i++)
             x->with[along][k * (r + 1) + i] = product_integral(p, k, r, i);
+}
+
+/* B_k of the degree at t and at 1 - t: nodes g and 3 - g. */
+static void load_node(loft_sci of[], unsigned degree, unsigned g, loft_sci t)
+{
+    const loft_sci s = loft_sci_sub(loft_sci_one(), t);
+    loft_sci *other  = of + (LOFT_NET_NODES - 1 - g) * (degree + 1);
+
+    of += g * (degree + 1);
+    for (unsigned k = 0; k <= degree; k++) {
+        of[k] = loft_sci_mul(loft_binomial_sci(degree, k),
+                             loft_sci_mul(loft_sci_pow(t, k), loft_sci_pow(s, degree - k)));
+        other[degree - k] = of[k];
+    }
+}
+
+/* Gauss's formula with 4 nodes: t = 1/2 -+ sqrt(3/7 +- 2/7 sqrt(6/5)) / 2, with the shares
+ * (18 -+ sqrt 30) / 72. */
+static void load_nodes(loft_net_field *x)
+{
+    const loft_sci half = loft_sci_power2(-1),
+                   root = loft_sci_mul(loft_sci_div(sci_of(2), sci_of(35)),
+                                       loft_sci_sqrt(sci_of(30))),
+                   less = loft_sci_div(loft_sci_sqrt(sci_of(30)), sci_of(72));
+
+    for (unsigned g = 0; g < LOFT_NET_NODES / 2; g++) {
+        const loft_sci square = loft_sci_add(loft_sci_div(sci_of(3), sci_of(7)),
+                                             g ? loft_sci_neg(root) : root),
+                       t = loft_sci_sub(half, loft_sci_mul(half, loft_sci_sqrt(square)));
+        x->share[g] = loft_sci_add(loft_sci_power2(-2), g ? less : loft_sci_neg(less));
+        load_node(x->node[0], x->p, g, t);
+        load_node(x->node[1], x->q, g, t);
+        load_node(x->w_node[0], x->m, g, t);
+        load_node(x->w_node[1], x->n, g, t);
     }
 }
 
@@ -208,16 +240,17 @@ static void add_moments(const view *f, loft_net_field *x)
 static void hold_field(loft_sci memory[], unsigned all, loft_net_field *x)
 {
     const unsigned weights = (x->m + 1) * (x->n + 1), p = x->p + 1, q = x->q + 1;
-    const bool squares = x->power == 3 && x->each == 3;
 
     x->whole = memory;
     x->c = x->whole + all;
     x->w_whole = x->c + all;
     x->w = x->w_whole + weights;
-    x->same[0] = x->w + weights;
-    x->same[1] = x->same[0] + (squares ? p * p : 0);
-    x->with[0] = x->same[1] + (squares ? q * q : 0);
+    x->with[0] = x->w + weights;
     x->with[1] = x->with[0] + p * (x->m + 1);
+    x->node[0] = x->with[1] + q * (x->n + 1);
+    x->node[1] = x->node[0] + LOFT_NET_NODES * p;
+    x->w_node[0] = x->node[1] + LOFT_NET_NODES * q;
+    x->w_node[1] = x->w_node[0] + LOFT_NET_NODES * (x->m + 1);
 }
 
 static void load_polynomial(const view *f, enum loft_net_field_of of, loft_net_field *x)
@@ -278,4 +311,5 @@ void loft_net_field_load(loft_net s, loft_vec apex, enum loft_net_field_of of, l
     scale_field(x);
     load_integrals(x, 0, x->p, s.m);
     load_integrals(x, 1, x->q, s.n);
+    load_nodes(x);
 }

@@ -11,35 +11,50 @@
  * is a polynomial of u and v, so int M h is a sum of integrals of products.
  */
 #include "surface/net_field.h"
+#include "basis/integral.h"     /* loft_binomial_sci */
 
 #define SIDE (LOFT_DEGREE_MAX + 1)
 
 static loft_sci sci_of(unsigned k) { return loft_sci_from_int((int32_t)k); }
 
-/* One half of the polynomial c[0], c[stride] .. De Casteljau's algorithm leaves the left half at
- * the front and the right half at the back. */
-static void halve_line(loft_sci c[], unsigned degree, unsigned stride, unsigned side)
+/* The polynomial c[0], c[stride] .. on 0..t, or from its other end on t..1, by De Casteljau. */
+static void cut_line(loft_sci c[], unsigned degree, unsigned stride, bool behind, loft_sci t)
 {
-    const loft_sci half = loft_sci_power2(-1);
-
     for (unsigned row = 0; row < degree; row++)
         for (unsigned k = 0; k < degree - row; k++) {
-            loft_sci *to = &c[(side ? k : degree - k) * stride];
-            const loft_sci *other = side ? to + stride : to - stride;
-            *to = loft_sci_mul(half, loft_sci_add(*to, *other));
+            loft_sci *to = &c[(behind ? k : degree - k) * stride],
+                     *other = behind ? to + stride : to - stride;
+            *to = behind ? loft_sci_lerp(*to, *other, t) : loft_sci_lerp(*other, *to, t);
         }
 }
 
-static void halve_net(loft_sci c[], unsigned m, unsigned n, unsigned each, unsigned along,
-                      unsigned side)
+static void cut_net(loft_sci c[], unsigned m, unsigned n, unsigned each, unsigned along,
+                    bool behind, loft_sci t)
 {
     const unsigned row = (n + 1) * each;
 
     for (unsigned k = 0; k < row && along == 0; k++)
-        halve_line(c + k, m, row, side);
+        cut_line(c + k, m, row, behind, t);
     for (unsigned i = 0; i <= m && along == 1; i++)
         for (unsigned k = 0; k < each; k++)
-            halve_line(c + i * row + k, n, each, side);
+            cut_line(c + i * row + k, n, each, behind, t);
+}
+
+/* The piece k / 2^m .. (k + 1) / 2^m: what is before its end, and of that what is behind
+ * k / (k + 1). */
+static void cut_along(loft_net_field *x, unsigned along, loft_dyad piece)
+{
+    const loft_sci end = loft_sci_from_int((int32_t)piece.k + 1);
+
+    for (int behind = 0; behind < 2; behind++) {
+        const loft_sci t = behind ? loft_sci_div(loft_sci_from_int((int32_t)piece.k), end)
+                                  : loft_sci_mul(end, loft_sci_power2(-(int)piece.level));
+        if (behind ? piece.k == 0 : piece.k + 1 == UINT32_C(1) << piece.level)
+            continue;
+        cut_net(x->c, x->p, x->q, x->each, along, behind, t);
+        if (x->weighted)
+            cut_net(x->w, x->m, x->n, 1, along, behind, t);
+    }
 }
 
 /* About r^(1/m), by Pade's quotient: any number above 0 does. */
@@ -85,20 +100,12 @@ static void balance_weights(loft_net_field *x)
 
 void loft_net_field_cut(loft_net_field *x, const loft_dyad_box *part)
 {
-    unsigned level[2] = { 0, 0 };
-
     for (unsigned k = 0; k < (x->p + 1) * (x->q + 1) * x->each; k++)
         x->c[k] = x->whole[k];
     for (unsigned k = 0; k < (x->m + 1) * (x->n + 1) && x->weighted; k++)
         x->w[k] = x->w_whole[k];
-    for (unsigned d = 0; d < part->depth; d++) {
-        const unsigned along = part->by[d];
-        const loft_dyad at   = part->n[along];
-        const unsigned side  = at.k >> (at.level - 1u - level[along]++) & 1;
-        halve_net(x->c, x->p, x->q, x->each, along, side);
-        if (x->weighted)
-            halve_net(x->w, x->m, x->n, 1, along, side);
-    }
+    for (unsigned along = 0; along < 2; along++)
+        cut_along(x, along, part->n[along]);
     if (x->weighted)
         balance_weights(x);
 }
@@ -198,5 +205,84 @@ void loft_net_field_integral(const loft_net_field *x, const loft_net_weighing *b
             for (unsigned i = 0; i < x->each; i++)
                 loft_sci_add_product(&out[i], share, x->c[(k * (q + 1) + l) * x->each + i]);
         }
+    }
+}
+
+
+// Nodes
+// -----
+
+void loft_net_field_row(const loft_net_field *x, unsigned g, loft_net_row *out)
+{
+    const loft_sci *b = x->node[0] + g * (x->p + 1), *w = x->w_node[0] + g * (x->m + 1);
+
+    for (unsigned l = 0; l <= x->q; l++)
+        for (unsigned i = 0; i < x->each; i++) {
+            out->c[l][i] = loft_sci_zero();
+            for (unsigned k = 0; k <= x->p; k++)
+                loft_sci_add_product(&out->c[l][i], b[k], x->c[(k * (x->q + 1) + l) * x->each + i]);
+        }
+    for (unsigned j = 0; j <= x->n && x->weighted; j++) {
+        out->w[j] = loft_sci_zero();
+        for (unsigned i = 0; i <= x->m; i++)
+            loft_sci_add_product(&out->w[j], w[i], x->w[i * (x->n + 1) + j]);
+    }
+}
+
+void loft_net_field_value(const loft_net_field *x, const loft_net_row *row, unsigned h,
+                          loft_sci value[3], loft_sci *weight)
+{
+    const loft_sci *b = x->node[1] + h * (x->q + 1), *w = x->w_node[1] + h * (x->n + 1);
+
+    for (unsigned i = 0; i < 3; i++)
+        value[i] = loft_sci_zero();
+    for (unsigned l = 0; l <= x->q; l++)
+        for (unsigned i = 0; i < x->each; i++)
+            loft_sci_add_product(&value[i], b[l], row->c[l][i]);
+    *weight = x->weighted ? loft_sci_zero() : loft_sci_one();
+    for (unsigned j = 0; j <= x->n && x->weighted; j++)
+        loft_sci_add_product(weight, w[j], row->w[j]);
+}
+
+
+// Taylor coefficients
+// -------------------
+
+/* The largest size of differences of each order, of the lines of one component. */
+static void largest_differences(const loft_sci c[], unsigned m, unsigned n, unsigned each,
+                                unsigned along, loft_sci most[LOFT_NET_ORDER + 1])
+{
+    const unsigned degree = along == 0 ? m : n, lines = along == 0 ? n : m,
+                   step = along == 0 ? (n + 1) * each : each,
+                   next = along == 0 ? each : (n + 1) * each;
+    loft_sci line[LOFT_NET_LINE];
+
+    for (unsigned k = 0; k <= LOFT_NET_ORDER; k++)
+        most[k] = loft_sci_zero();
+    for (unsigned j = 0; j <= lines; j++)
+        for (unsigned order = 0; order <= degree && order <= LOFT_NET_ORDER; order++)
+            for (unsigned k = 0; k <= degree - order; k++) {
+                line[k] = order == 0 ? c[j * next + k * step] : loft_sci_sub(line[k + 1], line[k]);
+                most[order] = loft_sci_larger(most[order], loft_sci_abs(line[k]));
+            }
+}
+
+void loft_net_field_taylor(const loft_net_field *x, bool of_weight, unsigned along,
+                           loft_sci out[LOFT_NET_ORDER + 1])
+{
+    const unsigned m = of_weight ? x->m : x->p, n = of_weight ? x->n : x->q,
+                   each = of_weight ? 1 : x->each, degree = along == 0 ? m : n;
+    const loft_sci *c   = of_weight ? x->w : x->c;
+    loft_sci most[3][LOFT_NET_ORDER + 1];
+
+    for (unsigned i = 0; i < each; i++)
+        largest_differences(c + i, m, n, each, along, most[i]);
+    for (unsigned k = 0; k <= LOFT_NET_ORDER; k++) {
+        const loft_sci size[3] = { most[0][k], each == 3 ? most[1][k] : loft_sci_zero(),
+                                   each == 3 ? most[2][k] : loft_sci_zero() };
+        out[k] = k > degree
+                     ? loft_sci_zero()
+                     : loft_sci_mul(loft_binomial_sci(degree, k),
+                                    each == 1 ? size[0] : loft_sci_sqrt(loft_sci_dot3(size, size)));
     }
 }

@@ -278,6 +278,15 @@ case_quarters() {
     { printf 'toric\ndomain 0 0  10 0  0 1\n'; seq 12; } | sed 's/^[0-9]*$/& 0 0/' \
         >"$tmp/wide.loft"
     one_line 65 'higher than 9 over a side' "$loft" decide area "$tmp/wide.loft"
+    printf 'octant 91.0741\n' >"$tmp/octant.loft"       # pi / 2 r^2, at a small cost
+    for num in q16 f32 f64; do
+        run 0 "$loft" measure --num $num "$tmp/octant.loft"; says out '^0 area 13028.95[67]'
+    done
+    { printf 'tensor 2 2\n0 0\n0 500\n3000 1000\n0 500\n-1500 1000\n'
+      printf '0 1500\n3000 1000\n0 1500\n0 2000\n'; } >"$tmp/folded.loft"
+    one_line 65 'surface 0 folds, or its weights differ, by too much for this tolerance: give a l' \
+        "$loft" measure "$tmp/folded.loft"
+    run 0 "$loft" measure --tol 100 "$tmp/folded.loft"
     printf 'toric\ndomain 0 0  1 0  0 1\n0 0 0 : 1 0.01\n9 0 3 : 256 30000\n0 9 4 : 256 30000\n' \
         >"$tmp/steep.loft"
     cat "$tmp/steep.loft" "$tmp/six.loft" >"$tmp/both.loft"
