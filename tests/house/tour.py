@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+# tests/house/tour.py -- the commands of host-tools/README.md, in the order of the page
+# SPDX-License-Identifier: MIT
+"""usage: tour.py [--run LOFT [FIRST-LAST]]
+
+Each file that a command reads is made before it on the page, or is one of the checkout. With --run
+the commands run in a folder of their own, and each that does not end with 0 is told; a simulated
+machine that the page starts runs on to the end. It takes minutes.
+"""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+PAGE = 'host-tools/README.md'
+NAME = r'[\w./-]+\.(?:svg|csv|nc|loft|txt)'
+PORT = '/tmp/machine'
+
+
+def commands():
+    """Each command of the page: [its line, its text]."""
+    lines = open(PAGE, encoding='utf-8').read().split('\n')
+    number = 0
+    while number < len(lines):
+        line = lines[number]
+        if line.strip() == '```sh':
+            number += 1
+            text, here = '', None
+            while lines[number].strip() != '```':
+                text += lines[number] + '\n'
+                begins = re.search(r"<<'(\w+)'", lines[number])
+                here = begins.group(1) if begins and not here else here
+                if lines[number] == here:
+                    here = None
+                whole = subprocess.run(['bash', '-n'], input=text, text=True, check=False,
+                                       capture_output=True)
+                if not here and not whole.returncode and not re.search(r'[\\|]$', text.rstrip()):
+                    yield number + 1, text
+                    text = ''
+                number += 1
+        elif line.startswith('|'):
+            for row in re.findall(r'`(build/loft[^`]*)`', line):
+                yield number + 1, row
+        number += 1
+
+
+def made_by(text):
+    names = re.findall(r'(?:>|-o |--csv \d+ >)\s*(%s)' % NAME, text)
+    names += re.findall(r'^cp \S+ (%s)' % NAME, text)
+    for folder in re.findall(r'^cp (\S+)/\*\.loft \.', text):
+        names += [n for n in os.listdir(folder) if n.endswith('.loft')]
+    return names
+
+
+def check():
+    made, wrong = set(), 0
+    for number, text in commands():
+        head = re.sub(r'\s#.*', '', text.split('\n')[0])
+        new = made_by(text)
+        for name in re.findall(r'(?<![\w./*-])' + NAME, head):
+            if name not in made and name not in new and not os.path.exists(name):
+                print('%s:%d: %s: nothing before makes it: %s' % (PAGE, number, name, head))
+                wrong += 1
+        made.update(new)
+    return wrong
+
+
+def run(loft, first, last):
+    wrong = 0
+    with tempfile.TemporaryDirectory() as folder:
+        os.makedirs(os.path.join(folder, 'build'))
+        os.symlink(os.path.abspath(loft), os.path.join(folder, 'build/loft'))
+        for name in ('tests', 'host-tools', 'lib', 'ports'):
+            os.symlink(os.path.abspath(name), os.path.join(folder, name))
+        env = dict(os.environ, XDG_STATE_HOME=folder)
+        held = []
+        for number, text in commands():
+            behind = re.sub(r'\s#.*', '', text).rstrip().endswith('&')
+            outside = not first <= number <= last and not behind
+            if 'make demo' in text or ('build/loft' in text and outside):
+                continue
+            text = text.replace(PORT, folder + '/machine')
+            if behind:
+                machine = subprocess.Popen(['bash', '-c', 'exec ' + text.replace('&', '')], text=True,
+                                           cwd=folder, env=env, stdout=subprocess.PIPE)
+                machine.stdout.readline()           # it says where it is
+                held.append(machine)
+                continue
+            got = subprocess.run(['bash', '-c', text], cwd=folder, env=env, check=False, text=True,
+                                 stdin=subprocess.DEVNULL, capture_output=True)
+            print('%s:%d: %d' % (PAGE, number, got.returncode), flush=True)
+            if got.returncode:
+                wrong += 1
+                print('FAIL %s%s' % (text, got.stderr), flush=True)
+        for machine in held:
+            machine.kill()
+    return wrong
+
+
+if len(sys.argv) > 2 and sys.argv[1] == '--run':
+    span = [int(n) for n in (sys.argv[3:] or ['0-99999'])[0].split('-')]
+    faults = run(sys.argv[2], span[0], span[-1])
+else:
+    faults = check()
+sys.exit(faults > 0)
