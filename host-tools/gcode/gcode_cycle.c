@@ -174,6 +174,13 @@ static int take_words(gcode_program *g)
         return gcode_fails(g, "gcode.drilling-no-depth", "drilling without R and its depth",
                            "give R, and Z in the plane of x "
                            "and y");
+    if (first && !gcode_has(b, 'P') &&
+        (g->motion == 820 || g->motion == 860 || g->motion == 880 || g->motion == 890))
+        return gcode_fails(g, "gcode.drilling-no-wait", "G82, G86, G88 or G89 without P",
+                           "give the seconds at the bottom, as P0.5");
+    if (gcode_has(b, 'P') && waits_at_bottom(g->motion) && gcode_value(b, 'P') < 0)
+        return gcode_fails(g, "gcode.drilling-wait", "P below 0",
+                           "give the seconds at the bottom, as P0.5");
     if (first)
         g->cycle.p = g->cycle.q = 0;
     if (gcode_has(b, 'R'))
@@ -218,9 +225,9 @@ int gcode_drill(gcode_program *g)
 
     if (code != 0)
         return code;
-    if (!(times >= 0 && times <= HOLES_MOST) || times > floor(times))
+    if (!(times >= 1 && times <= HOLES_MOST) || times > floor(times))
         return gcode_fails(g, "gcode.drilling-count", "L of drilling is its number of holes",
-                           "give a whole number up to 100000");
+                           "give a whole number from 1 to 100000");
     const double top = first_height(g), r = g->incremental ? top + g->cycle.r : g->cycle.r,
                  bottom = g->incremental ? r + g->cycle.z : g->cycle.z,
                  clear = g->retract_to_r ? r : fmax(top, r);

@@ -56,6 +56,9 @@ int gcode_give(gcode_program *g, gcode_event *e, double length)
     if (moves && e->kind != GCODE_RAPID && g->feed_mode == 930 && !gcode_has(&g->b, 'F'))
         return gcode_fails(g, "gcode.inverse-time-no-feed", "no F: in G93 each line has its time",
                            "give F with each motion, or G94");
+    if (moves && e->kind != GCODE_RAPID && g->feed_mode == 950 && !(g->speed > 0))
+        return gcode_fails(g, "gcode.feed-no-speed", "G95: the feed of a turn, and no turns",
+                           "give S with the speed of the spindle, or G94");
     if (moves && e->kind != GCODE_RAPID && g->fed && !(g->feed > 0))
         return gcode_fails(g, "gcode.feed-zero", "F0: this motion would never end",
                            "give a feed above 0");

@@ -139,7 +139,7 @@ static int set_system(gcode_program *g)
     if (!(l >= 2 && l <= 2) && !(l >= 20 && l <= 20))
         return gcode_fails(g, "gcode.system-set", "G10 without L2 or L20",
                            "only origins of coordinate systems are set");
-    if (!(p >= 0 && p <= GCODE_SYSTEMS) || p > floor(p))
+    if (!gcode_has(b, 'P') || !(p >= 0 && p <= GCODE_SYSTEMS) || p > floor(p))
         return gcode_fails(g, "gcode.system-unknown", "G10: no such coordinate system",
                            "give P1 to P9, or P0 for this one");
     double *system = system_of(g, p > 0 ? (int)p : g->system);

@@ -424,6 +424,13 @@ static void hostile_lines_end(arb *a)
         memcpy(text + 3 * i, "M08", 4);
     FAILS(text, "gcode.words-in-line", 1);
     FAILS("G91 G81 X1 Z-1 R1 L100001 F1\n", "gcode.drilling-count", 1);
+    FAILS("G91 G81 X1 Z-1 R1 L0 F1\n", "gcode.drilling-count", 1);
+    FAILS("G82 X1 Z-1 R1 F1\n", "gcode.drilling-no-wait", 1);
+    FAILS("G82 X1 Z-1 R1 P1 F1\nG89 X2 Z-1 R1\n", "gcode.drilling-no-wait", 2);
+    FAILS("G82 X1 Z-1 R1 P-2 F1\n", "gcode.drilling-wait", 1);
+    FAILS("G10 L2 X5\n", "gcode.system-unknown", 1);
+    FAILS("G10 L20 X5\n", "gcode.system-unknown", 1);
+    FAILS("G95 G1 X1 F.1\n", "gcode.feed-no-speed", 1);
     FAILS("G83 X1 Z-1e9 R1 Q1 F1\n", "gcode.extruder", 1);
     FAILS("G83 X1 Z-900000 R1 Q1 F1\n", "gcode.drilling-peck", 1);
     FAILS("G91 G83 X1 Z-50 R1 Q1 L50000 F1\n", "gcode.drilling-peck", 1);
