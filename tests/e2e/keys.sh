@@ -85,9 +85,10 @@ case_what_is_left_stays_while_held() {
     types patient "#halted at tick 2000#h #asked to hold#> $ten @left  held@r" "$loft" stream \
         "$tmp/small.csv" --port "$tmp/patient" "${slowly[@]}" || job_fails "exit code $?"
     gone "$machine"
-    sed -n 's/.* \([0-9]*\):\([0-9]*\) left  held.*/\1 \2/p' "$tmp/screen" >"$tmp/left"
-    awk '{ s = 60 * $1 + $2; if (NR > 1 && s > was) exit 1; was = s } END { if (NR < 10) exit 1 }' \
-        "$tmp/left" || job_fails "left while held: $(uniq -c "$tmp/left" | tr '\n' ',')"
+    sed -n 's/.*%  \([0-9:]*\)\( s\)* left  held.*/\1/p' "$tmp/screen" >"$tmp/left"
+    awk -F: '{ s = NF > 1 ? 60 * $1 + $2 : $1; if (NR > 1 && s > was) exit 1; was = s }
+             END { if (NR < 10) exit 1 }' "$tmp/left" \
+        || job_fails "left while held: $(uniq -c "$tmp/left" | tr '\n' ',')"
 }
 case_a_wait_says_for_what() {
     local held='waiting: the machine is held: '
