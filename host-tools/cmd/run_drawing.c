@@ -77,6 +77,7 @@ static void tell_line(void *context, enum send_line what, const char *line)
         report_line("%s", line);
     else
         (void)say(what == SEND_NOTE ? stderr : stdout, "%s\n", line);
+    fflush(stdout);
 }
 
 send_teller run_teller(void) { return (send_teller){ .tell = tell_line, .shown = report_shown() }; }

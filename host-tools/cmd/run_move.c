@@ -11,7 +11,7 @@
 int run_mover(mover *v, const mover_options *o, bool keys)
 {
     keys_start(keys);
-    const int code = mover_open(v, o, tool_clock());
+    const int code = mover_open(v, tool_host(), o, tool_clock());
 
     return code ? code : run_until(mover_task(v));
 }
@@ -33,12 +33,6 @@ int run_go(mover *v, const mover_move *m, mover_outcome *out)
 int run_place(mover *v, unsigned axes, const double at[ENGINE_AXES])
 {
     mover_place(v, axes, at);
-    return run_until(mover_task(v));
-}
-
-int run_table(mover *v, int axis, bool counts)
-{
-    mover_table(v, axis, counts);
     return run_until(mover_task(v));
 }
 

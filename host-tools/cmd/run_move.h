@@ -14,7 +14,6 @@ int run_mover(mover *v, const mover_options *o, bool keys);
 int run_ready(mover *v);
 int run_go(mover *v, const mover_move *m, mover_outcome *out);
 int run_place(mover *v, unsigned axes, const double at[ENGINE_AXES]);
-int run_table(mover *v, int axis, bool counts);
 int run_to(mover *v, const double to[ENGINE_AXES], double feed);
 
 /* Unless `code` tells of a failure, print where the tool is; returns `code`. */

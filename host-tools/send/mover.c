@@ -94,9 +94,9 @@ static int greet_first(mover *v, double now, task_wants *w)
     return go_on(v, adopt);
 }
 
-int mover_open(mover *v, const mover_options *o, double now)
+int mover_open(mover *v, host *h, const mover_options *o, double now)
 {
-    *v = (mover){ .o = *o, .stage = greet_first };
+    *v = (mover){ .host = h, .o = *o, .stage = greet_first };
     const int code = planning_usual(&v->p, o->machine);
 
     return code ? code : talk_open(&v->t, &v->o.line, now);

@@ -40,6 +40,7 @@ typedef struct {
 
 /* It does one thing at a time. It must not move while it does. */
 typedef struct mover {
+    host *host;                 /* hears of what is wrong */
     mover_options o;
     planning p;
     talk t;
@@ -65,7 +66,7 @@ typedef struct mover {
 /* Read the machine's file, if there is one, and open the port; next the machine is greeted, which
  * must be at rest. Returns 0, or an exit code after printing one line; call mover_close in any
  * case. */
-int  mover_open(mover *v, const mover_options *o, double now);
+int  mover_open(mover *v, host *h, const mover_options *o, double now);
 void mover_close(mover *v);
 
 /* Go on with what was begun by one of the calls below, or by mover_open: TASK_GOES, 0, or an exit

@@ -3,7 +3,9 @@
  */
 #include "base/spool.h"
 #include "plan/job.h"
+#include "send/home.h"
 #include "send/mover.h"
+#include "send/probe.h"
 #include "send/settings.h"
 #include "send/stream.h"
 #include "support/heard.h"
@@ -252,7 +254,7 @@ static void open_mover(const struct loft_host_options *o)
 
     hear();
     simulated_begin(o);
-    CHECK(mover_open(&v, &options, sim.clock) == 0);
+    CHECK(mover_open(&v, &heard, &options, sim.clock) == 0);
     CHECK(run(mover_task(&v), HOURS) == 0);
 }
 
@@ -302,6 +304,75 @@ static void a_move_in_the_middle_can_be_left(arb *a)
     CHECK(!sim.open);
 }
 
+/* x has a switch at its low end, y one at its high end, somewhere. */
+static void homing_tells_where_the_tool_is(arb *a)
+{
+    struct loft_host_options o = usual();
+    const send_teller to       = { .tell = tell_line };
+    static home h;
+
+    o.limit[0][0].at = -1.0 - arb_below(a, 30);
+    o.limit[1][1].at = 1.0 + arb_below(a, 30);
+    o.bounce_ms      = arb_below(a, 5);
+    s.told[0]        = '\0';
+    open_mover(&o);
+    CHECK(machine_text(&v.p.machine, "test",
+                       "x.travel = 60\nx.home_order = 1\ny.travel = 60\ny.home_order = 2\n"
+                       "y.home_end = high\n") == 0);
+    home_begin(&h, &v, NULL, 2, &to);
+    CHECK(run(home_task(&h), HOURS) == 0 && caught_lines == 0);
+    CHECK(strstr(s.told, "y: its switch at the high end") != NULL);
+    CHECK(strstr(s.told, "homed: the tool is at") != NULL);
+    /* the switches are where the machine says */
+    const double step = 1 / o.steps_per_mm[0];
+    CHECK(fabs(sim.world.at[0] - o.limit[0][0].at - (v.at[0] - machine_home_at(&v.p.machine, 0))) <=
+          2 * step);
+    CHECK(fabs(sim.world.at[1] - o.limit[1][1].at - (v.at[1] - machine_home_at(&v.p.machine, 1))) <=
+          2 * step);
+    mover_close(&v);
+}
+
+static void homing_ends_where_it_is_asked_to(arb *a)
+{
+    struct loft_host_options o = usual();
+    const send_teller to       = { .tell = tell_line };
+    static home h;
+
+    o.limit[0][0].at = -20;
+    open_mover(&o);
+    CHECK(machine_text(&v.p.machine, "test", "x.travel = 60\nx.home_order = 1\n") == 0);
+    home_begin(&h, &v, NULL, 2, &to);
+    CHECK(run(home_task(&h), sim.clock + 0.001 * arb_below(a, 800)) == TASK_GOES);
+    v.t.stop           = true;
+    const double since = sim.clock;
+    CHECK(run(home_task(&h), HOURS) == EX_TEMPFAIL && caught_lines == 1);
+    CHECK(sim.clock < since + 2 && !simulated_moves());
+    mover_close(&v);
+}
+
+static void a_probe_says_where_it_touches(arb *a)
+{
+    struct loft_host_options o = usual();
+    const send_teller to       = { .tell = tell_line };
+    const bool kept            = arb_below(a, 2) != 0;
+    static probe p;
+    probe_way way = {
+        .axis = 2, .sign = -1, .within = 10, .feed = 2, .back = 1, .at = kept ? 15 : (double)NAN
+    };
+
+    o.probe[2][0].at = -1.0 - arb_below(a, 8);
+    open_mover(&o);
+    probe_begin(&p, &v, &way, &to);
+    CHECK(run(probe_task(&p), HOURS) == 0 && caught_lines == 0);
+    CHECK(fabs(p.touched[2] - (kept ? 15 : o.probe[2][0].at)) < 2 / o.steps_per_mm[2]);
+    CHECK(fabs(sim.world.at[2] - o.probe[2][0].at - 1) < 3 / o.steps_per_mm[2]);
+    way.within = 0.5;                   /* it was left by 1 */
+    hear();
+    probe_begin(&p, &v, &way, &to);
+    CHECK(run(probe_task(&p), HOURS) == EX_UNAVAILABLE && caught_lines == 1);
+    mover_close(&v);
+}
+
 /* A setting is written and read back after another greeting; who asks for the end is heard. */
 static void settings_come_back(arb *a)
 {
@@ -337,6 +408,9 @@ int main(void)
     PROPERTY(moves_arrive, 10);
     PROPERTY(a_move_that_is_ended_stops_on_its_path, 5);
     PROPERTY(a_move_in_the_middle_can_be_left, 10);
+    PROPERTY(homing_tells_where_the_tool_is, 4);
+    PROPERTY(homing_ends_where_it_is_asked_to, 5);
+    PROPERTY(a_probe_says_where_it_touches, 5);
     PROPERTY(settings_come_back, 5);
     return check_failures();
 }
