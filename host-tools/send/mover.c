@@ -266,9 +266,10 @@ static int run_move(mover *v, double now, task_wants *w)
 {
     loft_sender *s = &v->t.sender;
 
+    v->began = v->began > 0 ? v->began : now;
     if (!talk_step(&v->t, now, w))
         return talk_vanished(&v->t, "in the middle of a move ");
-    if (talk_silence(&v->t) > SILENCE)
+    if (talk_silence(&v->t, v->began) > SILENCE)
         return tool_error(EX_IOERR,
                           "%s: the machine has been silent for %g s: it stops on the path; look "
                           "at cable and power",
@@ -285,11 +286,10 @@ static int run_move(mover *v, double now, task_wants *w)
 
 static int begin_move(mover *v, double now, task_wants *w)
 {
-    job *j   = &v->w.j;
-    int code = 0;
+    const loft_sender *s = &v->t.sender;
+    job *j               = &v->w.j;
+    int code             = 0;
 
-    (void)now;
-    (void)w;
     v->out = (mover_outcome){ .how = MOVER_ARRIVED };
     if (memcmp(v->m.to, v->at, sizeof v->at) == 0)
         return go_on(v, NULL);
@@ -306,7 +306,10 @@ static int begin_move(mover *v, double now, task_wants *w)
     if (loft_sender_begin(&v->t.sender, &j->head, job_items(j), job_source, j) != LOFT_OK)
         return tool_error(EX_SOFTWARE, "the move could not begin: please report this");
     (void)plan_on(v);
-    return go_on(v, run_move);
+    v->began = 0;
+    v->stage = s->phase < LOFT_PHASE_DONE ? run_move : end_move;
+    task_wake(w, now);                  /* planning took its time */
+    return TASK_GOES;
 }
 
 void mover_go(mover *v, const mover_move *m)

@@ -61,6 +61,7 @@ typedef struct mover {
     int axis;                   /* whose table is told */
     bool high, counts;
     double until;               /* the machine obeys, or never */
+    double began;               /* the move */
 } mover;
 
 /* Read the machine's file, if there is one, and open the port; next the machine is greeted, which

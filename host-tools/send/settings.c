@@ -43,7 +43,8 @@ static int hear(settings_work *k, double now, task_wants *w)
     if (!t->sender.asking)
         return 0;
     task_wake(w, k->until);
-    return talk_silence(t) <= SILENCE && now <= k->until && t->sender.phase != LOFT_PHASE_UNFIT
+    return talk_silence(t, k->until - ANSWERS) <= SILENCE && now <= k->until &&
+                   t->sender.phase != LOFT_PHASE_UNFIT
                ? TASK_GOES
                : tool_error(EX_IOERR,
                             "%s: the machine did not answer: look at cable and power, and run the "

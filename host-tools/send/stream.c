@@ -380,7 +380,7 @@ static int draw(stream *r, double now, task_wants *w)
         loft_sender_hangup(s);
         return end_by(r, now, w, s->phase >= LOFT_PHASE_DONE ? report_end : report_vanished);
     }
-    if (talk_silence(r->t) > SILENCE)
+    if (talk_silence(r->t, r->began) > SILENCE)
         return end_by(r, now, w, report_silent);
     task_wake(w, plan_portion(r) ? now : now + LOOK);
     wake_job(r);
@@ -403,8 +403,9 @@ static int begin_job(stream *r, double now, task_wants *w)
     if (loft_sender_begin(&t->sender, &j->head, job_items(j), job_source, j) != LOFT_OK)
         return tool_error(EX_SOFTWARE, "the job could not begin: please report this");
     loft_sender_extend(&t->sender, (uint32_t)job_ready(j), job_items(j));
+    r->began = now;
     r->stage = draw;
-    return draw(r, now, w);
+    return t->sender.phase < LOFT_PHASE_DONE ? draw(r, now, w) : end_by(r, now, w, report_end);
 }
 
 void stream_begin(stream *r, talk *t, job *j, const stream_subject *about, const send_teller *to)

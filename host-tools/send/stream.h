@@ -53,6 +53,7 @@ typedef struct stream {
     double pace;            /* between the last two */
     double moved;           /* the time when the ticks last advanced */
     int percent;            /* that a key last asked for; 0: none */
+    double began;
     double until;           /* a record is complete, or never */
 } stream;
 

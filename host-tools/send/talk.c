@@ -154,9 +154,9 @@ void talk_placed(const talk *t, unsigned axes)
     unfinished_placed(&m, axes);
 }
 
-double talk_silence(const talk *t)
+double talk_silence(const talk *t, double began)
 {
-    return (double)loft_sender_silence(&t->sender, now_ms(t)) / 1000;
+    return fmin((double)loft_sender_silence(&t->sender, now_ms(t)) / 1000, t->now - began);
 }
 
 static int report_silent(const talk *t)

@@ -78,7 +78,8 @@ void talk_placed(const talk *t, unsigned axes);
 /* "the limit switch of x at its low end, the emergency stop": the inputs that end a job. */
 const char *talk_inputs(uint16_t inputs, char text[256]);
 
-/* The time since the machine's last frame, in seconds. */
-double talk_silence(const talk *t);
+/* The time since the machine's last frame, in seconds, but not more than since `began`: before
+ * that, nothing was asked of it. */
+double talk_silence(const talk *t, double began);
 
 #endif

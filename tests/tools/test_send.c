@@ -213,6 +213,37 @@ static void a_line_that_is_lost_is_told_once(arb *a)
     end();
 }
 
+static void pass(double seconds)
+{
+    for (const double until = sim.clock + seconds; sim.clock < until;)
+        simulated_ms();
+}
+
+/* Nothing was asked of the machine while this computer planned. */
+static void a_long_plan_is_no_silence(arb *a)
+{
+    begin();
+    plan_lines(a, 3);
+    pass(5 + arb_below(a, 20));
+    CHECK(run(stream_of(), HOURS) == 0 && is_drawn() && caught_lines == 0);
+    end();
+}
+
+static void another_job_is_told_of(arb *a)
+{
+    begin();
+    plan_lines(a, 30);
+    CHECK(run(stream_of(), sim.clock + 2) == TASK_GOES);
+    end();
+    CHECK(talk_open(&s.t, &at_once, sim.clock) == 0);
+    CHECK(run(talk_greets(&s.t), HOURS) == 0);
+    plan_lines(a, 3);
+    pass(arb_below(a, 20));
+    CHECK(run(stream_of(), sim.clock + 1) == EX_TEMPFAIL);
+    CHECK(caught_lines == 1 && strstr(caught, "another job") != NULL);
+    end();
+}
+
 static void a_mute_machine_is_asked_for_as_long_as_said(arb *a)
 {
     const struct loft_host_options o = usual();
@@ -404,6 +435,8 @@ int main(void)
     PROPERTY(an_abort_ends_it_on_the_path, 5);
     PROPERTY(a_line_that_is_lost_is_told_once, 5);
     PROPERTY(a_mute_machine_is_asked_for_as_long_as_said, 10);
+    PROPERTY(a_long_plan_is_no_silence, 5);
+    PROPERTY(another_job_is_told_of, 5);
     PROPERTY(every_number_of_steps_gives_the_same_pulses, 4);
     PROPERTY(moves_arrive, 10);
     PROPERTY(a_move_that_is_ended_stops_on_its_path, 5);
