@@ -558,7 +558,8 @@ void svg_shaped_part(svg_shaped *s, char kind, const double p[], int points);
 void svg_shaped_free(svg_shaped *s);
 
 /* Shape the UTF-8 of these spans as one text, or a single span from byte `from` on: outlines of
- * installed fonts, or single lines; letters that have none are outlines. Return false without any. */
+ * installed fonts, or single lines; letters that have none are outlines. Return false without any.
+ */
 bool svg_glyphs_shape(svg_reader *r, const svg_span spans[], size_t count, const char *text,
                       bool leftwards, svg_shaped *out);
 bool svg_lines_shape(svg_reader *r, const svg_span *span, size_t from, const char *text,

@@ -580,8 +580,8 @@ static bool begin_letters(svg_reader *r, const stretch *of)
     return seen;
 }
 
-/* The space of cluster k at l->at, baseline at y = 0. Along a rail, l->at[0] is the distance; *shown
- * is false beyond its ends. */
+/* The space of cluster k at l->at, baseline at y = 0. Along a rail, l->at[0] is the distance, and
+ * *shown is false beyond its ends. */
 static svg_matrix space_of(const layout *l, const chunk *u, size_t k, const svg_rail *along,
                            bool *shown)
 {

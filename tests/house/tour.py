@@ -82,7 +82,7 @@ def run(loft, first, last):
                 continue
             text = text.replace(PORT, folder + '/machine')
             if behind:
-                machine = subprocess.Popen(['bash', '-c', 'exec ' + text.replace('&', '')], text=True,
+                machine = subprocess.Popen(['bash', '-c', 'exec ' + text.replace('&', '')],
                                            cwd=folder, env=env, stdout=subprocess.PIPE)
                 machine.stdout.readline()           # it says where it is
                 held.append(machine)
