@@ -6,11 +6,13 @@
 
 #include "read/drawing.h"
 
+struct host;                /* base/host.h */
+
 /* Replace strokes by the outline of what they cover, if `strokes`; and, if there are `fills`, each
  * painted shape that is clipped by what is left of it. Returns 0, or an exit code after printing
  * one line.
  *
  *   error   REGION_TOL (arrange/region.h) */
-int areas_apply(bool strokes, bool fills, drawing *d, const char *file);
+int areas_apply(struct host *h, bool strokes, bool fills, drawing *d, const char *file);
 
 #endif

@@ -12,7 +12,8 @@
 #include <string.h>
 
 #include "base/source.h"        /* source_name */
-#include "base/tool.h"
+#include "base/host.h"
+#include "base/memory.h"
 #include "arrange/contour_fill.h"
 #include "arrange/region.h"
 
@@ -21,6 +22,7 @@
 #define LEAST 0.001             /* mm: shorter lines are left out */
 
 typedef struct {
+    host *host;
     const contour_options *o;
     const drawing_curve *like;
     drawing *to;
@@ -60,7 +62,7 @@ static void plant(tree *t, const region_ring *r)
 {
     for (t->leaves = 1; t->leaves < r->count;)
         t->leaves *= 2;
-    t->box = tool_grow(NULL, 2 * t->leaves * sizeof *t->box);
+    t->box = memory_grow(NULL, 2 * t->leaves * sizeof *t->box);
     for (size_t i = 0; i < t->leaves; i++) {
         const size_t k = i < r->count ? i : 0;
         const double *a = r->point[k], *b = r->point[(k + 1) % r->count];
@@ -141,9 +143,10 @@ static int line_to(drawer *w, const double to[2])
     if (apart(w->at, to) < LEAST)
         return 0;
     if (w->to->count >= DRAWING_CURVES_MAX)
-        return tool_error(EX_DATAERR,
-                          "%s:%u: --fill: more than %u curves: give lines further apart",
-                          source_name(w->file), w->like->line, DRAWING_CURVES_MAX);
+        return host_error(w->host, EX_DATAERR, "fill.too-many-curves",
+                          (host_place){ source_name(w->file), w->like->line },
+                          "give lines further apart", "--fill: more than %u curves",
+                          DRAWING_CURVES_MAX);
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < 2; i++)
             c.p[k][i] = k == 3 ? to[i] : w->at[i] + (to[i] - w->at[i]) * k / 3;
@@ -235,34 +238,34 @@ static int draw_chain(drawer *w, layer all[], size_t layers, size_t k, size_t i)
     return code;
 }
 
-static void *zeroed(size_t bytes) { return memset(tool_grow(NULL, bytes), 0, bytes); }
+static void *zeroed(size_t bytes) { return memset(memory_grow(NULL, bytes), 0, bytes); }
 
-static int shrink_all(const contour_options *o, region *area, layer **all, size_t *layers,
+static int shrink_all(host *h, const contour_options *o, region *area, layer **all, size_t *layers,
                       const char *file)
 {
     for (double by = o->distance / 2;; by = o->distance) {
         layer one;
-        if (!region_shrink(area, by, file))
+        if (!region_shrink(h, area, by, file))
             return region_error();
         region_outlines(area, &one.rings);
         if (one.rings.count == 0)
             return 0;
         one.drawn       = zeroed(one.rings.count);
         one.trees       = zeroed(one.rings.count * sizeof *one.trees);
-        *all             = tool_grow(*all, (*layers + 1) * sizeof **all);
+        *all             = memory_grow(*all, (*layers + 1) * sizeof **all);
         (*all)[*layers] = one;
         ++*layers;
     }
 }
 
-int contour_fill(const contour_options *o, const drawing *d, size_t first, size_t last,
+int contour_fill(host *h, const contour_options *o, const drawing *d, size_t first, size_t last,
                  const drawing_curve *like, drawing *to, const char *file)
 {
-    drawer w       = { .o = o, .like = like, .to = to, .file = file };
+    drawer w       = { .host = h, .o = o, .like = like, .to = to, .file = file };
     layer *all     = NULL;
     size_t layers  = 0;
-    region *area   = region_inside(d, first, last, d->curve[first].fill & DRAWING_EVENODD, file);
-    int code       = area ? shrink_all(o, area, &all, &layers, file) : region_error();
+    region *area   = region_inside(h, d, first, last, d->curve[first].fill & DRAWING_EVENODD, file);
+    int code       = area ? shrink_all(h, o, area, &all, &layers, file) : region_error();
 
     region_free(area);
     for (size_t k = 0; k < layers; k++)

@@ -6,6 +6,8 @@
 
 #include "read/drawing.h"
 
+struct host;                /* base/host.h */
+
 typedef struct {
     double distance;            /* mm, between lines; the outermost is half of it inside */
     bool spiral;                /* lines go over into the next, without a lift */
@@ -15,7 +17,7 @@ typedef struct {
  * Returns 0, or an exit code after printing one line.
  *
  *   error   between neighbours: 2 % of the distance, and 0.002 mm */
-int contour_fill(const contour_options *o, const drawing *d, size_t first, size_t last,
-                 const drawing_curve *like, drawing *to, const char *file);
+int contour_fill(struct host *h, const contour_options *o, const drawing *d, size_t first,
+                 size_t last, const drawing_curve *like, drawing *to, const char *file);
 
 #endif

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"
+#include "base/host.h"
 #include "engine/engine.h"  /* engine_f64: where two pieces meet */
 #include "engine/piece.h"
 #include "arrange/page.h"
@@ -155,7 +155,7 @@ static int side_of(const cropping *c, const double p[4][2])
     return in;
 }
 
-int page_crop(drawing *to, const drawing *from, const double box[2][2], const char *file)
+int page_crop(host *h, drawing *to, const drawing *from, const double box[2][2], const char *file)
 {
     static const cut whole[2] = { { 0, -1, 0 }, { 1, -1, 0 } };
     cropping c = { .to = to, .box = box, .file = file };
@@ -174,8 +174,8 @@ int page_crop(drawing *to, const drawing *from, const double box[2][2], const ch
         }
         const int status = find_cuts(&c, of->p, cuts, &count);
         if (status != 0)
-            return tool_error(EX_DATAERR, "%s:%u: --crop: %s", file, of->line,
-                              engine_status(status, NULL));
+            return host_error(h, EX_DATAERR, "page.not-cropped", (host_place){ file, of->line },
+                              NULL, "--crop: %s", engine_status(status, NULL));
         crop_curve(&c, of, cuts, count, fresh);
     }
     return 0;

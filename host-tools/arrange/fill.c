@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"
-#include "base/progress.h"
+#include "base/host.h"
+#include "base/memory.h"
 #include "base/scan.h"          /* scan_number */
 #include "base/source.h"        /* source_name */
 #include "arrange/contour_fill.h"       /* contour_fill */
@@ -73,6 +73,7 @@ typedef struct {
 } crossing;
 
 typedef struct {
+    host *host;
     const fill_options *f;
     double c, s;                /* of the turn */
     crossing *all;
@@ -97,7 +98,7 @@ static void add_crossing(filling *g, double level, double x, int turn)
 {
     if (g->count == g->room) {
         g->room = g->room ? 2 * g->room : 256;
-        g->all  = tool_grow(g->all, g->room * sizeof *g->all);
+        g->all  = memory_grow(g->all, g->room * sizeof *g->all);
     }
     g->all[g->count++] = (crossing){ level, x, turn };
 }
@@ -153,9 +154,9 @@ static int draw_line(filling *g, double level, double x0, double x1, unsigned fi
     if (x1 - x0 < FILL_LEAST)
         return 0;
     if (g->to->count >= DRAWING_CURVES_MAX)
-        return tool_error(EX_DATAERR,
-                          "%s:%u: --fill: more than %u curves: give lines further apart", g->file,
-                          g->of->line, DRAWING_CURVES_MAX);
+        return host_error(g->host, EX_DATAERR, "fill.too-many-curves",
+                          (host_place){ g->file, g->of->line }, "give lines further apart",
+                          "--fill: more than %u curves", DRAWING_CURVES_MAX);
     for (int k = 0; k < 2; k++) {
         ends[k][0] = g->c * at[k] - g->s * y;
         ends[k][1] = g->s * at[k] + g->c * y;
@@ -232,7 +233,7 @@ static int draw_contours(filling *g, const drawing *d, size_t first, size_t last
                                  .layer = of->layer,
                                  .fill  = of->fill & ~(DRAWING_FILLED | DRAWING_HIDDEN) };
 
-    return contour_fill(&o, d, first, last, &like, g->to, g->file);
+    return contour_fill(g->host, &o, d, first, last, &like, g->to, g->file);
 }
 
 static bool outline_stays(const fill_options *f, const drawing_curve *c)
@@ -244,42 +245,41 @@ static bool outline_stays(const fill_options *f, const drawing_curve *c)
     return strcmp(f->outline, "stroke") == 0 && c->fill & DRAWING_STROKED;
 }
 
-static int check_fill(const drawing *d, const char *file)
+static int check_fill(host *h, const drawing *d, const char *file)
 {
     for (size_t i = 0; i < d->count; i++)
         if (d->curve[i].fill & DRAWING_FILLED)
             return 0;
-    return tool_error(
-        EX_DATAERR,
-        "%s: --fill: nothing in it is filled: leave --fill out, or fill shapes of an SVG",
-        source_name(file));
+    return host_error(h, EX_DATAERR, "fill.nothing", (host_place){ source_name(file), 0 },
+                      "leave --fill out, or fill shapes of an SVG",
+                      "--fill: nothing in it is filled");
 }
 
-int fill_apply(const fill_options *f, drawing *d, const char *file)
+int fill_apply(host *h, const fill_options *f, drawing *d, const char *file)
 {
     drawing filled = { .width = d->width, .height = d->height };
-    filling g      = { .f = f, .to = &filled, .file = source_name(file) };
-    int code       = f->distance > 0 ? check_fill(d, file) : 0;
-    progress bar;
+    filling g      = { .host = h, .f = f, .to = &filled, .file = source_name(file) };
+    int code       = f->distance > 0 ? check_fill(h, d, file) : 0;
 
     if (!(f->distance > 0) || code != 0)
         return code;
-    progress_start_late(&bar, (double)d->count);
     for (size_t first = 0, last; first < d->count && code == 0; first = last) {
-        const unsigned shape = d->curve[first].fill;
-        progress_show(&bar, (double)first, "filling");
+        const unsigned shape  = d->curve[first].fill;
+        const host_progress p = { "filling", (double)first, (double)d->count, true };
+        if (!host_goes_on(h, &p))
+            code = EX_TEMPFAIL;
         for (last = first; last < d->count && d->curve[last].fill == shape; last++)
             if (outline_stays(f, &d->curve[last]))
                 drawing_add_like(&filled, &d->curve[last],
                                  last == first || d->curve[last].path != d->curve[last - 1].path);
-        if (!(shape & DRAWING_FILLED))
+        if (!(shape & DRAWING_FILLED) || code != 0)
             continue;
         code = f->contour ? draw_contours(&g, d, first, last)
                           : hatch_shape(&g, d, first, last, f->degrees);
         if (code == 0 && f->cross)
             code = hatch_shape(&g, d, first, last, f->degrees + 90);
     }
-    progress_clear_any();
+    host_has_done(h);
     free(g.all);
     drawing_free(d);
     *d = filled;

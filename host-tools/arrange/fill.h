@@ -11,6 +11,8 @@
 #include "base/option.h"    /* option */
 #include "read/drawing.h"
 
+struct host;                /* base/host.h */
+
 typedef struct {
     double degrees, distance;       /* distance: mm; 0: no fill */
     bool cross;                     /* a second time, 90 degrees further */
@@ -25,7 +27,7 @@ extern const option fill_rows[];
  *
  *   error   ends of lines are within 1e-9 mm of the outline; lines shorter than FILL_LEAST are left
  *           out */
-int fill_apply(const fill_options *f, drawing *d, const char *file);
+int fill_apply(struct host *h, const fill_options *f, drawing *d, const char *file);
 
 #define FILL_LEAST 0.001        /* mm */
 

@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"
+#include "base/host.h"
+#include "base/memory.h"
 #include "base/source.h"    /* source_name */
 #include "engine/curve.h"   /* curves_free */
 #include "arrange/order.h"
@@ -68,8 +69,8 @@ static int compare_wholes(const void *a, const void *b)
 /* Leave out curves that are there already. A path is cut where one is missing. */
 static void drop_doubles(drawing *d)
 {
-    whole_curve *all = tool_grow(NULL, d->count * sizeof *all);
-    bool *drop       = tool_grow(NULL, d->count * sizeof *drop);
+    whole_curve *all = memory_grow(NULL, d->count * sizeof *all);
+    bool *drop       = memory_grow(NULL, d->count * sizeof *drop);
     drawing kept     = { .width = d->width, .height = d->height };
 
     for (size_t i = 0; i < d->count; i++) {
@@ -108,7 +109,7 @@ typedef struct {
 
 static void find_runs(runs *r, const drawing *d)
 {
-    *r = (runs){ .d = d, .all = tool_grow(NULL, d->count * sizeof *r->all) };
+    *r = (runs){ .d = d, .all = memory_grow(NULL, d->count * sizeof *r->all) };
     for (size_t i = 0; i < d->count; i++) {
         if (i == 0 || d->curve[i].path != d->curve[i - 1].path)
             r->all[r->count++] = (run){ i, i, { NONE, NONE }, false };
@@ -202,7 +203,7 @@ static size_t find_joins(const runs *r, const loose_end end[], size_t count, dou
                 continue;
             if (found == room) {
                 room = room ? 2 * room : 256;
-                *out = tool_grow(*out, room * sizeof **out);
+                *out = memory_grow(*out, room * sizeof **out);
             }
             (*out)[found++] = (possible_join){ end[i].end, end[j].end,
                                                join_cost(&end[i], &end[j], distance) };
@@ -215,7 +216,7 @@ static size_t find_joins(const runs *r, const loose_end end[], size_t count, dou
 
 static void join_runs(runs *r, double within)
 {
-    loose_end *end      = tool_grow(NULL, 2 * r->count * sizeof *end);
+    loose_end *end      = memory_grow(NULL, 2 * r->count * sizeof *end);
     possible_join *join = NULL;
 
     for (size_t e = 0; e < 2 * r->count; e++) {
@@ -294,8 +295,8 @@ typedef struct {
 /* Open chains begin at an end without a partner; what is left then is closed. */
 static void make_chains(chains *c, runs *r)
 {
-    *c = (chains){ .first  = tool_grow(NULL, (r->count + 1) * sizeof *c->first),
-                   .closed = tool_grow(NULL, (r->count + 1) * sizeof *c->closed) };
+    *c = (chains){ .first  = memory_grow(NULL, (r->count + 1) * sizeof *c->first),
+                   .closed = memory_grow(NULL, (r->count + 1) * sizeof *c->closed) };
     for (int closed = 0; closed < 2; closed++)
         for (size_t e = 0; e < 2 * r->count; e++)
             if (!r->all[e / 2].drawn && (closed || r->all[e / 2].partner[e % 2] == NONE)) {
@@ -320,8 +321,8 @@ static void add_seam(seams *s, const double at[2], size_t begins)
 {
     if (s->count == s->room) {
         s->room  = s->room ? 2 * s->room : 256;
-        s->point = tool_grow(s->point, s->room * sizeof *s->point);
-        s->curve = tool_grow(s->curve, s->room * sizeof *s->curve);
+        s->point = memory_grow(s->point, s->room * sizeof *s->point);
+        s->curve = memory_grow(s->curve, s->room * sizeof *s->curve);
     }
     memcpy(s->point[s->count], at, sizeof s->point[0]);
     s->curve[s->count++] = begins;
@@ -376,7 +377,7 @@ static void add_nearest_joint(seams *s, const chains *c, size_t chain, const dou
 
 static void find_seams(seams *s, const chains *c, bool corners, const double *near)
 {
-    *s = (seams){ .stroke = tool_grow(NULL, c->count * sizeof *s->stroke) };
+    *s = (seams){ .stroke = memory_grow(NULL, c->count * sizeof *s->stroke) };
     for (size_t i = 0; i < c->count; i++) {
         const drawing_curve *first = &c->d.curve[c->first[i]],
                             *last  = &c->d.curve[c->first[i + 1] - 1];
@@ -411,26 +412,28 @@ static void draw_visit(const chains *c, const seams *s, const tour_visit *v, dra
     }
 }
 
-static void order_chains(const order_options *o, chains *c, bool corners, const double *near,
-                         const double from[2], bool returns, drawing *out)
+static int order_chains(host *h, const order_options *o, chains *c, bool corners,
+                        const double *near, const double from[2], bool returns, drawing *out)
 {
-    tour_visit *way = tool_grow(NULL, c->count * sizeof *way);
+    tour_visit *way = memory_grow(NULL, c->count * sizeof *way);
     seams s;
 
     find_seams(&s, c, corners, near);
-    const tour_problem t = { .point   = (const double (*)[2])s.point,
+    const tour_problem t = { .host = h,
+                             .point = (const double(*)[2])s.point,
                              .stroke  = s.stroke,
                              .count   = c->count,
                              .from    = { from[0], from[1] },
                              .returns = returns,
                              .effort  = o->effort };
-    (void)tour_find(&t, way);
+    const bool found = tour_find(&t, way) >= 0;
     for (size_t k = 0; k < c->count; k++)
         draw_visit(c, &s, &way[k], out);
     free(way);
     free(s.point);
     free(s.curve);
     free(s.stroke);
+    return found ? 0 : EX_TEMPFAIL;
 }
 
 const option order_rows[] = {
@@ -451,7 +454,7 @@ const option order_rows[] = {
     { 0 }
 };
 
-static int seam_of(const order_options *o, bool *corners, double near[2], bool *nearest)
+static int seam_of(host *h, const order_options *o, bool *corners, double near[2], bool *nearest)
 {
     int length = 0;
 
@@ -460,10 +463,11 @@ static int seam_of(const order_options *o, bool *corners, double near[2], bool *
                o->seam[length] == '\0' && isfinite(near[0]) && isfinite(near[1]);
     if (o->seam == NULL || *corners || *nearest || strcmp(o->seam, "any") == 0)
         return 0;
-    return tool_error(EX_USAGE, "--seam %s: give any, corner or X,Y", o->seam);
+    return host_error(h, EX_USAGE, "order.seam", (host_place){ NULL, 0 }, "give any, corner or X,Y",
+                      "--seam %s", o->seam);
 }
 
-int order_apply(const order_options *o, drawing *d, const double from[2], bool returns,
+int order_apply(host *h, const order_options *o, drawing *d, const double from[2], bool returns,
                 const char *file)
 {
     drawing ordered = { .width = d->width, .height = d->height };
@@ -471,15 +475,14 @@ int order_apply(const order_options *o, drawing *d, const double from[2], bool r
     bool corners, nearest;
     chains c;
     runs r;
-    const int code = seam_of(o, &corners, near, &nearest);
+    int code = seam_of(h, o, &corners, near, &nearest);
 
     if (code != 0 || o->how == NULL || strcmp(o->how, "file") == 0)
         return code;
     if (d->program)
-        return tool_error(EX_USAGE,
-                          "%s: is a program, which says every motion: its order is that of the "
-                          "file: leave --order out",
-                          source_name(file));
+        return host_error(h, EX_USAGE, "order.program", (host_place){ source_name(file), 0 },
+                          "leave --order out",
+                          "is a program, which says every motion: its order is that of the file");
     if (d->count == 0)
         return 0;
     if (d->of != NULL)
@@ -491,12 +494,12 @@ int order_apply(const order_options *o, drawing *d, const double from[2], bool r
     find_runs(&r, d);
     join_runs(&r, o->join);
     make_chains(&c, &r);
-    order_chains(o, &c, corners, nearest ? near : NULL, from, returns, &ordered);
+    code = order_chains(h, o, &c, corners, nearest ? near : NULL, from, returns, &ordered);
     free(r.all);
     free(c.first);
     free(c.closed);
     drawing_free(&c.d);
     drawing_free(d);
     *d = ordered;
-    return 0;
+    return code;
 }

@@ -11,6 +11,8 @@
 #include "base/option.h"    /* option */
 #include "read/drawing.h"   /* drawing */
 
+struct host;                /* base/host.h */
+
 typedef struct {
     const char *how;            /* "file", "layer" or "best"; NULL: file */
     double effort;              /* seconds, as in tour.h */
@@ -23,7 +25,7 @@ extern const option order_rows[];
 
 /* Put the drawing in order, all of it also with "layer" (tools.h), for a tool that begins at `from`
  * and, if it `returns`, ends there. Returns 0, or an exit code after printing one line. */
-int order_apply(const order_options *o, drawing *d, const double from[2], bool returns,
-                const char *file);
+int order_apply(struct host *h, const order_options *o, drawing *d, const double from[2],
+                bool returns, const char *file);
 
 #endif

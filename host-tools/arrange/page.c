@@ -7,7 +7,8 @@
 #include <string.h>
 #include <strings.h>
 
-#include "base/tool.h"
+#include "base/host.h"
+#include "base/memory.h"
 #include "base/source.h"    /* source_name */
 #include "engine/curve.h"   /* curves_free */
 #include "arrange/areas.h"     /* areas_apply */
@@ -193,15 +194,15 @@ static bool known_box(const drawing *d, double box[2][2])
 }
 
 /* Only x or only y counts from there: such a place cannot be turned. */
-static int check_turn(const drawing *d, const char *file)
+static int check_turn(host *h, const drawing *d, const char *file)
 {
     for (size_t i = 0; i < d->count; i++)
         for (int k = 0; k < 2; k++)
             if ((d->curve[i].loose[k] & 1) != (d->curve[i].loose[k] >> 1 & 1))
-                return tool_error(EX_DATAERR,
-                                  "%s:%u: moves one axis from where the machine is, so it cannot "
-                                  "be turned: let the program go to X and Y first",
-                                  file, d->curve[i].line);
+                return host_error(
+                    h, EX_DATAERR, "page.turn-one-axis", (host_place){ file, d->curve[i].line },
+                    "let the program go to X and Y first",
+                    "moves one axis from where the machine is, so it cannot be turned");
     return 0;
 }
 
@@ -294,7 +295,7 @@ static bool fits_turned(const page_options *g, const drawing *d, const double ro
     drawing copy = *d;
     double box[2][2], factor[2];
 
-    copy.curve = tool_grow(NULL, d->count * sizeof *copy.curve);
+    copy.curve = memory_grow(NULL, d->count * sizeof *copy.curve);
     for (int turned = 0; turned < 2; turned++) {
         memcpy(copy.curve, d->curve, d->count * sizeof *copy.curve);
         change_form(g, &copy, 90.0 * turned);
@@ -324,15 +325,16 @@ static void place_box(const page_options *g, drawing *d, const double room[2])
     apply_affine(&a, d);
 }
 
-static int make_copies(const page_options *g, drawing *d, const char *file)
+static int make_copies(host *h, const page_options *g, drawing *d, const char *file)
 {
     const unsigned across = copies_of(g, 0), up = copies_of(g, 1);
     const size_t count = d->count;
     double box[2][2];
 
     if ((double)count * across * up > DRAWING_CURVES_MAX)
-        return tool_error(EX_DATAERR, "%s: --copies %ux%u: more than %u curves: give fewer copies",
-                          file, across, up, DRAWING_CURVES_MAX);
+        return host_error(h, EX_DATAERR, "page.copies-too-many", (host_place){ file, 0 },
+                          "give fewer copies", "--copies %ux%u: more than %u curves", across, up,
+                          DRAWING_CURVES_MAX);
     (void)known_box(d, box);
     for (unsigned k = 1; k < across * up; k++)
         for (size_t i = 0; i < count; i++) {
@@ -363,57 +365,58 @@ static bool is_asked(const page_options *g)
 }
 
 /* The part of the page within its margin. */
-static int find_room(const page_options *g, const double size[2], const char *file, double room[2])
+static int find_room(host *h, const page_options *g, const double size[2], const char *file,
+                     double room[2])
 {
     for (int i = 0; i < 2; i++) {
         room[i] = size[i] - 2 * g->margin;
         if (!(size[i] > 0))
-            return tool_error(EX_USAGE,
-                              "%s: gives no page: say which, as --page A4 or --page 210x297", file);
+            return host_error(h, EX_USAGE, "page.unknown", (host_place){ file, 0 },
+                              "say which, as --page A4 or --page 210x297", "gives no page");
         if (!(room[i] > 0))
-            return tool_error(EX_USAGE,
-                              "--margin %g: leaves nothing of a page of %g x %g mm: give less",
+            return host_error(h, EX_USAGE, "page.margin-too-wide", (host_place){ NULL, 0 },
+                              "give less", "--margin %g: leaves nothing of a page of %g x %g mm",
                               g->margin, size[0], size[1]);
         if (!(room[i] - (copies_of(g, i) - 1) * g->gap > 0))
-            return tool_error(EX_USAGE,
-                              "--copies: the gaps of %g mm fill the page of %g x %g mm: give less "
-                              "--gap",
-                              g->gap, size[0], size[1]);
+            return host_error(h, EX_USAGE, "page.gap-too-wide", (host_place){ NULL, 0 },
+                              "give less --gap",
+                              "--copies: the gaps of %g mm fill the page of %g x %g mm", g->gap,
+                              size[0], size[1]);
     }
     return 0;
 }
 
-static int check_reach(const drawing *d, const char *file)
+static int check_reach(host *h, const drawing *d, const char *file)
 {
     for (size_t i = 0; i < d->count; i++)
         for (int k = 0; k < 8; k++) {
             const double x = d->curve[i].p[k / 2][k % 2];
             if (!(fabs(x) <= DRAWING_LIMIT))
-                return tool_error(EX_DATAERR,
-                                  "%s:%u: lies at %g mm now, beyond +-%g mm: scale it less", file,
-                                  d->curve[i].line, x, DRAWING_LIMIT);
+                return host_error(h, EX_DATAERR, "page.out-of-reach",
+                                  (host_place){ file, d->curve[i].line }, "scale it less",
+                                  "lies at %g mm now, beyond +-%g mm", x, DRAWING_LIMIT);
         }
     return 0;
 }
 
-static int crop_to_page(const page_options *g, drawing *d, const double size[2], const char *file)
+static int crop_to_page(host *h, const page_options *g, drawing *d, const double size[2],
+                        const char *file)
 {
     const double box[2][2] = { { g->margin, g->margin },
                                { size[0] - g->margin, size[1] - g->margin } };
     drawing cut = { .width = d->width, .height = d->height };
-    const int code = page_crop(&cut, d, box, file);
+    const int code = page_crop(h, &cut, d, box, file);
 
     drawing_free(d);
     *d = cut;
     if (code == 0 && cut.count == 0)
-        return tool_error(EX_DATAERR,
-                          "%s: --crop: nothing of it is on the page of %g x %g mm: move it there, "
-                          "as with --centre",
-                          file, size[0], size[1]);
+        return host_error(h, EX_DATAERR, "page.crop-empty", (host_place){ file, 0 },
+                          "move it there, as with --centre",
+                          "--crop: nothing of it is on the page of %g x %g mm", size[0], size[1]);
     return code;
 }
 
-static int place(const page_options *g, drawing *d, const char *file)
+static int place(host *h, const page_options *g, drawing *d, const char *file)
 {
     const char *name = source_name(file);
     double room[2] = { 0, 0 }, size[2] = { g->size[0], g->size[1] };
@@ -426,19 +429,20 @@ static int place(const page_options *g, drawing *d, const char *file)
     free(d->of);
     d->of = NULL;
     if (d->program && (g->crop || g->copies[0] > 0))
-        return tool_error(EX_USAGE,
-                          "%s: is a program, which says every motion: %s needs a drawing, which "
-                          "lifts the pen between its parts",
-                          name, g->crop ? "--crop" : "--copies");
+        return host_error(h, EX_USAGE, "page.program", (host_place){ name, 0 },
+                          g->crop
+                              ? "--crop needs a drawing, which lifts the pen between its parts"
+                              : "--copies needs a drawing, which lifts the pen between its parts",
+                          "is a program, which says every motion");
     const bool own = !(size[0] > 0), needed = g->fit || g->centre || g->crop || g->upright;
     if (own) {
         size[0] = d->width;
         size[1] = d->height;
     }
     if (needed)
-        code = find_room(g, size, name, room);
+        code = find_room(h, g, size, name, room);
     if (code == 0 && (g->upright || g->degrees < 0 || g->degrees > 0))
-        code = check_turn(d, name);
+        code = check_turn(h, d, name);
     if (code == 0 && changes_form(g))
         change_form(g, d, g->upright ? 90.0 * fits_turned(g, d, room) : g->degrees);
     if (own && !g->upright) {   /* the page of the file has changed with the drawing */
@@ -446,15 +450,15 @@ static int place(const page_options *g, drawing *d, const char *file)
         size[1] = d->height;
     }
     if (code == 0 && needed)
-        code = find_room(g, size, name, room);
+        code = find_room(h, g, size, name, room);
     if (code == 0 && (g->fit || g->centre || g->at.count == 2))
         place_box(g, d, room);
     if (code == 0)
-        code = make_copies(g, d, name);
+        code = make_copies(h, g, d, name);
     d->width  = size[0];
     d->height = size[1];
     if (code == 0)
-        code = check_reach(d, name);
+        code = check_reach(h, d, name);
     return code;
 }
 
@@ -468,16 +472,16 @@ bool page_is_asked(const page_options *g)
     return is_asked(g) || g->fill.distance > 0 || is_wide(g);
 }
 
-int page_apply(const page_options *g, drawing *d, const char *file)
+int page_apply(host *h, const page_options *g, drawing *d, const char *file)
 {
     const bool wide = is_wide(g);
-    int code        = areas_apply(wide, g->fill.distance > 0, d, file);
+    int code        = areas_apply(h, wide, g->fill.distance > 0, d, file);
     if (code == 0)
-        code = place(g, d, file);
+        code = place(h, g, d, file);
     if (code == 0)
-        code = fill_apply(&g->fill, d, file);
+        code = fill_apply(h, &g->fill, d, file);
     const double size[2] = { d->width, d->height };
-    return code == 0 && g->crop ? crop_to_page(g, d, size, source_name(file)) : code;
+    return code == 0 && g->crop ? crop_to_page(h, g, d, size, source_name(file)) : code;
 }
 
 /* How far a box is beyond the page, mm. */

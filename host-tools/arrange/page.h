@@ -11,6 +11,8 @@
 #include "base/option.h"    /* option, option_list */
 #include "read/drawing.h"   /* drawing */
 
+struct host;                /* base/host.h */
+
 typedef struct {
     double size[2];         /* mm; 0: that of the file */
     double degrees;         /* counterclockwise */
@@ -35,7 +37,7 @@ bool page_is_asked(const page_options *g);
  *
  *   error   8 ulp of the largest coordinate; none for turns by 90 degrees, mirroring and scaling by
  *           powers of 2; --crop: PAGE_CUT */
-int page_apply(const page_options *g, drawing *d, const char *file);
+int page_apply(struct host *h, const page_options *g, drawing *d, const char *file);
 
 /* Cut a drawing at a box: box[0] smallest, box[1] largest. The pieces are exact pieces of the
  * curves; their ends lie on the edge exactly. *to must be zeroed. Returns 0, or an exit code after
@@ -43,7 +45,8 @@ int page_apply(const page_options *g, drawing *d, const char *file);
  *
  *   error   no piece leaves the box by more than PAGE_CUT, and none that is left out enters it by
  *           more */
-int page_crop(drawing *to, const drawing *from, const double box[2][2], const char *file);
+int page_crop(struct host *h, drawing *to, const drawing *from, const double box[2][2],
+              const char *file);
 
 #define PAGE_CUT 1e-4       /* mm */
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"          /* tool_grow */
+#include "base/memory.h"
 #include "arrange/pieces.h"
 
 #define LAP (20 * PIECES_GRID)
@@ -32,7 +32,7 @@ static void add_piece(pieces *to, unsigned n)
         return;
     if (to->count == to->room) {
         to->room  = to->room ? 2 * to->room : 256;
-        to->piece = tool_grow(to->piece, to->room * sizeof(GEOSGeometry *));
+        to->piece = memory_grow(to->piece, to->room * sizeof(GEOSGeometry *));
     }
     to->piece[to->count++] = one;
 }
@@ -177,10 +177,10 @@ bool pieces_needed(const double (*p)[2], size_t n, const region_stroke *s)
 
 pieces *pieces_open(GEOSContextHandle_t h, const region_stroke *s, int quarter)
 {
-    pieces *to = tool_grow(NULL, sizeof *to);
+    pieces *to = memory_grow(NULL, sizeof *to);
 
     *to    = (pieces){ .h = h, .half = s->width / 2, .s = s, .quarter = quarter };
-    to->at = tool_grow(NULL, (2 * (size_t)quarter + 8) * sizeof *to->at);
+    to->at = memory_grow(NULL, (2 * (size_t)quarter + 8) * sizeof *to->at);
     return to;
 }
 

@@ -11,7 +11,8 @@
 #include <string.h>
 
 #include "base/source.h"        /* source_name */
-#include "base/tool.h"
+#include "base/host.h"
+#include "base/memory.h"
 #include "arrange/pieces.h"
 #include "arrange/region.h"
 
@@ -45,7 +46,7 @@ static bool add_point(polylines *p, const double at[2])
         return true;
     if (p->count == p->room) {
         p->room  = p->room ? 2 * p->room : 1024;
-        p->point = tool_grow(p->point, p->room * sizeof *p->point);
+        p->point = memory_grow(p->point, p->room * sizeof *p->point);
     }
     memcpy(p->point[p->count++], at, sizeof *p->point);
     return p->count < CHORDS_MAX;
@@ -65,7 +66,7 @@ static void begin_chain(polylines *p)
 {
     if (p->chains + 2 > p->chain_room) {
         p->chain_room = p->chain_room ? 2 * p->chain_room : 64;
-        p->first      = tool_grow(p->first, p->chain_room * sizeof *p->first);
+        p->first      = memory_grow(p->first, p->chain_room * sizeof *p->first);
     }
     p->first[p->chains] = p->count;
 }
@@ -128,17 +129,17 @@ static int winding(const polylines *p, const double at[2])
 
 static region *new_region(void)
 {
-    region *r = tool_grow(NULL, sizeof *r);
+    region *r = memory_grow(NULL, sizeof *r);
 
     *r = (region){ .h = GEOS_init_r(), .pen = { 1, 0, 1 } };
     return r;
 }
 
-static region *failed(region *r, const drawing *d, size_t first, const char *file)
+static region *failed(host *h, region *r, const drawing *d, size_t first, const char *file)
 {
-    (void)tool_error(EX_DATAERR,
-                     "%s:%u: its area cannot be found: split the shape, or leave out what fills it",
-                     source_name(file), d->curve[first].line);
+    (void)host_error(h, EX_DATAERR, "region.not-found",
+                     (host_place){ source_name(file), d->curve[first].line },
+                     "split the shape, or leave out what fills it", "its area cannot be found");
     region_free(r);
     return NULL;
 }
@@ -147,7 +148,7 @@ int region_error(void) { return EX_DATAERR; }
 
 static GEOSGeometry *lines_of(GEOSContextHandle_t h, const polylines *p)
 {
-    GEOSGeometry **line = tool_grow(NULL, (p->chains + 1) * sizeof *line);
+    GEOSGeometry **line = memory_grow(NULL, (p->chains + 1) * sizeof *line);
     unsigned count      = 0;
 
     for (size_t k = 0; k < p->chains; k++) {
@@ -167,7 +168,7 @@ static GEOSGeometry *join_faces(GEOSContextHandle_t h, const GEOSGeometry *faces
                                 const polylines *p, bool evenodd)
 {
     const int all        = GEOSGetNumGeometries_r(h, faces);
-    GEOSGeometry **inner = tool_grow(NULL, ((size_t)(all > 0 ? all : 0) + 1) * sizeof *inner);
+    GEOSGeometry **inner = memory_grow(NULL, ((size_t)(all > 0 ? all : 0) + 1) * sizeof *inner);
     unsigned count       = 0;
 
     for (int i = 0; i < all; i++) {
@@ -188,7 +189,8 @@ static GEOSGeometry *join_faces(GEOSContextHandle_t h, const GEOSGeometry *faces
     return one;
 }
 
-region *region_inside(const drawing *d, size_t first, size_t last, bool evenodd, const char *file)
+region *region_inside(host *h, const drawing *d, size_t first, size_t last, bool evenodd,
+                      const char *file)
 {
     region *r = new_region();
     polylines p;
@@ -205,13 +207,14 @@ region *region_inside(const drawing *d, size_t first, size_t last, bool evenodd,
     GEOSGeom_destroy_r(r->h, cut);
     GEOSGeom_destroy_r(r->h, faces);
     free_chords(&p);
-    return r->g ? r : failed(r, d, first, file);
+    return r->g ? r : failed(h, r, d, first, file);
 }
 
-static region *cut_shape(region *shape, const drawing *outline, unsigned clip, const char *file)
+static region *cut_shape(host *h, region *shape, const drawing *outline, unsigned clip,
+                         const char *file)
 {
     for (; clip > 0; clip = outline->clip[clip - 1].up)
-        if (!region_cut(shape, &outline->clip[clip - 1].outline, file)) {
+        if (!region_cut(h, shape, &outline->clip[clip - 1].outline, file)) {
             region_free(shape);
             return NULL;
         }
@@ -219,7 +222,7 @@ static region *cut_shape(region *shape, const drawing *outline, unsigned clip, c
 }
 
 /* All shapes of an outline together. */
-static region *shapes_of(const drawing *outline, const char *file)
+static region *shapes_of(host *h, const drawing *outline, const char *file)
 {
     region *all = NULL;
 
@@ -227,9 +230,9 @@ static region *shapes_of(const drawing *outline, const char *file)
         const unsigned fill = outline->curve[first].fill;
         for (last = first; last < outline->count && outline->curve[last].fill == fill; last++)
             ;
-        region *one = region_inside(outline, first, last, fill & DRAWING_EVENODD, file);
+        region *one = region_inside(h, outline, first, last, fill & DRAWING_EVENODD, file);
         if (one != NULL)
-            one = cut_shape(one, outline, outline->curve[first].clip, file);
+            one = cut_shape(h, one, outline, outline->curve[first].clip, file);
         if (one == NULL || all == NULL) {
             if (one == NULL) {
                 region_free(all);
@@ -243,14 +246,14 @@ static region *shapes_of(const drawing *outline, const char *file)
         GEOSGeom_destroy_r(all->h, all->g);
         all->g = both;
         if (both == NULL)
-            return failed(all, outline, first, file);
+            return failed(h, all, outline, first, file);
     }
     return all;
 }
 
-bool region_cut(region *r, const drawing *outline, const char *file)
+bool region_cut(host *h, region *r, const drawing *outline, const char *file)
 {
-    region *by = outline->count > 0 ? shapes_of(outline, file) : NULL;
+    region *by = outline->count > 0 ? shapes_of(h, outline, file) : NULL;
 
     if (outline->count > 0 && by == NULL)
         return false;
@@ -258,8 +261,8 @@ bool region_cut(region *r, const drawing *outline, const char *file)
                            : GEOSGeom_createEmptyPolygon_r(r->h);
     region_free(by);
     if (cut == NULL) {
-        (void)tool_error(EX_DATAERR, "%s: a clip path cannot be applied: simplify it",
-                         source_name(file));
+        (void)host_error(h, EX_DATAERR, "region.clip", (host_place){ source_name(file), 0 },
+                         "simplify it", "a clip path cannot be applied");
         return false;
     }
     GEOSGeom_destroy_r(r->h, r->g);
@@ -314,8 +317,8 @@ static GEOSGeometry *put_together(GEOSContextHandle_t h, const polylines *p, con
     return pieces_join(all);
 }
 
-region *region_of_stroke(const drawing *d, size_t first, size_t last, const region_stroke *s,
-                         const char *file)
+region *region_of_stroke(host *h, const drawing *d, size_t first, size_t last,
+                         const region_stroke *s, const char *file)
 {
     static const int caps[]  = { GEOSBUF_CAP_FLAT, GEOSBUF_CAP_ROUND, GEOSBUF_CAP_SQUARE },
                      joins[] = { GEOSBUF_JOIN_MITRE, GEOSBUF_JOIN_ROUND, GEOSBUF_JOIN_BEVEL };
@@ -332,10 +335,11 @@ region *region_of_stroke(const drawing *d, size_t first, size_t last, const regi
         const bool hard = is_hard(&p, s), pieced = hard && p.count <= PIECED_MOST;
         GEOSGeometry *lines = pieced ? NULL : lines_of(r->h, &p);
         if (hard && !pieced)
-            (void)tool_error(EX_OK,
-                             "%s:%u: a stroke of more than %u chords: where it bends more tightly "
-                             "than it is wide it may have false holes: split the path",
-                             source_name(file), d->curve[first].line, PIECED_MOST);
+            host_warn(h, "region.stroke-chords",
+                      (host_place){ source_name(file), d->curve[first].line }, "split the path",
+                      "a stroke of more than %u chords: where it bends more tightly than it is "
+                      "wide it may have false holes",
+                      PIECED_MOST);
         if (pieced)
             r->g = put_together(r->h, &p, s, quarter);
         else if (lines != NULL)
@@ -344,19 +348,18 @@ region *region_of_stroke(const drawing *d, size_t first, size_t last, const regi
         GEOSGeom_destroy_r(r->h, lines);
     }
     free_chords(&p);
-    return r->g ? r : failed(r, d, first, file);
+    return r->g ? r : failed(h, r, d, first, file);
 }
 
-bool region_shrink(region *r, double by, const char *file)
+bool region_shrink(host *h, region *r, double by, const char *file)
 {
     GEOSGeometry *less = GEOSBufferWithStyle_r(r->h, r->g, -by, quarter_chords(by),
                                                GEOSBUF_CAP_ROUND, GEOSBUF_JOIN_ROUND, 5);
 
     if (less == NULL) {
-        (void)tool_error(EX_DATAERR,
-                         "%s: --fill: a shape cannot be made smaller by %g mm: give another "
-                         "distance",
-                         source_name(file), by);
+        (void)host_error(h, EX_DATAERR, "region.not-smaller", (host_place){ source_name(file), 0 },
+                         "give another distance", "--fill: a shape cannot be made smaller by %g mm",
+                         by);
         return false;
     }
     GEOSGeom_destroy_r(r->h, r->g);
@@ -372,14 +375,14 @@ static void add_ring(const region *r, const GEOSGeometry *line, bool hole, regio
 
     if (s == NULL || GEOSCoordSeq_getSize_r(h, s, &n) != 1 || n < 4)
         return;
-    double(*point)[2] = tool_grow(NULL, n * sizeof *point);
+    double(*point)[2] = memory_grow(NULL, n * sizeof *point);
     if (GEOSCoordSeq_copyToBuffer_r(h, s, point[0], 0, 0) != 1) {
         free(point);
         return;
     }
     for (unsigned k = 0; k < n; k++)
         shape_point(r->pen, point[k]);
-    out->ring = tool_grow(out->ring, (out->count + 1) * sizeof *out->ring);
+    out->ring = memory_grow(out->ring, (out->count + 1) * sizeof *out->ring);
     out->ring[out->count++] = (region_ring){ .point = point, .count = n - 1, .hole = hole };
 }
 

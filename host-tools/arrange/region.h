@@ -10,6 +10,8 @@
 
 #include "read/drawing.h"
 
+struct host;                /* base/host.h */
+
 typedef struct region region;
 
 #define REGION_TOL 0.002        /* mm */
@@ -42,21 +44,22 @@ int region_error(void);
 
 /* What is inside of curves first .. last - 1 by their rule of filling; each of their paths is
  * closed by a line. NULL, after one line, if it fails. */
-region *region_inside(const drawing *d, size_t first, size_t last, bool evenodd, const char *file);
+region *region_inside(struct host *h, const drawing *d, size_t first, size_t last, bool evenodd,
+                      const char *file);
 
 /* What a stroke covers, of which only the outlines may be taken. As above. */
-region *region_of_stroke(const drawing *d, size_t first, size_t last, const region_stroke *s,
-                         const char *file);
+region *region_of_stroke(struct host *h, const drawing *d, size_t first, size_t last,
+                         const region_stroke *s, const char *file);
 
 /* Replace it by what is inside of the shapes of an outline too, each by its own rule. Returns
  * false, after one line, if that fails; nothing may be left. */
-bool region_cut(region *r, const drawing *outline, const char *file);
+bool region_cut(struct host *h, region *r, const drawing *outline, const char *file);
 
 /* Replace it by all that is farther than `by` from its edge. Returns false, after one line, if that
  * fails; nothing may be left.
  *
  *   error   2 % of `by`, and REGION_TOL */
-bool region_shrink(region *r, double by, const char *file);
+bool region_shrink(struct host *h, region *r, double by, const char *file);
 
 /* Its outlines. Free with region_rings_free. */
 void region_outlines(const region *r, region_rings *out);

@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "base/source.h"            /* source_name */
-#include "base/tool.h"              /* tool_error */
+#include "base/host.h"
+#include "base/memory.h"
+#include "base/tool.h"
 #include "engine/curve.h"           /* curves_free */
 #include "arrange/tools.h"
 
@@ -27,12 +29,12 @@ double tools_most_lift(const machine_tools *t, double usual)
     return most;
 }
 
-static int check_heights(const machine_tools *t)
+static int check_heights(host *h, const machine_tools *t)
 {
     for (unsigned i = 0; i < t->count; i++)
         if (!(tools_lift(&t->tool[i], 1) >= 0))
-            return tool_error(EX_DATAERR,
-                              "tool %s: pen_up is %g mm, below pen_down of %g mm: lift it higher",
+            return host_error(h, EX_DATAERR, "tools.height", (host_place){ NULL, 0 },
+                              "lift it higher", "tool %s: pen_up is %g mm, below pen_down of %g mm",
                               t->tool[i].name, t->tool[i].pen_up, height_of(&t->tool[i]));
     return 0;
 }
@@ -58,12 +60,13 @@ static void take_part(const machine_tools *t, unsigned number, const drawing *d,
     }
 }
 
-int tools_apply(const machine_tools *t, drawing *d, const char *file)
+int tools_apply(host *h, const machine_tools *t, drawing *d, const char *file)
 {
     drawing sorted = { .width = d->width, .height = d->height };
     unsigned rest  = 0;
     size_t none    = 0;
-    const int code = check_heights(t);
+    const unsigned warned = h->warnings;
+    const int code = check_heights(h, t);
 
     if (t->count == 0 || d->program || d->count == 0 || code != 0)
         return code;
@@ -74,16 +77,15 @@ int tools_apply(const machine_tools *t, drawing *d, const char *file)
         none += d->curve[i].tool == 0;
     }
     if (none > 0)
-        (void)tool_error(EX_OK,
-                         "%s: %zu curve%s belong%s to no tool, and %s drawn first: give a tool "
-                         "without colours and layers",
-                         source_name(file), none, tool_s(none), none == 1 ? "s" : "",
-                         none == 1 ? "is" : "are");
+        host_warn(h, "tools.none-for", (host_place){ source_name(file), 0 },
+                  "give a tool without colours and layers",
+                  "%zu curve%s belong%s to no tool, and %s drawn first", none, tool_s(none),
+                  none == 1 ? "s" : "", none == 1 ? "is" : "are");
     for (unsigned i = 0; i <= t->count; i++)
         take_part(t, i, d, &sorted);
     drawing_free(d);
     *d = sorted;
-    return 0;
+    return host_code(h, warned, 0);
 }
 
 /* The end of the part that begins at `first`. */
@@ -119,9 +121,9 @@ static int compare_layers(const void *a, const void *b)
 }
 
 /* Bring together what each layer has: copies of a drawing and layers in layers part it. */
-static void sort_layers(drawing *d, const char *file)
+static void sort_layers(host *h, drawing *d, const char *file)
 {
-    const drawing_curve **all = tool_grow(NULL, d->count * sizeof(drawing_curve *));
+    const drawing_curve **all = memory_grow(NULL, d->count * sizeof(drawing_curve *));
     drawing sorted            = { .width = d->width, .height = d->height };
     bool any                  = false;
 
@@ -130,8 +132,8 @@ static void sort_layers(drawing *d, const char *file)
         any    = any || all[i]->layer > 0;
     }
     if (!any)
-        (void)tool_error(EX_OK, "%s: it has no layers of Inkscape: --order best orders all of it",
-                         source_name(file));
+        host_warn(h, "order.no-layers", (host_place){ source_name(file), 0 },
+                  "--order best orders all of it", "it has no layers of Inkscape");
     qsort(all, d->count, sizeof *all, compare_layers);
     for (size_t i = 0; i < d->count; i++)
         drawing_add_like(&sorted, all[i],
@@ -148,26 +150,28 @@ static void append(drawing *to, const drawing *from)
                          i == 0 || from->curve[i].path != from->curve[i - 1].path);
 }
 
-int tools_order(const order_options *o, drawing *d, const double from[2], bool returns,
+int tools_order(host *h, const order_options *o, drawing *d, const double from[2], bool returns,
                 const char *file)
 {
     const bool layers = o->how != NULL && strcmp(o->how, "layer") == 0;
     size_t (*end)(const drawing *, size_t) = layers ? layer_end : part_end;
     drawing ordered = { .width = d->width, .height = d->height };
     double at[2]    = { from[0], from[1] };
+    const unsigned warned = h->warnings;
     int code        = 0;
 
     if (layers && !d->program && d->count > 0)
-        sort_layers(d, file);
-    if (d->program || end(d, 0) == d->count)
-        return order_apply(o, d, from, returns, file);
+        sort_layers(h, d, file);
+    code = host_code(h, warned, code);
+    if (code == 0 && (d->program || end(d, 0) == d->count))
+        return order_apply(h, o, d, from, returns, file);
     for (size_t first = 0, last; first < d->count && code == 0; first = last) {
         drawing part = { .count = 0 };
         last         = end(d, first);
         for (size_t i = first; i < last; i++)
             drawing_add_like(&part, &d->curve[i],
                              i > first && d->curve[i].path != d->curve[i - 1].path);
-        code = order_apply(o, &part, at, returns && last == d->count, file);
+        code = order_apply(h, o, &part, at, returns && last == d->count, file);
         if (part.count > 0)
             memcpy(at, part.curve[part.count - 1].p[3], sizeof at);
         append(&ordered, &part);

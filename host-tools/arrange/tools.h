@@ -11,14 +11,16 @@
 #include "read/drawing.h"
 #include "read/machine_tools.h"
 
+struct host;                /* base/host.h */
+
 /* Sort a drawing by tools, and set its feeds and heights. What belongs to no tool is drawn first,
  * and a line tells so. Programs stay as they are. Returns 0, or an exit code after printing one
  * line. */
-int tools_apply(const machine_tools *t, drawing *d, const char *file);
+int tools_apply(struct host *h, const machine_tools *t, drawing *d, const char *file);
 
 /* Put the part of each tool in order (order.h), or of each layer of each tool. Results as above. */
-int tools_order(const order_options *o, drawing *d, const double from[2], bool returns,
-                const char *file);
+int tools_order(struct host *h, const order_options *o, drawing *d, const double from[2],
+                bool returns, const char *file);
 
 /* What one tool draws: parts of the drawings that it was made from, which own the curves. */
 typedef struct {

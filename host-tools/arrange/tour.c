@@ -16,8 +16,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/progress.h"
-#include "base/tool.h"      /* tool_grow */
+#include "base/memory.h"
+#include "base/host.h"
 #include "arrange/tour.h"
 
 #define NEAR     10         /* candidates of an end */
@@ -90,7 +90,7 @@ static void log_change(tour *r, change c)
         return;
     if (r->changes == r->room) {
         r->room = r->room ? 2 * r->room : 1024;
-        r->done = tool_grow(r->done, r->room * sizeof *r->done);
+        r->done = memory_grow(r->done, r->room * sizeof *r->done);
     }
     r->done[r->changes++] = c;
 }
@@ -220,9 +220,9 @@ static void grid_make(grid *g, const uint32_t ids[], uint32_t count)
     g->count = count;
     grid_shape(g, ids);
     const size_t cells = (size_t)g->cells[0] * g->cells[1];
-    g->first = tool_grow(NULL, (cells + 1) * sizeof *g->first);
-    g->left  = tool_grow(NULL, cells * sizeof *g->left);
-    g->point = tool_grow(NULL, count * sizeof *g->point);
+    g->first = memory_grow(NULL, (cells + 1) * sizeof *g->first);
+    g->left  = memory_grow(NULL, cells * sizeof *g->left);
+    g->point = memory_grow(NULL, count * sizeof *g->point);
     memset(g->first, 0, (cells + 1) * sizeof *g->first);
     memset(g->left, 0, cells * sizeof *g->left);
     for (uint32_t k = 0; k < count; k++)
@@ -319,10 +319,10 @@ static void points_make(points *p, const tour_problem *t)
     for (size_t s = 0; s < t->count; s++)
         count += t->stroke[s].count;
     *p = (points){ .count = (uint32_t)count };
-    p->at     = tool_grow(NULL, count * sizeof *p->at);
-    p->stroke = tool_grow(NULL, count * sizeof *p->stroke);
-    p->id     = tool_grow(NULL, count * sizeof *p->id);
-    p->first  = tool_grow(NULL, t->count * sizeof *p->first);
+    p->at     = memory_grow(NULL, count * sizeof *p->at);
+    p->stroke = memory_grow(NULL, count * sizeof *p->stroke);
+    p->id     = memory_grow(NULL, count * sizeof *p->id);
+    p->first  = memory_grow(NULL, t->count * sizeof *p->first);
     for (uint32_t s = 0, k = 0; s < t->count; s++) {
         p->first[s] = k;
         for (size_t j = 0; j < t->stroke[s].count; j++, k++) {
@@ -584,22 +584,26 @@ static void exchange(tour *r)
         take_back(r);
 }
 
-static void improve_all(tour *r)
+/* Returns false if the host has stopped it. */
+static bool improve_all(tour *r)
 {
-    progress bar;
+    host *h   = r->t->host;
+    bool goes = true;
 
-    progress_start(&bar, r->most);
     for (uint32_t k = 0; k < r->strokes; k++)
         enqueue(r, r->list[k] >> 1);
     improve(r);
-    for (uint64_t k = 0; r->strokes >= 4 && r->work < r->most && r->queued == 0 &&
+    for (uint64_t k = 0; r->strokes >= 4 && r->work < r->most && r->queued == 0 && goes &&
                          k < (uint64_t)ROUNDS * r->strokes;
          k++) {
-        if (k % 1024 == 0)
-            progress_show(&bar, r->work, "ordering");
+        if (k % 1024 == 0) {
+            const host_progress p = { "ordering", r->work, r->most, false };
+            goes = host_goes_on(h, &p);
+        }
         exchange(r);
     }
-    progress_clear(&bar);
+    host_has_done(h);
+    return goes;
 }
 
 
@@ -630,13 +634,13 @@ static void tour_open(tour *r, const tour_problem *t)
     const uint32_t n = (uint32_t)t->count + 1;
 
     *r = (tour){ .t = t, .strokes = n, .most = t->effort * UNITS, .seed = 88172645463325252u };
-    r->at    = tool_grow(NULL, 2 * n * sizeof *r->at);
-    r->point = tool_grow(NULL, n * sizeof *r->point);
-    r->list  = tool_grow(NULL, n * sizeof *r->list);
-    r->place = tool_grow(NULL, n * sizeof *r->place);
-    r->near  = tool_grow(NULL, 2 * n * sizeof *r->near);
-    r->queue = tool_grow(NULL, n * sizeof *r->queue);
-    r->waits = tool_grow(NULL, n * sizeof *r->waits);
+    r->at    = memory_grow(NULL, 2 * n * sizeof *r->at);
+    r->point = memory_grow(NULL, n * sizeof *r->point);
+    r->list  = memory_grow(NULL, n * sizeof *r->list);
+    r->place = memory_grow(NULL, n * sizeof *r->place);
+    r->near  = memory_grow(NULL, 2 * n * sizeof *r->near);
+    r->queue = memory_grow(NULL, n * sizeof *r->queue);
+    r->waits = memory_grow(NULL, n * sizeof *r->waits);
     for (uint32_t s = 0; s < n; s++) {
         r->waits[s] = false;
         r->place[s] = NONE;
@@ -690,14 +694,14 @@ double tour_find(const tour_problem *t, tour_visit out[])
     tour_open(&r, t);
     find_neighbours(&r, &p, &g);
     nearest_first(&r, &p, &g);
-    improve_all(&r);
+    const bool whole = improve_all(&r);
     give_visits(&r, out);
     grid_free(&g);
     points_free(&p);
     tour_close(&r);
     const double found = tour_length(t, out);
-    if (found <= given)
-        return found;
+    if (found <= given || !whole)
+        return whole ? found : -1;
     for (size_t k = 0; k < t->count; k++)
         out[k] = (tour_visit){ k, 0 };
     return given;

@@ -12,12 +12,15 @@
 #include <stddef.h>
 #include <stdint.h>
 
+struct host;                /* base/host.h */
+
 typedef struct {
     size_t first, count;        /* its points; an open stroke has two */
     bool closed;
 } tour_stroke;
 
 typedef struct {
+    struct host *host;          /* is told how far it is: base/host.h */
     const double (*point)[2];   /* mm */
     const tour_stroke *stroke;
     size_t count;
@@ -32,7 +35,8 @@ typedef struct {
 } tour_visit;
 
 /* Fill out[count]. Returns the length of the way, without the strokes; it is at most that of the
- * given order, entered at points 0.
+ * given order, entered at points 0. The host can stop it: then the way is longer than it need
+ * be, and the result below 0.
  *
  *   error   not the shortest way: tests/tools/test_tour.c has a lower bound
  *   see     Bentley, Fast algorithms for geometric traveling salesman problems, ORSA J. Comput. 4

@@ -1,41 +1,43 @@
 /* host-tools/arrange/without_region.c -- refuses areas in a program without GEOS
  * SPDX-License-Identifier: MIT
  */
-#include "base/tool.h"
+#include "base/host.h"
 #include "arrange/region.h"
 
-static region *refused(void)
+static region *refused(host *h)
 {
-    (void)tool_error(EX_UNAVAILABLE,
+    (void)host_error(h, EX_UNAVAILABLE, "region.no-geos", (host_place){ NULL, 0 },
+                     "build it with libgeos-dev, or give --fill hatch",
                      "--fill contour, --stroke outline and fills of clipped shapes: this loft was "
-                     "built without geos: build it with libgeos-dev, or give --fill hatch");
+                     "built without geos");
     return NULL;
 }
 
 int region_error(void) { return EX_UNAVAILABLE; }
 
-region *region_inside(const drawing *d, size_t first, size_t last, bool evenodd, const char *file)
+region *region_inside(host *h, const drawing *d, size_t first, size_t last, bool evenodd,
+                      const char *file)
 {
     (void)d, (void)first, (void)last, (void)evenodd, (void)file;
-    return refused();
+    return refused(h);
 }
 
-region *region_of_stroke(const drawing *d, size_t first, size_t last, const region_stroke *s,
-                         const char *file)
+region *region_of_stroke(host *h, const drawing *d, size_t first, size_t last,
+                         const region_stroke *s, const char *file)
 {
     (void)d, (void)first, (void)last, (void)s, (void)file;
-    return refused();
+    return refused(h);
 }
 
-bool region_cut(region *r, const drawing *outline, const char *file)
+bool region_cut(host *h, region *r, const drawing *outline, const char *file)
 {
-    (void)r, (void)outline, (void)file;
+    (void)h, (void)r, (void)outline, (void)file;
     return false;
 }
 
-bool region_shrink(region *r, double by, const char *file)
+bool region_shrink(host *h, region *r, double by, const char *file)
 {
-    (void)r, (void)by, (void)file;
+    (void)h, (void)r, (void)by, (void)file;
     return false;
 }
 

@@ -59,6 +59,16 @@ void host_warn(host *h, const char *name, host_place at, const char *remedy, con
     va_end(values);
 }
 
+const char *host_words(char out[HOST_WORDS], const char *format, ...)
+{
+    va_list values;
+
+    va_start(values, format);
+    (void)vsnprintf(out, HOST_WORDS, format, values);
+    va_end(values);
+    return out;
+}
+
 int host_code(const host *h, unsigned warnings, int code)
 {
     return code == 0 && h->strict && h->warnings > warnings ? EX_DATAERR : code;

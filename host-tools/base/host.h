@@ -66,6 +66,12 @@ int host_error(host *h, int code, const char *name, host_place at, const char *r
 void host_warn(host *h, const char *name, host_place at, const char *remedy, const char *what, ...)
     __attribute__((format(printf, 5, 6)));
 
+/* A remedy with values, HOST_REMEDY("give %g or more", least). It is valid until the block ends. */
+#define HOST_REMEDY(...) host_words((char[HOST_WORDS]){ 0 }, __VA_ARGS__)
+#define HOST_WORDS 256
+const char *host_words(char out[HOST_WORDS], const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
 /* The code of a call that began with so many warnings: `code`, or what strict makes of 0. */
 int host_code(const host *h, unsigned warnings, int code);
 

@@ -6,11 +6,12 @@
 
 #include "base/text_lines.h"
 #include "base/scan.h"       /* scan_numbers, scan_word */
-#include "base/tool.h"       /* tool_error, sysexits */
+#include "base/host.h"
 
-int lines_wrong(const lines *r, const char *what, const char *remedy)
+int lines_wrong(const lines *r, const char *name, const char *what, const char *remedy)
 {
-    return tool_error(EX_DATAERR, "%s:%u: %s: %s", r->file, r->line, what, remedy);
+    return host_error(r->host, EX_DATAERR, name, (host_place){ r->file, r->line }, remedy, "%s",
+                      what);
 }
 
 bool lines_over(const lines *r) { return *r->rest == '\0' || *r->rest == '\n' || *r->rest == '#'; }

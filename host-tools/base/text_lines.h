@@ -27,8 +27,8 @@ const char *lines_start(const char *text);
  * that, or 0. */
 int lines_read(lines *r, const char *text, int (*each)(void *context), void *context);
 
-/* Print `file:line: what: remedy`. Returns EX_DATAERR. */
-int lines_wrong(const lines *r, const char *what, const char *remedy);
+/* Tell what is wrong in this line, under this name. Returns EX_DATAERR. */
+int lines_wrong(const lines *r, const char *name, const char *what, const char *remedy);
 
 /* True if the rest of the line is empty. */
 bool lines_over(const lines *r);

@@ -128,7 +128,7 @@ static double distance_along(const double d[ENGINE_AXES], const double p[ENGINE_
 static int find_heights(contouring *c, const surfaces *all, unsigned levels, double extent[2])
 {
     mesh m   = { 0 };
-    int code = mesh_make(&m, all, c->file, c->p.e, ROUGH, ROUGH);
+    int code = mesh_make(tool_host(), &m, all, c->file, c->p.e, ROUGH, ROUGH);
 
     extent[0] = INFINITY;
     extent[1] = -INFINITY;

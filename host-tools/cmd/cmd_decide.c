@@ -7,7 +7,7 @@
 static int run_decide(void *options)
 {
     static const decide_question *const table[3] = { decide_q16, decide_f32, decide_f64 };
-    return decide_run("decide", table, DECIDE_QUESTIONS, options);
+    return decide_run(tool_host(), "decide", table, DECIDE_QUESTIONS, options);
 }
 
 const command command_decide = {

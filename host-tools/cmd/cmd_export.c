@@ -197,9 +197,11 @@ static enum form form_of(const export_wishes *w)
 static int write_form(const export_wishes *w, enum form form, const drawing *d,
                       const drawing *smooth, FILE *out)
 {
-    const export_options o = {
-        .d = d, .name = source_name(w->file), .tol = w->p.tol, .layers = &w->layers
-    };
+    const export_options o = { .host = tool_host(),
+                               .d = d,
+                               .name = source_name(w->file),
+                               .tol = w->p.tol,
+                               .layers = &w->layers };
 
     switch (form) {
     case FORM_GCODE: return write_gcode(w, smooth, out);
@@ -262,7 +264,7 @@ static export_wishes wishes_of(const export_command *o)
 {
     export_wishes w = { .output = o->output, .as = o->as, .file = o->file, .curves = o->curves };
 
-    (void)planning_usual(&w.p, NULL);
+    (void)planning_usual(tool_host(), &w.p, NULL);
     w.p.e       = &engine_f64;
     w.p.tol     = o->tol;
     w.p.smooth  = o->smooth;
@@ -284,7 +286,7 @@ static int run_export(void *options)
     if (form == FORMS)
         return tool_error(EX_USAGE, "%s %s: give h, nc, svg, csv, loft or hpgl as its end",
                           w.as ? "--as" : "-o", w.as ? w.as : w.output);
-    int code = planning_read(&w.p, &d, &smooth, w.file);
+    int code = planning_read(tool_host(), &w.p, &d, &smooth, w.file);
     if (code == 0)
         code = write_file(&w, form, &d, &smooth);
     drawing_names_free(&w.layers);

@@ -75,7 +75,8 @@ static int run_flatten(void *options)
         flattening f = { .p = { o->e, all.solid }, .tol = o->tol };
         char words[40];
         snprintf(words, sizeof words, ", --tol %g", o->tol);
-        code = print_chain(&f.p, &all, source_given_name(&o->from), words, flatten, &f);
+        code = print_chain(tool_host(), &f.p, &all, source_given_name(&o->from), words, flatten,
+                           &f);
     }
     curves_free(&all);
     return code;

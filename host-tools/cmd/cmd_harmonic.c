@@ -27,9 +27,9 @@ static int vertex(void *context)
     double xy[2];
 
     if (lines_numbers_alone(&r->at, xy, 2) != 2)
-        return lines_wrong(&r->at, "not a vertex", "give two numbers, x and y");
+        return lines_wrong(&r->at, "harmonic.vertex", "not a vertex", "give two numbers, x and y");
     if (r->n == HARMONIC_SIDES)
-        return lines_wrong(&r->at, "a ninth vertex", "give 3 to 8");
+        return lines_wrong(&r->at, "harmonic.too-many", "a ninth vertex", "give 3 to 8");
     memcpy(r->v[r->n++], xy, sizeof xy);
     return 0;
 }

@@ -7,7 +7,7 @@
 static int run_make(void *options)
 {
     static const decide_question *const table[3] = { make_q16, make_f32, make_f64 };
-    return decide_run("make", table, MAKE_VERBS, options);
+    return decide_run(tool_host(), "make", table, MAKE_VERBS, options);
 }
 
 const command command_make = {

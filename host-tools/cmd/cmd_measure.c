@@ -120,7 +120,7 @@ static int size_of_curve(const measuring *m, size_t first, size_t last, double *
         if (status == 0)
             status = m->p.e->piece->cubics(&x->p, cubics_share(m, x), add_length, &s);
         if (status != 0 || s.status != 0)
-            return element_error(x, engine_status(status ? status : s.status, NO_TOL));
+            return element_error(tool_host(), x, engine_status(status ? status : s.status, NO_TOL));
         widen_box(box, (const double (*)[ENGINE_AXES])shape.box, i == first);
     }
     *length = s.sum;
@@ -168,7 +168,7 @@ static int nearest_point(const measuring *m, size_t first, size_t last, engine_n
         engine_near n;
         const int status = m->p.e->measure->nearest(&x[i].p, m->at, m->tol / 2, &n);
         if (status != 0)
-            code = element_error(&x[i], engine_status(status, NO_TOL));
+            code = element_error(tool_host(), &x[i], engine_status(status, NO_TOL));
         else if (known)
             element_settle(&x[i], &r, range, m->at, &n);
         if (code == EX_OK && n.distance < near->distance)
@@ -239,7 +239,7 @@ static int print_pair(const measuring *m, size_t first, size_t last, size_t othe
     found->range[1] = x[end - 1].to - x[other].from;
     for (size_t i = first; i < last; i++)
         for (size_t j = other; j < end; j++) {
-            const int code = stretches_meet(found, m->p.e, &x[i], &x[j], m->tol);
+            const int code = stretches_meet(tool_host(), found, m->p.e, &x[i], &x[j], m->tol);
             if (code != EX_OK)
                 return code;
         }
@@ -310,7 +310,7 @@ static int print_joins(const measuring *m)
         engine_joint j;
         const int status = join_elements(m, a, b, &j);
         if (status != 0)
-            return element_error(b, engine_status(status, NO_TOL));
+            return element_error(tool_host(), b, engine_status(status, NO_TOL));
         print_name(a);
         putchar('\t');
         print_name(b);
@@ -376,7 +376,7 @@ static int print_offset(const measuring *m)
         if (o.status == 0)
             o.status = status;
         if (o.status != 0 && o.status != LOFT_SINGULAR)     /* a point has no offset */
-            return element_error(x, engine_status(o.status, NO_TOL));
+            return element_error(tool_host(), x, engine_status(o.status, NO_TOL));
     }
     return EX_OK;
 }
@@ -398,7 +398,7 @@ static int read_files(measuring *m, curves all[], const char *const *file, size_
     for (size_t i = 0; i < count && code == 0; i++) {
         code = curves_read(tool_host(), &all[i], file[i], points);
         if (code == 0)
-            code = elements_add(&m->list, m->p.e, &all[i],
+            code = elements_add(tool_host(), &m->list, m->p.e, &all[i],
                                 points ? "--points" : source_name(file[i]), m->tol);
     }
     m->p.solid = m->list.solid;

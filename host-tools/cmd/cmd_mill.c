@@ -188,7 +188,7 @@ static int mill_surfaces(const engine *e, tool_wish *w, const char *file)
                 EX_DATAERR, "%s:%u: %s: has no u and v: give --trim, and --along x or y",
                 source_name(file), all.surface[k].line, surface_name(all.surface[k].kind));
     if (code == 0 && w->block.given)
-        code = stock_place(&w->block, &all, &w->o.trim, source_name(file));
+        code = stock_place(tool_host(), &w->block, &all, &w->o.trim, source_name(file));
     if (code == 0) {
         w->o.stocked  = w->block.given;
         w->o.stock[0] = w->block.low[2];
@@ -199,8 +199,9 @@ static int mill_surfaces(const engine *e, tool_wish *w, const char *file)
         const int status = run(&all, &w->o, &path, &r);
         progress_clear(&bar);
         code = status != 0       ? refuse(source_name(file), &all, &r, status)
-               : w->block.given ? stock_holds(&w->block, &path.cut[0], source_name(file))
-                                : 0;
+               : w->block.given
+                   ? stock_holds(tool_host(), &w->block, &path.cut[0], source_name(file))
+                   : 0;
         if (code == 0)
             code = print_path(e, w, &path.cut[0], &r);
     }
@@ -218,9 +219,9 @@ static int plot_left(tool_wish *w, const char *file, const char *record_file, co
     int code = surfaces_read_only(tool_host(), &all, file);
 
     if (code == 0 && w->block.given)
-        code = stock_place(&w->block, &all, &w->o.trim, source_name(file));
+        code = stock_place(tool_host(), &w->block, &all, &w->o.trim, source_name(file));
     if (code == 0)
-        code = record_read(&r, record_file, 0);
+        code = record_read(tool_host(), &r, record_file, 0);
     if (code == 0) {
         left_make(&l, &r, w->o.radius, w->o.corner);
         l.block = w->block.given ? &w->block : NULL;
@@ -236,7 +237,7 @@ static int plot_left(tool_wish *w, const char *file, const char *record_file, co
                                     .around_words = "rest of the block",
                                     .azimuth = -55,
                                     .elevation = w->block.given ? 55 : 40 };
-        code = surface_plot(&o);
+        code = surface_plot(tool_host(), &o);
         if (code == 0 &&
             say(stdout, "%s: %zu places of the tool, %.4f mm left at worst, %.4f mm cut\n", output,
                 l.count, l.most[1], l.most[0]) < 0)

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cmd/commands.h"
+#include "base/progress.h"       /* progress_clear_any */
 #include "base/create.h"      /* create_refused */
 #include "base/say.h"
 #include "base/source.h"         /* source_name */
@@ -61,6 +62,7 @@ static void take_part(void *context, size_t n, const trace_part *p)
     const bool draws = r->path->curve[n] != TOOLPATH_TRAVEL;
     char name[24] = "travel", line[16] = "";
 
+    progress_clear_any();
     if (n == 0)
         printf("%-8s %6s %11s %10s %9s  %s\n", "curve", "line", "mm", "s", "top mm/s",
                "limited by, of the time");
@@ -205,7 +207,7 @@ static int certify_drawing(const plan_options *o, const toolpath *drawn, const t
     certify c;
 
     certify_make(&c, &plan);
-    return certify_print(&c, &plan, kinematics_axes(plan.k))
+    return certify_print(stdout, &c, &plan, kinematics_axes(plan.k))
                ? 0
                : tool_error(EX_SOFTWARE, "%s: the plan is not within its bounds: see MISSED",
                             o->file);
@@ -224,10 +226,12 @@ static int trace_drawing(const plan_options *o, const engine_limits *limits, rep
     const trace_sink sink = { .context = r,
                               .span    = r->rows != NULL ? take_span : NULL,
                               .part    = r->table ? take_part : NULL };
-    const int status = trace_make(t, o->p.e, limits, r->path, of, &sink, keep);
+    const int status = trace_make(tool_host(), t, o->p.e, limits, r->path, of, &sink, keep);
     if (status == 0 && r->rows != NULL && !o->spans && t->count > 0)
         put_end(r);
     code = close_rows(r);
+    if (status == TRACE_STOPPED)
+        return EX_TEMPFAIL;
     return status != 0 ? tool_error(EX_DATAERR, "%s: cannot be planned: %s", o->file,
                                     engine_status(status, ENGINE_NO_MOTION))
                        : code;
@@ -254,7 +258,7 @@ static int report_plan(const plan_options *o, const report *r, const toolpath *d
     int code = 0;
 
     if (o->picture != NULL)
-        code = plan_plot(&picture);
+        code = plan_plot(tool_host(), &picture);
     if (code == 0 && o->certify)
         code = certify_drawing(o, drawn, r->path, r->t);
     if (code == 0 && r->table)
@@ -281,7 +285,7 @@ static int plan_drawing(const plan_options *o, const drawing *d, const drawing *
     toolpath_make(&path, d, &how);
     if (o->certify)
         toolpath_make(&asked, drawn, &how);
-    int code = planning_joints(&o->p, o->file, d, start, false, &limits, &path, &of);
+    int code = planning_joints(tool_host(), &o->p, o->file, d, start, false, &limits, &path, &of);
     if (code == 0)
         code = trace_drawing(o, &limits, &r, &t, &of);
     if (code == 0)
@@ -344,7 +348,7 @@ static int run_plan(void *options)
 {
     plan_options *o = options;
     drawing d = { .count = 0 }, smooth = { .count = 0 };
-    int code = planning_start(&o->p);
+    int code = planning_start(tool_host(), &o->p);
 
     if (code == 0)
         code = check_plan(o);
@@ -352,7 +356,7 @@ static int run_plan(void *options)
         return code;
     o->p.passes = !o->certify;
     o->p.levels = true;
-    code = planning_read(&o->p, &d, &smooth, o->file);
+    code = planning_read(tool_host(), &o->p, &d, &smooth, o->file);
     if (code == 0)
         code = plan_drawing(o, &smooth, &d);
     drawing_free(&smooth);

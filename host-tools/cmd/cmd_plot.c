@@ -47,14 +47,14 @@ static int plot_files(plot_options *o, const page_options *sheet, const char *re
     int code = drawing_read(tool_host(), &d, o->name);
 
     if (code == 0)
-        code = page_apply(sheet, &d, o->name);
+        code = page_apply(tool_host(), sheet, &d, o->name);
     o->d = &d;
     if (code == 0 && record_file != NULL) {
-        code = record_read(&r, record_file, 0);
+        code = record_read(tool_host(), &r, record_file, 0);
         o->r = &r;
     }
     if (code == 0)
-        code = plot_draw(o, &found);
+        code = plot_draw(tool_host(), o, &found);
     if (code == 0)
         code = print_result(o, &found);
     record_free(&r);
@@ -115,7 +115,7 @@ static int plot_surfaces(const plot_options *p, const surface_wishes *w, const s
 
     int code = take_view(&w->view, &o);
     if (code == 0)
-        code = surface_plot(&o);
+        code = surface_plot(tool_host(), &o);
     return code                                                                           ? code
            : say(stdout, "%s: %zu surface%s\n", p->output, all->count, tool_s(all->count)) < 0
                ? EX_IOERR

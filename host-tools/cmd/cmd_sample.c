@@ -100,7 +100,8 @@ static int sample_curves(const sample_options *o)
         sampling s = { { o->e, all.solid }, o->n };
         char words[40];
         snprintf(words, sizeof words, " in %u steps", o->n);
-        code = print_chain(&s.p, &all, source_given_name(&o->from), words, walk_curve, &s);
+        code = print_chain(tool_host(), &s.p, &all, source_given_name(&o->from), words, walk_curve,
+                           &s);
     }
     curves_free(&all);
     return code;

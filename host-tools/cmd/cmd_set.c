@@ -75,12 +75,12 @@ static int change_settings(settings *s, const set_options *o)
     int code                  = 0;
 
     if (o->file != NULL)
-        code = machine_read(&s->m, o->file);
+        code = machine_read(tool_host(), &s->m, o->file);
     if (code == 0)
         code = check_kept(&before, &s->m, false);
     const machine_file read = s->m;
     if (code == 0)
-        code = machine_text(&s->m, "set", text);
+        code = machine_text(tool_host(), &s->m, "set", text);
     if (code == 0)
         code = check_kept(&read, &s->m, true);
     free(text);

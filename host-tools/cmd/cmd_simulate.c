@@ -211,7 +211,7 @@ static int run_simulate(void *options)
     struct loft_host_options o = loft_host_defaults();
     machine_file m             = machine_usual();
     char text[KINEMATICS_TEXT];
-    int code = w->machine ? machine_read(&m, w->machine) : 0;
+    int code = w->machine ? machine_read(tool_host(), &m, w->machine) : 0;
 
     if (code != 0)
         return code;

@@ -41,11 +41,12 @@ static int plan_work(const stream_options *o, const stream_parts *all, size_t k,
         return tool_error(EX_DATAERR,
                           "%s: nothing to draw in it: give a drawing with visible outlines", file);
     keys_hasty(true);
-    int code = planning_joints(&o->p, file, d, start, o->chip, &as->limits, &w->path, &w->of);
+    int code = planning_joints(tool_host(), &o->p, file, d, start, o->chip, &as->limits, &w->path,
+                               &w->of);
     if (code == 0)
         status = job_open(&w->j, &w->of, as);
     keys_hasty(false);
-    return status == 0 ? code : job_refuse(&w->j, file, status, "");
+    return status == 0 ? code : job_refuse(tool_host(), &w->j, file, status, "");
 }
 
 static void print_plan(const job *j, const toolpath *path, double tol)
@@ -100,9 +101,9 @@ static void take_worst(const job *j, double tol)
 static int finish_job(const char *file, job *j)
 {
     keys_hasty(true);
-    const int status = job_finish(j);
+    const int status = job_finish(tool_host(), j);
     keys_hasty(false);
-    return status == LOFT_OK ? 0 : job_refuse(j, file, status, "");
+    return status == LOFT_OK ? 0 : job_refuse(tool_host(), j, file, status, "");
 }
 
 static void print_page(const drawing *d)
@@ -159,7 +160,8 @@ static int dry_run(const stream_options *o, const drawing *d, const stream_parts
     int code = options_of(o, &as);
     as.does                 = does_of(o, NULL);
     const missing_job asked = asked_by(o, all);
-    missing_tell(&asked, &as.does);
+    if (code == 0)
+        code = missing_tell(tool_host(), &asked, &as.does);
     for (size_t k = all->first; k < all->count && code == 0; k++) {
         job_work w = { .path = { 0 } };
         code   = plan_work(o, all, k, start, &as, &w);
@@ -170,7 +172,8 @@ static int dry_run(const stream_options *o, const drawing *d, const stream_parts
                 print_page(d);
             print_part(o, all, k, &w, &sum, &seconds);
             if (o->check)
-                check_print(&o->p.machine, all->file, &all->part[k].smooth, &w.path, o->p.feed);
+                check_print(stdout, &o->p.machine, all->file, &all->part[k].smooth, &w.path,
+                            o->p.feed);
             end_of(&w.j, start);
         }
         job_work_free(&w);
@@ -282,9 +285,9 @@ static int stream_drawing(const stream_options *o, const stream_parts *all, talk
     const missing_job asked    = asked_by(o, all);
 
     if (code == 0 && o->p.machine.laser > 0)
-        code = missing_laser(&asked, &does);
+        code = missing_laser(tool_host(), &asked, &does);
     if (code == 0)
-        missing_tell(&asked, &does);
+        code = missing_tell(tool_host(), &asked, &does);
     if (code == 0)
         code = find_old(o, all, &t->sender, &w, &old);
     for (size_t k = old < all->count ? old : all->first; k < all->count && code == 0; k++) {
@@ -320,7 +323,7 @@ static int read_file(stream_options *o, const char *file, drawing *d, drawing *s
     keys_hasty(true);
     o->p.passes = o->record == NULL;
     o->p.levels = !o->grbl && !o->points && !o->chip;
-    int code = planning_read(&o->p, d, smooth, file);
+    int code = planning_read(tool_host(), &o->p, d, smooth, file);
     keys_hasty(false);
     if (code == 0 && o->chip && o->p.exact >= 0)
         code = tool_error(
@@ -433,7 +436,7 @@ static int run_stream(void *options)
 {
     stream_options *o   = options;
     const bool controls = o->hold || o->resume || o->abort;
-    int code            = planning_start(&o->p);
+    int code            = planning_start(tool_host(), &o->p);
 
     if (code != 0)
         return code;

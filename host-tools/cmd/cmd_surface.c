@@ -37,12 +37,12 @@ static int refine(const surfaces *all, const char *file, const engine *e, double
 {
     refined r = { 0 };
     size_t triangles;
-    int code = refine_surfaces(&r, all, file, e, tol);
+    int code = refine_surfaces(tool_host(), &r, all, file, e, tol);
 
     if (code == 0)
-        code = refined_mesh(&r, all, file, m);
+        code = refined_mesh(tool_host(), &r, all, file, m);
     if (code == 0)
-        code = mesh_write(m, output, &triangles);
+        code = mesh_write(tool_host(), m, output, &triangles);
     if (code == 0) {
         (void)say(stdout, "%s: %zu surface%s, %zu triangles\n", output, all->count,
                   tool_s(all->count), triangles);
@@ -82,9 +82,9 @@ static int make_grids(const mesh_options *o, const surfaces *all, mesh *m)
     if (all->count * n * n > 40000000)
         return tool_error(EX_USAGE, "--n %u: %zu triangles are too many: give less", n,
                           2 * all->count * n * n);
-    int code = mesh_make(m, all, source_name(o->file), o->e, n, n);
+    int code = mesh_make(tool_host(), m, all, source_name(o->file), o->e, n, n);
     if (code == 0)
-        code = mesh_write(m, o->output, &triangles);
+        code = mesh_write(tool_host(), m, o->output, &triangles);
     if (code == 0 && say(stdout, "%s: %zu surface%s, %zu triangles\n", o->output, all->count,
                          tool_s(all->count), triangles) < 0)
         code = EX_IOERR;

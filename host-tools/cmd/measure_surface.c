@@ -24,8 +24,8 @@ int measure_surfaces(const char *file, const engine *e, const option_list *at, d
     else if (*done && at->count == 2)
         code = tool_error(EX_USAGE, "--nearest: give x,y,z: %s holds surfaces", source_name(file));
     else if (*done)
-        code = decide_surfaces(at->count ? "nearest" : "area", e, at->count ? at : &within, &all,
-                               file);
+        code = decide_surfaces(tool_host(), at->count ? "nearest" : "area", e,
+                               at->count ? at : &within, &all, file);
     surfaces_free(&all);
     return code;
 }

@@ -55,13 +55,14 @@ static int plan_work(const mill_chip *c, const surface *s, const char *file,
 
     free_milling(m);
     planning_limit(&c->p, &as.limits);
-    int code = patch_make(&m->patch, s, &c->o, start, file);
+    int code = patch_make(tool_host(), &m->patch, s, &c->o, start, file);
     if (code != 0)
         return code;
     as.parts = patch_items(&m->patch, m->item);
     patch_path(&m->patch, &c->o, s->line, &m->w.path, &m->d);
     keys_hasty(true);
-    code = planning_joints(&c->p, file, &m->d, start, true, &as.limits, &m->w.path, &m->w.of);
+    code = planning_joints(tool_host(), &c->p, file, &m->d, start, true, &as.limits, &m->w.path,
+                           &m->w.of);
     const int status = code == 0 ? job_open(&m->w.j, &m->w.of, &as) : LOFT_OK;
     keys_hasty(false);
     return status == LOFT_OK
@@ -90,7 +91,7 @@ static int dry_run(mill_chip *c, const surfaces *all, const char *file)
     c->o.lines   = engine_lines_q16;
     for (size_t k = 0; k < all->count && code == 0; k++) {
         code = plan_work(c, &all->surface[k], file, start, &limits, &m);
-        const int status = code == 0 ? job_finish(&m.w.j) : LOFT_OK;
+        const int status = code == 0 ? job_finish(tool_host(), &m.w.j) : LOFT_OK;
         if (status != LOFT_OK)
             code = tool_error(EX_DATAERR, "%s:%u: cannot be planned: %s", source_name(file),
                               all->surface[k].line, engine_status(status, ENGINE_NO_MOTION));
@@ -207,7 +208,7 @@ int mill_chip_run(mill_chip *c, const char *file)
 {
     surfaces all = { 0 };
 
-    int code    = planning_usual(&c->p, c->a.machine);
+    int code    = planning_usual(tool_host(), &c->p, c->a.machine);
     c->p.feed   = c->o.feed   = c->a.feed;
     c->p.travel = c->o.travel = c->a.travel;
     if (code == 0)

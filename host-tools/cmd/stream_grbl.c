@@ -81,7 +81,7 @@ static int draw_part(const stream_options *o, const stream_parts *all, size_t k,
                           "%s: nothing to draw in it: give a drawing with visible outlines",
                           all->file);
     else
-        code = table_check(&o->p.machine, all->file, &p->smooth, &path, o->p.tol);
+        code = table_check(tool_host(), &o->p.machine, all->file, &p->smooth, &path, o->p.tol);
     if (code == 0 && g != NULL && p->tool != NULL)
         code = run_change(p->tool, o->asks);
     if (code == 0 && g != NULL)

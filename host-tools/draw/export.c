@@ -3,7 +3,7 @@
  */
 #include <math.h>
 
-#include "base/tool.h"          /* tool_error, sysexits */
+#include "base/host.h"
 #include "draw/export.h"
 #include "engine/engine.h"      /* engine_f64: chords */
 
@@ -156,8 +156,8 @@ int export_svg(const export_options *o, FILE *out)
 int export_csv(const export_options *o, FILE *out)
 {
     if (in_space(o->d))
-        return tool_error(EX_DATAERR, "%s: has heights, which these rows have not: export .loft",
-                          o->name);
+        return host_error(o->host, EX_DATAERR, "export.heights", (host_place){ o->name, 0 },
+                          "export .loft", "has heights, which these rows have not");
     fputs("x0,y0,x1,y1,x2,y2,x3,y3\n", out);
     for (size_t i = 0; i < o->d->count; i++)
         for (int k = 0; k < 4 && is_drawn(&o->d->curve[i]); k++) {
@@ -241,8 +241,9 @@ int export_hpgl(const export_options *o, FILE *out)
         }
         status = engine_f64.flatten((const double(*)[ENGINE_AXES])flat, o->tol, put_chord, &p);
         if (status != 0)
-            return tool_error(
-                EX_DATAERR, "%s:%u: %s", o->name, c->line,
+            return host_error(
+                o->host, EX_DATAERR, "export.tolerance", (host_place){ o->name, c->line }, NULL,
+                "%s",
                 engine_status(status, "its chords want a tolerance above 0: give a larger --tol"));
     }
     fprintf(out, "%sPU0,0;SP0;\n", p.down ? ";\n" : "");

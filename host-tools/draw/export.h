@@ -12,6 +12,7 @@
 #include "read/drawing.h"
 
 typedef struct {
+    struct host *host;      /* base/host.h */
     const drawing *d;
     const char *name;       /* for messages */
     double tol;             /* mm, of chords */

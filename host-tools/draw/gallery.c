@@ -10,7 +10,8 @@
 #include "draw/gallery.h"
 #include "draw/scene.h"
 #include "draw/surface_plot.h"   /* surface_axes */
-#include "base/tool.h"           /* tool_error, tool_grow, sysexits */
+#include "base/host.h"
+#include "base/memory.h"
 
 #define PT_PER_MM (72 / 25.4)
 #define SPACE     22            /* between panels, in thousandths of the width */
@@ -58,7 +59,7 @@ static void agree_on_colours(hanging *h)
 
     for (size_t i = 0; i < h->count; i++)
         count += h->panel[i].value ? h->panel[i].m->vertices : 0;
-    double *all = tool_grow(NULL, (count + 1) * sizeof *all);
+    double *all = memory_grow(NULL, (count + 1) * sizeof *all);
     for (size_t i = 0; i < h->count; i++)
         for (size_t k = 0; h->panel[i].value != NULL && k < h->panel[i].m->vertices; k++)
             all[at++] = h->panel[i].value[k];
@@ -114,7 +115,7 @@ static void paint_frame(const hanging *h)
 }
 
 /* A row is as high as its highest panel, when all panels have the scale of the widest one. */
-static int hang_panels(hanging *h, bool vector)
+static int hang_panels(host *told, hanging *h, bool vector)
 {
     const gallery *g = h->g;
     const double room = (has_map(h) ? 840 : 940) - SPACE * (g->columns - 1.0),
@@ -131,8 +132,9 @@ static int hang_panels(hanging *h, bool vector)
     h->v.u      = h->v.width / 1000;
     h->v.height = (84 + (double)rows * (tall + SPACE + 30) + 50) * h->v.u;
     if (!vector && (h->v.width > 30000 || h->v.height > 30000))
-        return tool_error(EX_USAGE, "%s: %.0f x %.0f px are too many: give a smaller size",
-                          g->output, h->v.width, h->v.height);
+        return host_error(told, EX_USAGE, "picture.too-large", (host_place){ g->output, 0 },
+                          "give a smaller size", "%.0f x %.0f px are too many", h->v.width,
+                          h->v.height);
     cairo_surface_t *canvas = plot_begin(&h->v, g->output);
     cairo_set_source_rgb(h->v.cairo, 1, 1, 1);
     cairo_paint(h->v.cairo);
@@ -141,20 +143,21 @@ static int hang_panels(hanging *h, bool vector)
     for (size_t i = 0; i < h->count; i++)
         paint_panel(h, i, each, tall, each * h->v.u / wide);
     paint_frame(h);
-    return plot_end(&h->v, canvas, g->output);
+    return plot_end(told, &h->v, canvas, g->output);
 }
 
-int gallery_draw(const gallery *g, const gallery_panel panel[], size_t count)
+int gallery_draw(host *told, const gallery *g, const gallery_panel panel[], size_t count)
 {
     hanging h = { .g = g, .panel = panel, .count = count };
     bool png;
 
     if (!plot_known(g->output, &png))
-        return tool_error(EX_USAGE, "%s: give a name that ends with .png, .svg or .pdf", g->output);
-    h.scene = tool_grow(NULL, count * sizeof *h.scene);
+        return host_error(told, EX_USAGE, "picture.name", (host_place){ g->output, 0 }, NULL,
+                          "give a name that ends with .png, .svg or .pdf");
+    h.scene = memory_grow(NULL, count * sizeof *h.scene);
     look_at(&h);
     agree_on_colours(&h);
-    const int code = hang_panels(&h, !png);
+    const int code = hang_panels(told, &h, !png);
     for (size_t i = 0; i < count; i++)
         scene_free(&h.scene[i]);
     free(h.scene);

@@ -7,6 +7,8 @@
 #include "draw/mesh.h"
 #include "engine/surface.h"
 
+struct host;                /* base/host.h */
+
 typedef struct {
     const mesh *m;
     const double *value;        /* of each vertex: draw a map of it; NULL: shade */
@@ -30,6 +32,6 @@ typedef struct {
 } gallery;
 
 /* Draw the panels row by row. Returns 0, or an exit code after printing one line. */
-int gallery_draw(const gallery *g, const gallery_panel panel[], size_t count);
+int gallery_draw(struct host *told, const gallery *g, const gallery_panel panel[], size_t count);
 
 #endif

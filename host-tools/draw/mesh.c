@@ -10,7 +10,8 @@
 #include "draw/mesh.h"
 #include "geometry/drawn_surface.h"
 #include "engine/sided.h"   /* sided_spot */
-#include "base/tool.h"      /* tool_error, tool_grow, sysexits */
+#include "base/host.h"
+#include "base/memory.h"
 
 static void make_vertex(const surface *s, unsigned kite, double u, double v, mesh_vertex *out)
 {
@@ -160,7 +161,7 @@ static int add_kites(mesh *m, const surface *s, const engine *e, const engine_su
                      const engine_surface *fine, unsigned n, unsigned lines)
 {
     const unsigned h = n > 1 ? n / 2 : 1, kites = surface_kites(s);
-    size_t *vertex = tool_grow(NULL, (size_t)kites * (h + 1) * (h + 1) * sizeof *vertex);
+    size_t *vertex = memory_grow(NULL, (size_t)kites * (h + 1) * (h + 1) * sizeof *vertex);
     const int status = kite_vertices(m, s, e, held, fine, h, vertex);
 
     for (unsigned k = 0; k < kites && status == 0; k++)
@@ -196,19 +197,19 @@ static int mesh_surface(mesh *m, const surface *s, const engine *e, unsigned n, 
     return status;
 }
 
-int mesh_make(mesh *m, const surfaces *all, const char *file, const engine *e, unsigned n,
+int mesh_make(host *h, mesh *m, const surfaces *all, const char *file, const engine *e, unsigned n,
               unsigned lines)
 {
     const size_t kites = count_kites(all);
 
-    m->vertex = tool_grow(NULL, kites * (n + 1) * (n + 1) * sizeof *m->vertex);
-    m->cell   = tool_grow(NULL, kites * n * n * sizeof *m->cell);
+    m->vertex = memory_grow(NULL, kites * (n + 1) * (n + 1) * sizeof *m->vertex);
+    m->cell   = memory_grow(NULL, kites * n * n * sizeof *m->cell);
     for (size_t k = 0; k < all->count; k++) {
         const surface *s = &all->surface[k];
         const int status = mesh_surface(m, s, e, n, lines);
         if (status != 0)
-            return tool_error(EX_DATAERR, "%s:%u: %s: %s", file, s->line, surface_name(s->kind),
-                              surface_status(s, status));
+            return host_error(h, EX_DATAERR, "surface.not-computed", (host_place){ file, s->line },
+                              NULL, "%s: %s", surface_name(s->kind), surface_status(s, status));
     }
     m->mapped = m->vertices;
     return 0;

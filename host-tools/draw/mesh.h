@@ -10,6 +10,8 @@
 #include "engine/engine.h"
 #include "engine/surface.h"
 
+struct host;                /* base/host.h */
+
 /* A corner of the mesh. Normal and curvatures come from the library in double. Where the surface
  * has none (at a pole that is an edge) they are those of a nearby point. */
 typedef struct {
@@ -38,8 +40,8 @@ typedef struct {
  * sided.h). Points are in the number type of `e`. Every `lines`-th parameter line is marked. The
  * cells of a patch over a polygon cover the polygon once, whatever its shape. Returns 0, or an exit
  * code after printing one line. `*m` must be zeroed. */
-int mesh_make(mesh *m, const surfaces *all, const char *file, const engine *e, unsigned n,
-              unsigned lines);
+int mesh_make(struct host *h, mesh *m, const surfaces *all, const char *file, const engine *e,
+              unsigned n, unsigned lines);
 void mesh_free(mesh *m);
 
 /* The principal curvature of larger absolute value, without its sign. */
@@ -47,6 +49,6 @@ double mesh_bend(const mesh_vertex *v);
 
 /* Write the mesh. The extension of `output` decides: .stl (binary) or .ply (binary, with normals).
  * *triangles: how many were written; those without area are left out. */
-int mesh_write(const mesh *m, const char *output, size_t *triangles);
+int mesh_write(struct host *h, const mesh *m, const char *output, size_t *triangles);
 
 #endif

@@ -14,7 +14,7 @@
 
 #include "draw/mesh.h"
 #include "base/create.h"      /* create_refused */
-#include "base/tool.h"       /* tool_error, sysexits */
+#include "base/host.h"
 
 static void put32(FILE *file, uint32_t x)
 {
@@ -123,20 +123,21 @@ static bool ends_with(const char *text, const char *end)
     return strlen(text) >= strlen(end) && strcasecmp(text + strlen(text) - strlen(end), end) == 0;
 }
 
-int mesh_write(const mesh *m, const char *output, size_t *triangles)
+int mesh_write(host *h, const mesh *m, const char *output, size_t *triangles)
 {
     const bool stl = ends_with(output, ".stl");
 
     if (!stl && !ends_with(output, ".ply"))
-        return tool_error(EX_USAGE, "%s: give a name that ends with .stl or .ply", output);
+        return host_error(h, EX_USAGE, "mesh.name", (host_place){ output, 0 }, NULL,
+                          "give a name that ends with .stl or .ply");
     FILE *file = create_file(output);
     if (file == NULL)
-        return create_refused(tool_host(), output, errno);
+        return create_refused(h, output, errno);
     *triangles = every_triangle(m, NULL, NULL);
     (stl ? write_stl : write_ply)(file, m, *triangles);
     const bool good = !ferror(file);
     if (fclose(file) != 0 || !good)
-        return tool_error(EX_IOERR, "%s: cannot be written: %s: is the disk full?", output,
-                          strerror(errno));
+        return host_error(h, EX_IOERR, "file.not-written", (host_place){ output, 0 },
+                          "is the disk full?", "cannot be written: %s", strerror(errno));
     return 0;
 }

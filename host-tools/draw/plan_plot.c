@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "draw/plan_plot.h"
-#include "base/tool.h"           /* tool_grow */
+#include "base/host.h"
+#include "base/memory.h"
+#include "base/tool.h"
 #include "host/duration.h"      /* host_duration */
 
 #define COLUMNS 1100        /* of a strip: motion within one column is drawn as a vertical line */
@@ -435,9 +437,9 @@ static void lay_out_picture(plot_view *v, const plan_picture *p)
     v->height = v->bottom + (62 + 3 * (150 + 40) + 16) * v->u;
 }
 
-int plan_plot(const plan_picture *p)
+int plan_plot(host *h, const plan_picture *p)
 {
-    columns *c  = tool_grow(NULL, sizeof *c);
+    columns *c  = memory_grow(NULL, sizeof *c);
     plot_view v = { .magnified = 0 };
 
     lay_out_picture(&v, p);
@@ -456,5 +458,5 @@ int plan_plot(const plan_picture *p)
     accel_strip(strip_begin(p, c, &v, top + step, high));
     jerk_strip(strip_begin(p, c, &v, top + 2 * step, high));
     free(c);
-    return plot_end(&v, canvas, p->output);
+    return plot_end(h, &v, canvas, p->output);
 }

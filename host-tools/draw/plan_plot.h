@@ -10,6 +10,8 @@
 #include "plan/toolpath.h"       /* toolpath */
 #include "plan/trace.h"          /* trace */
 
+struct host;                /* base/host.h */
+
 typedef struct {
     const drawing *d;
     const toolpath *path;
@@ -19,6 +21,6 @@ typedef struct {
 } plan_picture;
 
 /* Draw. Returns 0, or a code of <sysexits.h> after printing one line. */
-int plan_plot(const plan_picture *p);
+int plan_plot(struct host *h, const plan_picture *p);
 
 #endif

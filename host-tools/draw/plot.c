@@ -11,7 +11,8 @@
 
 #include "draw/plot.h"
 #include "base/create.h"      /* create_refused */
-#include "base/tool.h"       /* tool_error, tool_grow, sysexits */
+#include "base/host.h"
+#include "base/memory.h"
 
 #define PT_PER_MM   (72 / 25.4)
 /* pieces in one stroke: cairo takes much longer for long ones */
@@ -301,7 +302,7 @@ static void lay_out_picture(plot_view *v, bool vector)
 static void draw_layers(plot_view *v)
 {
     const plot_options *o = v->o;
-    double (*point)[2] = o->r ? tool_grow(NULL, o->r->count * sizeof *point) : NULL;
+    double (*point)[2] = o->r ? memory_grow(NULL, o->r->count * sizeof *point) : NULL;
 
     if (o->r != NULL)
         measure_errors(v, point);
@@ -367,7 +368,7 @@ cairo_surface_t *plot_begin(plot_view *v, const char *output)
     return canvas;
 }
 
-int plot_end(plot_view *v, cairo_surface_t *canvas, const char *output)
+int plot_end(host *h, plot_view *v, cairo_surface_t *canvas, const char *output)
 {
     cairo_status_t status = cairo_status(v->cairo);
 
@@ -381,29 +382,32 @@ int plot_end(plot_view *v, cairo_surface_t *canvas, const char *output)
     if (v->file != NULL && fclose(v->file) != 0 && v->failed == 0)
         v->failed = errno;
     if (v->failed != 0)
-        return create_refused(tool_host(), output, v->failed);
+        return create_refused(h, output, v->failed);
     if (status != CAIRO_STATUS_SUCCESS)
-        return tool_error(EX_CANTCREAT, "%s: the picture cannot be drawn: %s: try another --size",
-                          output, cairo_status_to_string(status));
+        return host_error(h, EX_CANTCREAT, "picture.not-drawn", (host_place){ output, 0 },
+                          "try another --size", "the picture cannot be drawn: %s",
+                          cairo_status_to_string(status));
     return 0;
 }
 
-int plot_draw(const plot_options *o, plot_result *result)
+int plot_draw(host *h, const plot_options *o, plot_result *result)
 {
     plot_view v = { .o = o };
     bool png;
 
     if (!plot_known(o->output, &png))
-        return tool_error(EX_USAGE, "%s: give a name that ends with .png, .svg or .pdf", o->output);
+        return host_error(h, EX_USAGE, "picture.name", (host_place){ o->output, 0 }, NULL,
+                          "give a name that ends with .png, .svg or .pdf");
     lay_out_picture(&v, !png);
     if (png && (v.width > 30000 || v.height > 30000))
-        return tool_error(EX_USAGE, "%s: %.0f x %.0f px are too many: give a smaller --size",
-                          o->output, v.width, v.height);
+        return host_error(h, EX_USAGE, "picture.too-large", (host_place){ o->output, 0 },
+                          "give a smaller --size", "%.0f x %.0f px are too many", v.width,
+                          v.height);
 
     cairo_surface_t *canvas = plot_begin(&v, o->output);
     draw_layers(&v);
     if (result != NULL)
         *result = v.found;
     free(v.tooth);
-    return plot_end(&v, canvas, o->output);
+    return plot_end(h, &v, canvas, o->output);
 }

@@ -22,6 +22,8 @@ typedef struct cairo_surface_t cairo_surface_t;
 #include "read/drawing.h"
 #include "read/record.h"
 
+struct host;                /* base/host.h */
+
 #define PLOT_NO_ERROR   (-1.0)
 #define PLOT_AUTO_ERROR 0.0
 #define PLOT_NO_COMB    (-1.0)
@@ -54,7 +56,7 @@ typedef struct {
 } plot_result;
 
 /* Draw. Returns 0, or a code of <sysexits.h> after printing one line. */
-int plot_draw(const plot_options *o, plot_result *result);
+int plot_draw(struct host *h, const plot_options *o, plot_result *result);
 
 
 // Between the files
@@ -147,7 +149,7 @@ const char *plot_base_name(const char *path);
  * one line. `v` must not move in between. */
 bool plot_known(const char *output, bool *png);
 cairo_surface_t *plot_begin(plot_view *v, const char *output);
-int  plot_end(plot_view *v, cairo_surface_t *canvas, const char *output);
+int  plot_end(struct host *h, plot_view *v, cairo_surface_t *canvas, const char *output);
 
 /* The position of a point in mm on the canvas. */
 double plot_x(const plot_view *v, double x);

@@ -12,7 +12,7 @@
 #include "engine/curve.h"
 #include "geometry/drawn.h"   /* drawn_pieces, piece_bend */
 #include "draw/plot.h"
-#include "base/tool.h"      /* tool_grow */
+#include "base/memory.h"
 
 #define TEETH_MIN  8            /* per piece */
 #define TEETH_MAX  400
@@ -55,8 +55,8 @@ static void add_tooth(combing *c, const double at[3][CURVE_AXES], double curvatu
 
     if (v->teeth == c->room) {
         c->room  = c->room ? 2 * c->room : 1024;
-        v->tooth = tool_grow(v->tooth, c->room * sizeof *v->tooth);
-        c->curvature = tool_grow(c->curvature, c->room * sizeof *c->curvature);
+        v->tooth = memory_grow(v->tooth, c->room * sizeof *v->tooth);
+        c->curvature = memory_grow(c->curvature, c->room * sizeof *c->curvature);
     }
     const double speed = hypot(at[1][0], at[1][1]);
     v->tooth[v->teeth] =
@@ -106,7 +106,7 @@ static int compare_sizes(const void *a, const void *b)
 /* A round scale that makes nineteen of twenty teeth shorter than an eighth of the picture. */
 static double scale_of(const combing *c, double size)
 {
-    double *sorted = tool_grow(NULL, c->v->teeth * sizeof *sorted);
+    double *sorted = memory_grow(NULL, c->v->teeth * sizeof *sorted);
 
     memcpy(sorted, c->curvature, c->v->teeth * sizeof *sorted);
     qsort(sorted, c->v->teeth, sizeof *sorted, compare_sizes);

@@ -15,7 +15,8 @@
 #include <string.h>
 
 #include "base/space.h"     /* space_distance */
-#include "base/tool.h"      /* tool_error, tool_grow */
+#include "base/host.h"
+#include "base/memory.h"
 #include "draw/refine.h"
 #include "num/status.h"     /* LOFT_OK */
 
@@ -43,7 +44,7 @@ static void *room_for(void *old, size_t used, size_t *room, size_t bytes)
     if (used < *room)
         return old;
     *room = *room ? 2 * *room : 1024;
-    return tool_grow(old, *room * bytes);
+    return memory_grow(old, *room * bytes);
 }
 
 static size_t add_node(refined *r, const double p[ENGINE_AXES])
@@ -104,7 +105,7 @@ static void spread_edges(refined *r)
     if (r->edges < r->slots)
         return;
     r->slots = r->slots ? 2 * r->slots : 1024;
-    r->first = tool_grow(r->first, r->slots * sizeof *r->first);
+    r->first = memory_grow(r->first, r->slots * sizeof *r->first);
     for (size_t k = 0; k < r->slots; k++)
         r->first[k] = NONE;
     for (size_t k = 0; k < r->edges; k++) {
@@ -356,7 +357,7 @@ static int begin_kite(work *w, unsigned kite, unsigned n)
 {
     const surface *s = &w->all->surface[w->surface];
     const bool triangle = surface_is_triangle(s);
-    refined_place *at = tool_grow(NULL, (size_t)(n + 1) * (n + 1) * sizeof *at);
+    refined_place *at = memory_grow(NULL, (size_t)(n + 1) * (n + 1) * sizeof *at);
     int status = LOFT_OK;
 
     for (unsigned i = 0; i <= n; i++)
@@ -474,13 +475,14 @@ static int begin_all(work *w, engine_surface *held[], size_t *count)
     return status;
 }
 
-int refine_surfaces(refined *r, const surfaces *all, const char *file, const engine *e, double tol)
+int refine_surfaces(host *h, refined *r, const surfaces *all, const char *file, const engine *e,
+                    double tol)
 {
     work w = { .r = r, .all = all, .e = e, .near = tol / 4, .far = 0.75 * tol, .cubes = 65536 };
-    engine_surface **held = tool_grow(NULL, all->count * sizeof *held);
+    engine_surface **held = memory_grow(NULL, all->count * sizeof *held);
     size_t opened;
 
-    w.cube = tool_grow(NULL, w.cubes * sizeof *w.cube);
+    w.cube = memory_grow(NULL, w.cubes * sizeof *w.cube);
     for (size_t k = 0; k < w.cubes; k++)
         w.cube[k] = NONE;
     int status = begin_all(&w, held, &opened);
@@ -491,10 +493,10 @@ int refine_surfaces(refined *r, const surfaces *all, const char *file, const eng
         return 0;
     const surface *s = &all->surface[w.surface];
     return status == LOFT_ERR_SPACE
-               ? tool_error(EX_DATAERR, "%s: --tol %g: more than %d triangles: give a larger one",
-                            file, tol, TRIANGLES)
-               : tool_error(EX_DATAERR, "%s:%u: %s: %s", file, s->line, surface_name(s->kind),
-                            surface_status(s, status));
+               ? host_error(h, EX_DATAERR, "mesh.too-many", (host_place){ file, 0 },
+                            "give a larger one", "--tol %g: more than %d triangles", tol, TRIANGLES)
+               : host_error(h, EX_DATAERR, "surface.not-computed", (host_place){ file, s->line },
+                            NULL, "%s: %s", surface_name(s->kind), surface_status(s, status));
 }
 
 void refined_free(refined *r)

@@ -14,6 +14,8 @@
 
 #include "draw/mesh.h"
 
+struct host;                /* base/host.h */
+
 /* A corner of a triangle: its node, and the parameters in the kite of its surface. On a side that
  * is one point a parameter means nothing: `open` has bit 0 for u, bit 1 for v. */
 typedef struct {
@@ -49,11 +51,12 @@ typedef struct {
 /* Triangles of all surfaces. Measured at three places of each edge and in the middle of each
  * triangle, the surface is within `tol` of them. Returns 0, or an exit code after printing one
  * line. `*r` must be zeroed. */
-int refine_surfaces(refined *r, const surfaces *all, const char *file, const engine *e, double tol);
+int refine_surfaces(struct host *h, refined *r, const surfaces *all, const char *file,
+                    const engine *e, double tol);
 void refined_free(refined *r);
 
 /* The same as cells, with the normal of the surface at each corner. `*m` must be zeroed. */
-int refined_mesh(refined *r, const surfaces *all, const char *file, mesh *m);
+int refined_mesh(struct host *h, refined *r, const surfaces *all, const char *file, mesh *m);
 
 /* What the triangles are together. The volume is that of a closed body, and negative if it is
  * turned inside out. */

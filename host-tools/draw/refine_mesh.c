@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"      /* tool_error, tool_grow */
+#include "base/host.h"
+#include "base/memory.h"
 #include "draw/refine.h"
 #include "num/status.h"     /* LOFT_SINGULAR */
 
@@ -62,16 +63,16 @@ static int by_surface(const void *a, const void *b)
     return (x->surface > y->surface) - (x->surface < y->surface);
 }
 
-int refined_mesh(refined *r, const surfaces *all, const char *file, mesh *m)
+int refined_mesh(host *h, refined *r, const surfaces *all, const char *file, mesh *m)
 {
-    corner_of_node *known = tool_grow(NULL, (r->nodes + 1) * sizeof *known);
+    corner_of_node *known = memory_grow(NULL, (r->nodes + 1) * sizeof *known);
     size_t done = 0;
     int code = 0;
 
     for (size_t k = 0; k < r->nodes; k++)
         known[k].surface = NONE;
-    m->vertex = tool_grow(NULL, (3 * r->triangles + 1) * sizeof *m->vertex);
-    m->cell   = tool_grow(NULL, (r->triangles + 1) * sizeof *m->cell);
+    m->vertex = memory_grow(NULL, (3 * r->triangles + 1) * sizeof *m->vertex);
+    m->cell   = memory_grow(NULL, (r->triangles + 1) * sizeof *m->cell);
     qsort(r->triangle, r->triangles, sizeof *r->triangle, by_surface);
     while (done < r->triangles && code == 0) {
         const size_t which = r->triangle[done].surface;
@@ -85,8 +86,8 @@ int refined_mesh(refined *r, const surfaces *all, const char *file, mesh *m)
         if (opened)
             engine_f64.surface->close(fine);
         if (status != LOFT_OK)
-            code = tool_error(EX_DATAERR, "%s:%u: %s: %s", file, s->line, surface_name(s->kind),
-                              surface_status(s, status));
+            code = host_error(h, EX_DATAERR, "surface.not-computed", (host_place){ file, s->line },
+                              NULL, "%s: %s", surface_name(s->kind), surface_status(s, status));
     }
     free(known);
     return code;
@@ -111,7 +112,7 @@ static int by_ends(const void *a, const void *b)
 static void count_edges(const refined *r, refined_sum *out)
 {
     const size_t all = 3 * r->triangles;
-    side *s = tool_grow(NULL, (all + 1) * sizeof *s);
+    side *s = memory_grow(NULL, (all + 1) * sizeof *s);
 
     for (size_t k = 0; k < all; k++) {
         const refined_triangle *t = &r->triangle[k / 3];
@@ -133,7 +134,7 @@ static void count_edges(const refined *r, refined_sum *out)
 
 static void count_corners(const refined *r, refined_sum *out)
 {
-    bool *used = tool_grow(NULL, r->nodes + 1);
+    bool *used = memory_grow(NULL, r->nodes + 1);
 
     memset(used, 0, r->nodes);
     for (size_t k = 0; k < 3 * r->triangles; k++)

@@ -11,7 +11,7 @@
 #include "draw/mesh_contour.h"   /* contour_lines */
 #include "draw/scene.h"
 #include "engine/sided.h"   /* sided_net */
-#include "base/tool.h"      /* tool_grow */
+#include "base/memory.h"
 
 #define NET_PIECES 24   /* per edge of a control net */
 
@@ -45,7 +45,7 @@ void scene_add(scene *s, enum scene_pen pen, const double from[3], const double 
 {
     if ((s->lines & (s->lines - 1)) == 0)       /* at powers of two there is room for as many
                                                  * again */
-        s->line = tool_grow(s->line, (s->lines ? 2 * s->lines : 1) * sizeof *s->line);
+        s->line = memory_grow(s->line, (s->lines ? 2 * s->lines : 1) * sizeof *s->line);
     scene_line *l = &s->line[s->lines++];
     memcpy(l->p[0], from, sizeof l->p[0]);
     memcpy(l->p[1], to, sizeof l->p[1]);
@@ -252,7 +252,7 @@ void scene_fit(const scene *s, plot_view *v)
 static void add_item(painting *p, item it)
 {
     if ((p->count & (p->count - 1)) == 0)
-        p->items = tool_grow(p->items, (p->count ? 2 * p->count : 1) * sizeof *p->items);
+        p->items = memory_grow(p->items, (p->count ? 2 * p->count : 1) * sizeof *p->items);
     p->items[p->count++] = it;
 }
 
@@ -394,7 +394,7 @@ void scene_paint(const scene *s, const plot_view *v)
 {
     painting p = { .s = s, .v = v };
 
-    p.seen = tool_grow(NULL, s->m->vertices * sizeof *p.seen);
+    p.seen = memory_grow(NULL, s->m->vertices * sizeof *p.seen);
     for (size_t i = 0; i < s->m->vertices; i++)
         p.seen[i] = canvas_spot(s, v, s->m->vertex[i].p);
     add_cells(&p);

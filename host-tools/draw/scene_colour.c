@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "draw/scene.h"
-#include "base/tool.h"       /* tool_grow */
+#include "base/memory.h"
 
 const double scene_sides[2][3] = { { 0.53, 0.68, 0.86 }, { 0.90, 0.74, 0.50 } };
 const double scene_around[3] = { 0.83, 0.76, 0.63 };
@@ -22,7 +22,7 @@ static int ascending(const void *a, const void *b)
 
 void scene_scale_of(scene_scale *s, const double value[], size_t count, double flat)
 {
-    double *size = tool_grow(NULL, count * sizeof *size);
+    double *size = memory_grow(NULL, count * sizeof *size);
 
     for (size_t i = 0; i < count; i++)
         size[i] = fabs(value[i]);

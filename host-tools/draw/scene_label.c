@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 #include "draw/scene.h"
-#include "base/tool.h"       /* tool_grow */
+#include "base/memory.h"
 
 #define LETTERS 10.5    /* size of a label, in thousandths of the width */
 #define APART   170     /* between two labels of one height */
@@ -89,7 +89,7 @@ static void put_label(labelling *l, const label *here, const char *words)
     const double *rgb = scene_pens[SCENE_CONTOUR], u = l->v->u;
     cairo_t *cairo = l->v->cairo;
 
-    l->done = tool_grow(l->done, (l->count + 1) * sizeof *l->done);
+    l->done = memory_grow(l->done, (l->count + 1) * sizeof *l->done);
     l->done[l->count++] = *here;
     cairo_move_to(cairo, here->x - here->wide / 2, here->y + 0.36 * LETTERS * u);
     cairo_text_path(cairo, words);
@@ -120,7 +120,7 @@ void scene_label(const scene *s, const plot_view *v)
 {
     labelling l = { .s = s, .v = v };
 
-    l.seen = tool_grow(NULL, s->m->vertices * sizeof *l.seen);
+    l.seen = memory_grow(NULL, s->m->vertices * sizeof *l.seen);
     for (size_t i = 0; i < s->m->vertices; i++)
         scene_place(s, v, s->m->vertex[i].p, l.seen[i]);
     cairo_select_font_face(v->cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL,

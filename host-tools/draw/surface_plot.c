@@ -8,7 +8,8 @@
 #include "draw/mesh_contour.h"    /* contour_heights */
 #include "base/source.h"     /* source_name */
 #include "draw/surface_plot.h"
-#include "base/tool.h"       /* tool_error, tool_grow, sysexits */
+#include "base/host.h"
+#include "base/memory.h"
 
 #define PT_PER_MM (72 / 25.4)
 #define CELLS     60000         /* of the whole picture, about */
@@ -32,7 +33,7 @@ static double *make_map(surface_view *s)
 
     if (s->o->map == MAP_NONE)
         return NULL;
-    value = tool_grow(NULL, m->mapped * sizeof *value);
+    value = memory_grow(NULL, m->mapped * sizeof *value);
     for (size_t i = 0; i < m->mapped; i++)
         value[i] = value_of(s->o, &m->vertex[i]);
     s->scene.value = value;
@@ -77,22 +78,23 @@ static void lay_out_picture(surface_view *s, bool vector)
     scene_fit(&s->scene, v);
 }
 
-static int draw_scene(surface_view *s, bool png)
+static int draw_scene(host *h, surface_view *s, bool png)
 {
     lay_out_picture(s, !png);
     if (png && (s->v.width > 30000 || s->v.height > 30000))
-        return tool_error(EX_USAGE, "%s: %.0f x %.0f px are too many: give a smaller --size",
-                          s->o->output, s->v.width, s->v.height);
+        return host_error(h, EX_USAGE, "picture.too-large", (host_place){ s->o->output, 0 },
+                          "give a smaller --size", "%.0f x %.0f px are too many", s->v.width,
+                          s->v.height);
     cairo_surface_t *canvas = plot_begin(&s->v, s->o->output);
     cairo_set_source_rgb(s->v.cairo, 1, 1, 1);
     cairo_paint(s->v.cairo);
     scene_paint(&s->scene, &s->v);
     scene_label(&s->scene, &s->v);
     surface_frame(s);
-    return plot_end(&s->v, canvas, s->o->output);
+    return plot_end(h, &s->v, canvas, s->o->output);
 }
 
-int surface_plot(const surface_options *o)
+int surface_plot(host *h, const surface_options *o)
 {
     const double fair = sqrt((double)CELLS / (double)o->all->count);
     const unsigned n = fair > 96 ? 96 : fair < 16 ? 16 : (unsigned)fair / 8 * 8;
@@ -106,15 +108,16 @@ int surface_plot(const surface_options *o)
     bool png;
 
     if (!plot_known(o->output, &png))
-        return tool_error(EX_USAGE, "%s: give a name that ends with .png, .svg or .pdf", o->output);
-    int code = mesh_make(&m, o->all, source_name(o->name), o->e, n, n / 8);
+        return host_error(h, EX_USAGE, "picture.name", (host_place){ o->output, 0 }, NULL,
+                          "give a name that ends with .png, .svg or .pdf");
+    int code = mesh_make(h, &m, o->all, source_name(o->name), o->e, n, n / 8);
     if (code == 0) {
         if (o->around != NULL)
             o->around(o->context, &m);
         add_lines(&s);
         scene_look(&s.scene);
         double *value = make_map(&s);
-        code = draw_scene(&s, png);
+        code = draw_scene(h, &s, png);
         free(value);
     }
     scene_free(&s.scene);

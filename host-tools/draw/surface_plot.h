@@ -12,6 +12,8 @@
 
 #include "draw/scene.h"
 
+struct host;                /* base/host.h */
+
 enum surface_map { MAP_NONE, MAP_GAUSS, MAP_MEAN, MAP_LARGEST, MAP_GIVEN };
 
 typedef struct {
@@ -35,7 +37,7 @@ typedef struct {
 } surface_options;
 
 /* Draw. Returns 0, or an exit code after printing one line. */
-int surface_plot(const surface_options *o);
+int surface_plot(struct host *h, const surface_options *o);
 
 
 // Between the files

@@ -1,18 +1,16 @@
 /* host-tools/draw/without_cairo.c -- replaces all pictures if loft is built without cairo
  * SPDX-License-Identifier: MIT
  */
-#include "base/tool.h"
+#include "base/host.h"
 #include "draw/gallery.h"
 #include "draw/plan_plot.h"
 #include "draw/plot.h"
 #include "draw/surface_plot.h"
 
-static int refused(const char *output)
+static int refused(host *h, const char *output)
 {
-    return tool_error(EX_UNAVAILABLE,
-                      "%s: this loft was built without cairo, which draws: build "
-                      "it with cairo",
-                      output);
+    return host_error(h, EX_UNAVAILABLE, "picture.no-cairo", (host_place){ output, 0 },
+                      "build it with cairo", "this loft was built without cairo, which draws");
 }
 
 bool plot_known(const char *output, bool *png)
@@ -22,19 +20,19 @@ bool plot_known(const char *output, bool *png)
     return true;                /* the functions that draw refuse it */
 }
 
-int plan_plot(const plan_picture *p) { return refused(p->output); }
+int plan_plot(host *h, const plan_picture *p) { return refused(h, p->output); }
 
-int plot_draw(const plot_options *o, plot_result *found)
+int plot_draw(host *h, const plot_options *o, plot_result *found)
 {
     (void)found;
-    return refused(o->output);
+    return refused(h, o->output);
 }
 
-int surface_plot(const surface_options *o) { return refused(o->output); }
+int surface_plot(host *h, const surface_options *o) { return refused(h, o->output); }
 
-int gallery_draw(const gallery *g, const gallery_panel panel[], size_t count)
+int gallery_draw(host *h, const gallery *g, const gallery_panel panel[], size_t count)
 {
     (void)panel;
     (void)count;
-    return refused(g->output);
+    return refused(h, g->output);
 }

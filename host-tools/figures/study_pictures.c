@@ -70,7 +70,7 @@ static int make_view(album *a, unsigned kind, double scale, double top, view **o
     a->panel[a->count] = (gallery_panel){ .m = &w->m, .title = w->title };
     a->count++;
     *out = w;
-    return mesh_make(&w->m, &w->all, a->p->name, a->e, CELLS, CELLS / 4);
+    return mesh_make(tool_host(), &w->m, &w->all, a->p->name, a->e, CELLS, CELLS / 4);
 }
 
 static void clear_views(album *a)
@@ -95,7 +95,7 @@ static int hang_picture(album *a, int code, gallery g, const char *name)
     g.title = title;
     g.output = file;
     if (code == 0)
-        code = gallery_draw(&g, a->panel, a->count);
+        code = gallery_draw(tool_host(), &g, a->panel, a->count);
     if (code == 0)
         printf("drawn %s\n", file);
     clear_views(a);

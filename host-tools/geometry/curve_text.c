@@ -55,7 +55,7 @@ static int head_bare(reading *r)
 {
     return lines_numbers_alone(&r->at, NULL, 0) == 0
                ? 0
-               : lines_wrong(&r->at, "more after the kind",
+               : lines_wrong(&r->at, "curve.more-after-kind", "more after the kind",
                              "give its points on lines of their own");
 }
 
@@ -72,12 +72,13 @@ static int head_degree(reading *r)
                  most < CURVE_DRAWN_MAX && !knots && degree > most && degree <= CURVE_DRAWN_MAX
                      ? "; only drawings take up to 32, as `loft plot`"
                      : "");
-        return lines_wrong(&r->at, "not a degree", remedy);
+        return lines_wrong(&r->at, "curve.degree", "not a degree", remedy);
     }
     r->counted = count == 1;
     r->now->degree = r->counted ? (unsigned)degree : 0;
     if (!r->counted && knots)
-        return lines_wrong(&r->at, "no degree", "give it after the kind, as `bspline 3`");
+        return lines_wrong(&r->at, "curve.degree-missing", "no degree",
+                           "give it after the kind, as `bspline 3`");
     return 0;
 }
 
@@ -91,7 +92,7 @@ static int head_tension(reading *r)
 {
     r->now->degree = 3;
     if (lines_numbers_alone(&r->at, &r->now->tension, 1) < 0 || fabs(r->now->tension) > 60)
-        return lines_wrong(&r->at, "not a tension",
+        return lines_wrong(&r->at, "curve.tension", "not a tension",
                            "give a number from -60 to 60, or nothing for 0 (Catmull-Rom)");
     return 0;
 }
@@ -102,7 +103,8 @@ static int head_natural(reading *r)
     if (lines_word(&r->at, "chord"))
         r->now->kind = CURVE_CHORD;
     else if (scan_word(r->at.rest) > 0 && !lines_word(&r->at, "uniform"))
-        return lines_wrong(&r->at, "not a spacing of knots", "give uniform or chord");
+        return lines_wrong(&r->at, "curve.knot-spacing", "not a spacing of knots",
+                           "give uniform or chord");
     return head_bare(r);
 }
 
@@ -116,13 +118,13 @@ static int head_spline(reading *r)
     while (ends < CURVE_ENDS && !lines_word(&r->at, word[ends]))
         ends++;
     if (ends == CURVE_ENDS)
-        return lines_wrong(&r->at, "not the ends of a spline",
+        return lines_wrong(&r->at, "curve.spline-ends", "not the ends of a spline",
                            "give closed, clamped, not-a-knot, through or slope");
     c->degree = 3;
     c->ends   = (enum curve_ends)ends;
     c->chord  = !curve_hides_ends(c) && lines_word(&r->at, "chord");
     if (!c->chord && scan_word(r->at.rest) > 0 && !lines_word(&r->at, "uniform"))
-        return lines_wrong(&r->at, "not a spacing of knots",
+        return lines_wrong(&r->at, "curve.knot-spacing", "not a spacing of knots",
                            curve_hides_ends(c) ? "give none: knots are uniform"
                                                : "give uniform or chord");
     return head_bare(r);
@@ -134,7 +136,7 @@ static int head_catmull(reading *r)
     r->now->tension = 0.5;
     if (lines_numbers_alone(&r->at, &r->now->tension, 1) < 0 ||
         !(r->now->tension >= 0 && r->now->tension <= 1))
-        return lines_wrong(&r->at, "not a power of the chords",
+        return lines_wrong(&r->at, "curve.catmull-power", "not a power of the chords",
                            "give 0 to 1, or nothing for 0.5 (centripetal)");
     return 0;
 }
@@ -146,7 +148,7 @@ static int head_arc(reading *r)
 
     if ((!left && !lines_word(&r->at, "right")) || lines_numbers_alone(&r->at, &turns, 1) < 0 ||
         turns != floor(turns) || turns < 1 || turns > TURNS_MAX)
-        return lines_wrong(&r->at, "not an arc",
+        return lines_wrong(&r->at, "curve.arc", "not an arc",
                            "give the way it turns, `arc left` or `arc right`, and start, centre "
                            "and end as points");
     r->now->turns  = left ? (int)turns : -(int)turns;
@@ -183,19 +185,21 @@ static int check_knots(const lines *at, curve *c)
 
     if (c->count <= c->degree) {
         snprintf(words, sizeof words, "degree %u with %u points", c->degree, c->count);
-        return lines_wrong(at, words, "give more points than the degree");
+        return lines_wrong(at, "curve.degree-points", words, "give more points than the degree");
     }
     if (c->knot_count == 0)
         return knots_of(c);
     if (c->knot_count != c->count + c->degree + 1) {
         snprintf(words, sizeof words, "%u knots for %u points of degree %u", c->knot_count,
                  c->count, c->degree);
-        return lines_wrong(at, words, "give as many as points + degree + 1, or none");
+        return lines_wrong(at, "curve.knots-count", words,
+                           "give as many as points + degree + 1, or none");
     }
     if (has_too_many_equal_knots(c))
-        return lines_wrong(at, "too many equal knots", "give each at most degree + 1 times");
+        return lines_wrong(at, "curve.knots-equal", "too many equal knots",
+                           "give each at most degree + 1 times");
     if (!(c->knot[c->degree] < c->knot[c->count]))
-        return lines_wrong(at, "knots that leave no curve",
+        return lines_wrong(at, "curve.knots-none", "knots that leave no curve",
                            "let those behind the first `degree` ascend");
     return 0;
 }
@@ -205,7 +209,7 @@ static int check_parameters(const lines *at, curve *c)
     const double a = c->point[0].w, b = c->point[1].w, z = c->point[2].w;
 
     return a < b && b < z ? 0
-                          : lines_wrong(at, "parameters that do not ascend",
+                          : lines_wrong(at, "curve.parameters", "parameters that do not ascend",
                                         "give the three points in the order of their t");
 }
 
@@ -222,7 +226,8 @@ static int check_radii(const lines *at, curve *c)
         return 0;
     snprintf(words, sizeof words, "an arc whose ends are %.9g and %.9g mm from its centre", first,
              last);
-    return lines_wrong(at, words, "give start, centre and end so that both are the same");
+    return lines_wrong(at, "curve.arc-radius", words,
+                       "give start, centre and end so that both are the same");
 }
 
 /* Slopes belong to the ends of a clamped spline, and to no other point. */
@@ -232,10 +237,11 @@ static int check_slopes(const lines *at, curve *c)
         const bool wanted = c->ends == CURVE_CLAMPED && (i == 0 || i + 1 == c->count);
         double *d = c->point[i].d[0];
         if (isnan(d[0]) && wanted)
-            return lines_wrong(at, "a clamped spline without a slope at an end",
+            return lines_wrong(at, "curve.slope-missing",
+                               "a clamped spline without a slope at an end",
                                "give its first and last point as `x y : dx dy`");
         if (!isnan(d[0]) && !wanted)
-            return lines_wrong(at, "a slope at a point that takes none",
+            return lines_wrong(at, "curve.slope-alone", "a slope at a point that takes none",
                                "give slopes at the ends of `spline clamped` only");
         d[0] = wanted ? d[0] : 0;
     }
@@ -356,14 +362,16 @@ static int point_line(reading *r)
     curve_point p = { .w = 1 };
 
     if (r->now == NULL)
-        return lines_wrong(&r->at, "a point of no curve", "begin with a kind, as `bezier 3`");
+        return lines_wrong(&r->at, "curve.point-alone", "a point of no curve",
+                           "begin with a kind, as `bezier 3`");
     const row *kind = row_of(r->now);
     if (read_vector(r, p.p) == 0 || !what_is_behind(r, kind->behind, &p) || !lines_over(&r->at))
-        return lines_wrong(&r->at, "not a point", kind->point);
+        return lines_wrong(&r->at, "curve.point", "not a point", kind->point);
     if (r->now->count == most_points(r->now))
-        return lines_wrong(
-            &r->at, curve_has_knots(r->now) ? "more than 32000 points" : "more than 4000000 points",
-            "begin another curve where this one ends");
+        return lines_wrong(&r->at, "curve.too-many-points",
+                           curve_has_knots(r->now) ? "more than 32000 points"
+                                                   : "more than 4000000 points",
+                           "begin another curve where this one ends");
     curve_add_point(r->now, &p);
     return 0;
 }
@@ -377,17 +385,19 @@ static int knot_line(reading *r)
     double knot;
 
     if (r->now == NULL || !curve_has_knots(r->now))
-        return lines_wrong(&r->at, "knots of no B-spline", "give them below `bspline` or `nurbs`");
+        return lines_wrong(&r->at, "curve.knots-alone", "knots of no B-spline",
+                           "give them below `bspline` or `nurbs`");
     while (read_scalar(r, &knot)) {
         if (r->now->knot_count > CURVE_HUNG_MAX + CURVE_DEGREE_MAX)
             break;
         if (r->now->knot_count > 0 && knot < r->now->knot[r->now->knot_count - 1])
-            return lines_wrong(&r->at, "knots that descend", "give them in ascending order");
+            return lines_wrong(&r->at, "curve.knots-descend", "knots that descend",
+                               "give them in ascending order");
         curve_add_knot(r->now, knot);
     }
-    return lines_over(&r->at)
-               ? 0
-               : lines_wrong(&r->at, "not a knot", "give numbers, as many as points + degree + 1");
+    return lines_over(&r->at) ? 0
+                              : lines_wrong(&r->at, "curve.knot", "not a knot",
+                                            "give numbers, as many as points + degree + 1");
 }
 
 /* The curve is complete: refuse what is not valid. */
@@ -420,7 +430,7 @@ static int end_curve(reading *r)
                  : c->count < least ? "at least "
                                     : "at most ",
                  c->count < least ? least : most);
-        return lines_wrong(&at, words, remedy);
+        return lines_wrong(&at, "curve.points-count", words, remedy);
     }
     return kind->check != NULL ? kind->check(&at, c) : 0;
 }
@@ -451,7 +461,7 @@ static int word_line(reading *r)
         char kinds[200];
         snprintf(words, sizeof words, "`%.*s` is not a kind of curve", length > 20 ? 20 : length,
                  r->at.rest);
-        return lines_wrong(&r->at, words,
+        return lines_wrong(&r->at, "curve.kind", words,
                            surface_begins(r->at.rest) ? "surfaces go into a file of their own"
                                                       : list_kinds(kinds, sizeof kinds));
     }

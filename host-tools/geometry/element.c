@@ -9,14 +9,15 @@
 #include "num/status.h"     /* LOFT_ERR_RANGE */
 
 #include "geometry/element.h"
-#include "base/tool.h"       /* tool_error, tool_grow, sysexits */
+#include "base/host.h"
+#include "base/memory.h"
 
 #define FINE 0.01       /* of the tolerance, for cubics that replace a piece with weights */
 
-int element_error(const element *x, const char *words)
+int element_error(host *h, const element *x, const char *words)
 {
-    return tool_error(EX_DATAERR, "%s:%u: %s of degree %u: %s", x->file, x->of->line,
-                      curve_name(x->of->kind), x->of->degree, words);
+    return host_error(h, EX_DATAERR, "curve.not-computed", (host_place){ x->file, x->of->line },
+                      NULL, "%s of degree %u: %s", curve_name(x->of->kind), x->of->degree, words);
 }
 
 
@@ -26,8 +27,8 @@ int element_error(const element *x, const char *words)
 static void append_element(elements *list, const element *x)
 {
     if ((list->count & (list->count - 1)) == 0)         /* room for a power of two */
-        list->element = tool_grow(list->element,
-                                  (list->count ? 2 * list->count : 1) * sizeof *list->element);
+        list->element = memory_grow(list->element,
+                                    (list->count ? 2 * list->count : 1) * sizeof *list->element);
     element *at = &list->element[list->count++];
     *at = *x;
     for (int i = 0; i < CURVE_AXES; i++) {
@@ -62,14 +63,15 @@ static void set_range(element *x, unsigned i, unsigned pieces)
     x->to   = arc ? (double)(i + 1) / pieces : curve_break(x->of, i + 1);
 }
 
-static int add_curve(elements *list, const engine *e, const curve *c, const char *file, double tol)
+static int add_curve(host *h, elements *list, const engine *e, const curve *c, const char *file,
+                     double tol)
 {
     cutting cut = { list, { .file = file, .of = c, .number = list->curves++ } };
     engine_curve *held;
     int status = e->curve->open(c, &held);
 
     if (status != 0)
-        return element_error(&cut.x, curve_status(c, status));
+        return element_error(h, &cut.x, curve_status(c, status));
     const unsigned pieces = e->curve->pieces(held);
     for (unsigned i = 0; i < pieces && status == 0; i++) {
         piece *whole = &cut.x.whole;
@@ -87,16 +89,17 @@ static int add_curve(elements *list, const engine *e, const curve *c, const char
                                       : LOFT_ERR_RANGE;
     }
     e->curve->close(held);
-    return status == 0 ? 0 : element_error(&cut.x, curve_status(c, status));
+    return status == 0 ? 0 : element_error(h, &cut.x, curve_status(c, status));
 }
 
-int elements_add(elements *list, const engine *e, const curves *all, const char *file, double tol)
+int elements_add(host *h, elements *list, const engine *e, const curves *all, const char *file,
+                 double tol)
 {
     int code = 0;
 
     list->solid |= all->solid;
     for (size_t i = 0; i < all->count && code == 0; i++)
-        code = add_curve(list, e, &all->curve[i], file, tol);
+        code = add_curve(h, list, e, &all->curve[i], file, tol);
     return code;
 }
 

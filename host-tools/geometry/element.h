@@ -14,6 +14,8 @@
 #include "engine/piece.h"
 #include "geometry/reference.h"
 
+struct host;                /* base/host.h */
+
 typedef struct {
     const char *file;
     const curve *of;
@@ -34,7 +36,8 @@ typedef struct {
 
 /* Append the curves of a file. Returns 0, or an exit code after printing one line. `all` must
  * outlive the list. */
-int  elements_add(elements *list, const engine *e, const curves *all, const char *file, double tol);
+int elements_add(struct host *h, elements *list, const engine *e, const curves *all,
+                 const char *file, double tol);
 void elements_free(elements *list);
 
 /* The parameter of the curve at t in 0..1 of the element; `point` is the point there. */
@@ -47,6 +50,6 @@ void element_settle(const element *x, const reference *r, const double range[2],
                     const double from[CURVE_AXES], engine_near *n);
 
 /* Print `what: remedy` about the curve of x, as a data error. */
-int element_error(const element *x, const char *words);
+int element_error(struct host *h, const element *x, const char *words);
 
 #endif

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "geometry/print.h"
-#include "base/tool.h"       /* tool_error, sysexits */
+#include "base/host.h"
 
 #define EACH_LINE 8     /* knots */
 #define SAME 1e-6       /* mm; closer ends count as one point */
@@ -122,17 +122,18 @@ static int chain_one(const print_options *p, const curve *c, double end[ENGINE_A
     return status;
 }
 
-int print_chain(const print_options *p, const curves *all, const char *file, const char *words,
-                print_curve *one, void *context)
+int print_chain(host *h, const print_options *p, const curves *all, const char *file,
+                const char *words, print_curve *one, void *context)
 {
     double end[ENGINE_AXES];
 
     for (size_t i = 0; i < all->count; i++) {
         const int status = chain_one(p, &all->curve[i], end, i == 0, one, context);
         if (status != 0)
-            return tool_error(EX_DATAERR, "%s:%u: %s of degree %u%s: %s", file, all->curve[i].line,
-                              curve_name(all->curve[i].kind), all->curve[i].degree, words,
-                              curve_status(&all->curve[i], status));
+            return host_error(h, EX_DATAERR, "curve.not-printed",
+                              (host_place){ file, all->curve[i].line }, NULL,
+                              "%s of degree %u%s: %s", curve_name(all->curve[i].kind),
+                              all->curve[i].degree, words, curve_status(&all->curve[i], status));
     }
     return EX_OK;
 }

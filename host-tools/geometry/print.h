@@ -7,6 +7,8 @@
 #include "engine/curve.h"
 #include "engine/engine.h"         /* engine, ENGINE_AXES */
 
+struct host;                /* base/host.h */
+
 /* Print a point with as many digits as tell it from its neighbours in the number type of `e`, and
  * without z if not solid. `context` is a print_options, so this serves as an engine_point_sink. */
 typedef struct {
@@ -35,7 +37,7 @@ void print_words(const print_options *p, const double point[ENGINE_AXES]);
  * the start of each curve, and an empty line before it unless it begins where the curve before
  * ends. Returns an exit code after printing one line, in which `words` follow the curve. */
 typedef int print_curve(void *context, const curve *c, engine_curve *held);
-int print_chain(const print_options *p, const curves *all, const char *file, const char *words,
-                print_curve *one, void *context);
+int print_chain(struct host *h, const print_options *p, const curves *all, const char *file,
+                const char *words, print_curve *one, void *context);
 
 #endif

@@ -6,7 +6,8 @@
 
 #include "num/status.h"         /* LOFT_MORE */
 
-#include "base/tool.h"          /* tool_grow */
+#include "base/host.h"
+#include "base/memory.h"
 #include "geometry/stretches.h"
 
 static bool boxes_apart(const element *a, const element *b, double gap)
@@ -64,7 +65,7 @@ static void add_stretch(stretches *list, stretch c, double gap)
     }
     if (list->count == list->room) {
         list->room = list->room ? 2 * list->room : 16;
-        list->row = tool_grow(list->row, list->room * sizeof *list->row);
+        list->row = memory_grow(list->row, list->room * sizeof *list->row);
     }
     list->row[list->count++] = c;
 }
@@ -81,7 +82,8 @@ static void set_places(const element *x, const double t[3], double out[3], doubl
     }
 }
 
-int stretches_meet(stretches *list, const engine *e, const element *a, const element *b, double tol)
+int stretches_meet(host *h, stretches *list, const engine *e, const element *a, const element *b,
+                   double tol)
 {
     engine_meeting c[ENGINE_MEETINGS];
     size_t count;
@@ -91,9 +93,9 @@ int stretches_meet(stretches *list, const engine *e, const element *a, const ele
 
     if (status == LOFT_MORE)
         return element_error(
-            a, "meets another curve in more places than two curves have: give a larger --tol");
+            h, a, "meets another curve in more places than two curves have: give a larger --tol");
     if (status != 0)
-        return element_error(a, engine_status(status, "no tolerance: give --tol above 0"));
+        return element_error(h, a, engine_status(status, "no tolerance: give --tol above 0"));
     for (size_t k = 0; k < count; k++) {
         stretch r = { .distance = c[k].distance, .overlap = c[k].overlap };
         memcpy(r.point, c[k].point, sizeof r.point);

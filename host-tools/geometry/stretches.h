@@ -7,6 +7,8 @@
 
 #include "geometry/element.h"
 
+struct host;                /* base/host.h */
+
 /* A stretch along which two curves meet, with three places on each: its begin, the closest place,
  * its end. */
 typedef struct {
@@ -23,7 +25,7 @@ typedef struct {
 
 /* Add the stretches of an element of each curve, `tol` apart at most; set `range` before. One that
  * continues in the next piece becomes one with it. Returns an exit code after printing one line. */
-int stretches_meet(stretches *list, const engine *e, const element *a, const element *b,
-                   double tol);
+int stretches_meet(struct host *h, stretches *list, const engine *e, const element *a,
+                   const element *b, double tol);
 
 #endif

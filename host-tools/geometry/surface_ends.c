@@ -25,15 +25,16 @@ int surface_end_knots(const lines *at, surface *s)
         if (s->knots[along] != count) {
             snprintf(words, sizeof words, "%u knots %c for %u points of degree %u", s->knots[along],
                      along ? 'v' : 'u', points, degree);
-            return lines_wrong(at, words, "give as many as points + degree + 1, or none");
+            return lines_wrong(at, "surface.knots-count", words,
+                               "give as many as points + degree + 1, or none");
         }
         const double *k = s->knot[along];
         for (unsigned i = 0; i < points; i++)
             if (!(k[i] < k[i + degree + 1]))
-                return lines_wrong(at, "too many equal knots",
+                return lines_wrong(at, "surface.knots-equal", "too many equal knots",
                                    "give each at most degree + 1 times");
         if (!(k[degree] < k[points]))
-            return lines_wrong(at, "knots that leave no surface",
+            return lines_wrong(at, "surface.knots-none", "knots that leave no surface",
                                "let those behind the first `degree` ascend");
     }
     return 0;
@@ -68,7 +69,8 @@ static int broken_domain(const lines *at, const surface *s, const unsigned side[
     else
         snprintf(words, sizeof words, "sides %u and %u of the domain lie on each other", i + 1,
                  j + 1);
-    return lines_wrong(at, words, "list its vertices once around, so that no two sides touch");
+    return lines_wrong(at, "surface.domain-crosses", words,
+                       "list its vertices once around, so that no two sides touch");
 }
 
 /* Refuse a polygon that is invalid, in itself or for these coordinates. */
@@ -81,21 +83,24 @@ static int judge_domain(const lines *at, surface *s)
     if (status == LOFT_SINGULAR)
         return broken_domain(at, s, where);
     if (status == LOFT_ERR_ARG)
-        return lines_wrong(at, "the vertices of the domain run clockwise",
+        return lines_wrong(at, "surface.domain-clockwise",
+                           "the vertices of the domain run clockwise",
                            "list them counterclockwise, and the points of the net with them");
     const double *v = s->domain[where[0] % SURFACE_SIDES_MAX];
     if (status != LOFT_OK) {
         snprintf(words, sizeof words, "vertex %u of the domain, (%g, %g)", where[0] + 1, v[0],
                  v[1]);
         return lines_wrong(
-            at, words, "give coordinates below 32768, of not more than 15 digits behind the point");
+            at, "surface.domain-vertex-far", words,
+            "give coordinates below 32768, of not more than 15 digits behind the point");
     }
     if (where[0] < s->n && s->coordinates == COORDINATES_WACHSPRESS) {
         snprintf(
             words, sizeof words,
             "the domain is not convex at vertex %u, (%g, %g), which Wachspress coordinates ask for",
             where[0] + 1, v[0], v[1]);
-        return lines_wrong(at, words, "write meanvalue or harmonic behind the numbers");
+        return lines_wrong(at, "surface.domain-not-convex", words,
+                           "write meanvalue or harmonic behind the numbers");
     }
     return 0;
 }
@@ -105,12 +110,13 @@ int surface_end_domain(const lines *at, surface *s)
     char words[64];
 
     if (s->kind == SURFACE_TORIC && !sided_is_lattice(s))
-        return lines_wrong(at, "toric without a polygon",
+        return lines_wrong(at, "surface.polygon-missing", "toric without a polygon",
                            "give `domain x y x y ..` below it: whole numbers of -32 to 32, convex, "
                            "counterclockwise");
     if (s->kind != SURFACE_TORIC && s->corners != 0 && s->corners != s->n) {
         snprintf(words, sizeof words, "%u sides over a domain of %u vertices", s->n, s->corners);
-        return lines_wrong(at, words, "give as many, or none for a regular polygon");
+        return lines_wrong(at, "surface.domain-count", words,
+                           "give as many, or none for a regular polygon");
     }
     if (s->corners == 0 && s->kind != SURFACE_BASEPOINT)
         sided_regular(s);

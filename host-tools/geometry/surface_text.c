@@ -65,7 +65,7 @@ static int wrong_degree(reading *r, const double degree[], int count, unsigned l
              two ? "two whole numbers" : "a whole number", least, most,
              two ? "that along u and that along v" : "or nothing: then the points are counted",
              drawn ? "; only `loft plot` takes up to 32" : "");
-    return lines_wrong(&r->at, two ? "not two degrees" : "not a degree", remedy);
+    return lines_wrong(&r->at, "surface.degree", two ? "not two degrees" : "not a degree", remedy);
 }
 
 static int head_degrees(reading *r, unsigned least)
@@ -102,7 +102,7 @@ static int head_coons(reading *r)
     else if (lines_word(&r->at, "curvatures"))
         r->now->orders = 3;
     else if (isalpha((unsigned char)*r->at.rest))
-        return lines_wrong(&r->at, "not a kind of Coons patch",
+        return lines_wrong(&r->at, "surface.coons-kind", "not a kind of Coons patch",
                            "give nothing, slopes or curvatures, and the two degrees");
     return head_degrees(r, 1);
 }
@@ -111,14 +111,14 @@ static int head_bare(reading *r)
 {
     return lines_numbers_alone(&r->at, NULL, 0) == 0
                ? 0
-               : lines_wrong(&r->at, "more after the kind",
+               : lines_wrong(&r->at, "surface.more-after-kind", "more after the kind",
                              "give its points on lines of their own");
 }
 
 static int head_radius(reading *r)
 {
     if (lines_numbers_alone(&r->at, &r->now->radius, 1) != 1 || r->now->radius <= 0)
-        return lines_wrong(&r->at, "no radius",
+        return lines_wrong(&r->at, "surface.radius", "no radius",
                            "give it after the kind, as `sphere 20`, and the centre on the next "
                            "line, if it is not 0 0 0");
     return 0;
@@ -145,15 +145,16 @@ static int read_coordinates(reading *r)
         r->now->coordinates = COORDINATES_HARMONIC;
     else
         lines_word(&r->at, "wachspress");
-    return lines_over(&r->at) ? 0
-                              : lines_wrong(&r->at, "not a kind of coordinates",
-                                            "give wachspress, meanvalue, harmonic or nothing");
+    return lines_over(&r->at)
+               ? 0
+               : lines_wrong(&r->at, "surface.coordinates", "not a kind of coordinates",
+                             "give wachspress, meanvalue, harmonic or nothing");
 }
 
 static int head_spatch(reading *r)
 {
     if (!sides_and_degree(r, SURFACE_SIDES_MAX))
-        return lines_wrong(&r->at, "not sides and depth",
+        return lines_wrong(&r->at, "surface.sides-depth", "not sides and depth",
                            "give two whole numbers, 3 to 8 sides and a depth of 1 to 9");
     return read_coordinates(r);
 }
@@ -168,7 +169,7 @@ static int head_nurbs(reading *r)
     if (lines_numbers_alone(&r->at, x, 4) != 4 || !is_degree(x[0], 1) || !is_degree(x[1], 1) ||
         x[2] != floor(x[2]) || x[3] != floor(x[3]) || !(x[2] > x[0] && x[2] <= ROWS_MAX) ||
         !(x[3] > x[1] && x[3] <= ROWS_MAX))
-        return lines_wrong(&r->at, "not two degrees, rows and columns",
+        return lines_wrong(&r->at, "surface.rows", "not two degrees, rows and columns",
                            "give degrees of 1 to 9 along u and v, then more rows and columns than "
                            "the degrees, at most 1000");
     s->m = (unsigned)x[0];
@@ -181,7 +182,7 @@ static int head_nurbs(reading *r)
 static int head_gb(reading *r)
 {
     if (!sides_and_degree(r, SURFACE_SIDES_MAX) || r->now->m < 3)
-        return lines_wrong(&r->at, "not sides and degree",
+        return lines_wrong(&r->at, "surface.sides-degree", "not sides and degree",
                            "give two whole numbers, 3 to 8 sides and a degree of 3 to 9");
     r->now->split = lines_word(&r->at, "split");
     return read_coordinates(r);
@@ -193,14 +194,14 @@ static int head_basepoint(reading *r)
 
     if (lines_numbers_alone(&r->at, number, 4) != 4 || !is_degree(number[0], 1))
         return lines_wrong(
-            &r->at, "not a degree and three cuts",
+            &r->at, "surface.cuts", "not a degree and three cuts",
             "give the degree, 1 to 9, and how much is cut off each corner, 0 for nothing");
     r->now->m = (unsigned)number[0];
     r->now->n = 3;
     for (int i = 0; i < 3; i++) {
         if (number[1 + i] != floor(number[1 + i]) || number[1 + i] < 0 ||
             !(number[1 + i] + number[1 + (i + 1) % 3] < number[0]))
-            return lines_wrong(&r->at, "not a cut",
+            return lines_wrong(&r->at, "surface.cut", "not a cut",
                                "give whole numbers, any two of them together below the degree");
         r->now->cut[i] = (unsigned)number[1 + i];
         r->now->n += number[1 + i] > 0;
@@ -211,7 +212,7 @@ static int head_basepoint(reading *r)
 static int head_zheng_ball(reading *r)
 {
     if (!sides_and_degree(r, 6) || !lines_over(&r->at) || r->now->n == 4 || r->now->m < 2)
-        return lines_wrong(&r->at, "not sides and degree",
+        return lines_wrong(&r->at, "surface.gb-sides", "not sides and degree",
                            "give 3, 5 or 6 sides and a degree of 2 to 9");
     return 0;
 }
@@ -291,19 +292,21 @@ static int point_line(reading *r)
     char words[64];
 
     if (r->now == NULL)
-        return lines_wrong(&r->at, "a point of no surface", "begin with a kind, as `tensor 3 3`");
+        return lines_wrong(&r->at, "surface.point-alone", "a point of no surface",
+                           "begin with a kind, as `tensor 3 3`");
     if (r->now->kind == SURFACE_TORIC && !sided_is_lattice(r->now))
-        return lines_wrong(&r->at, "no polygon",
+        return lines_wrong(&r->at, "surface.polygon-missing", "no polygon",
                            "give `domain x y x y ..` before the points: whole numbers of -32 to "
                            "32, convex, counterclockwise");
     if (lines_vector(&r->at, p.p) == 0 || !what_is_behind(r, &p) || !lines_over(&r->at))
-        return lines_wrong(&r->at, "not a point", row_of(r->now)->point);
+        return lines_wrong(&r->at, "surface.point", "not a point", row_of(r->now)->point);
     surface highest = { .kind = r->now->kind, .m = most_degree(r, r->now) };
     const unsigned most = surface_points(r->counted ? r->now : &highest);
     if (r->now->count == most) {
         snprintf(words, sizeof words, "more than the %u point%s of this %s", most,
                  most == 1 ? "" : "s", surface_name(r->now->kind));
-        return lines_wrong(&r->at, words, "begin another surface, or give a higher degree");
+        return lines_wrong(&r->at, "surface.too-many-points", words,
+                           "begin another surface, or give a higher degree");
     }
     surface_add_point(r->now, &p);
     return 0;
@@ -317,15 +320,17 @@ static int domain_line(reading *r)
 
     if (r->now == NULL || (r->now->kind != SURFACE_SPATCH && r->now->kind != SURFACE_GB &&
                            r->now->kind != SURFACE_TORIC))
-        return lines_wrong(&r->at, "a polygon of no patch",
+        return lines_wrong(&r->at, "surface.domain-alone", "a polygon of no patch",
                            "give it below `spatch`, `gb` or `toric`");
     while ((count = lines_numbers(&r->at, x, 2)) == 2) {
         if (r->now->corners == SURFACE_SIDES_MAX)
-            return lines_wrong(&r->at, "more than 8 vertices", "give 3 to 8 pairs of x and y");
+            return lines_wrong(&r->at, "surface.domain-vertices", "more than 8 vertices",
+                               "give 3 to 8 pairs of x and y");
         memcpy(r->now->domain[r->now->corners++], x, sizeof x);
     }
     if (count != 0 || !lines_over(&r->at))
-        return lines_wrong(&r->at, "not a vertex", "give pairs of x and y");
+        return lines_wrong(&r->at, "surface.domain-vertex", "not a vertex",
+                           "give pairs of x and y");
     if (r->now->kind == SURFACE_TORIC)
         r->now->n = r->now->corners;
     return 0;
@@ -344,18 +349,20 @@ static int knot_line(reading *r)
     int count;
 
     if (s == NULL || s->kind != SURFACE_NURBS || (!u && !v))
-        return lines_wrong(&r->at, "knots of no NURBS surface",
+        return lines_wrong(&r->at, "surface.knots-alone", "knots of no NURBS surface",
                            "give `knots u ..` and `knots v ..` below `nurbs-surface`");
     while ((count = lines_numbers(&r->at, &knot, 1)) == 1) {
         const unsigned held = s->knots[along];
         if (held > 0 && knot < s->knot[along][held - 1])
-            return lines_wrong(&r->at, "knots that descend", "give them in ascending order");
+            return lines_wrong(&r->at, "surface.knots-descend", "knots that descend",
+                               "give them in ascending order");
         if (held <= ROWS_MAX + SURFACE_DEGREE_MAX + 1)
             surface_add_knot(s, along, knot);
     }
     return count == 0 && lines_over(&r->at)
                ? 0
-               : lines_wrong(&r->at, "not a knot", "give numbers: rows, or columns, + degree + 1");
+               : lines_wrong(&r->at, "surface.knot", "not a knot",
+                             "give numbers: rows, or columns, + degree + 1");
 }
 
 
@@ -391,7 +398,8 @@ static int end_surface(reading *r)
                      : s->kind == SURFACE_NURBS ? surface_end_knots(&at, s)
                                                 : 0;
     if (code == 0 && s->kind == SURFACE_GB && engine_sides_f64.complete(s) != 0)
-        return lines_wrong(&at, "a net beyond +-32767 mm", "make the part smaller");
+        return lines_wrong(&at, "surface.net-too-far", "a net beyond +-32767 mm",
+                           "make the part smaller");
     if (code != 0 || s->count == surface_points(s))
         return code;
     snprintf(words, sizeof words, "%s with %u point%s", surface_name(s->kind), s->count,
@@ -403,7 +411,7 @@ static int end_surface(reading *r)
         snprintf(remedy, sizeof remedy, "give %u or %u", fewer, points);
     else
         snprintf(remedy, sizeof remedy, "give %u", points);
-    return lines_wrong(&at, words, remedy);
+    return lines_wrong(&at, "surface.points-count", words, remedy);
 }
 
 static int word_line(reading *r)
@@ -423,7 +431,7 @@ static int word_line(reading *r)
         snprintf(words, sizeof words, "`%.*s` is not a kind of surface", length > 20 ? 20 : length,
                  r->at.rest);
         return lines_wrong(
-            &r->at, words,
+            &r->at, "surface.kind", words,
             "give tensor triangle coons bicubic pn sphere octant gregory "
             "nurbs-surface tetra spatch toric basepoint ring or gb; curves go into a "
             "file of their own");

@@ -19,6 +19,8 @@
 #include "base/tool.h"          /* option_list */
 #include "engine/engine.h"      /* engine */
 
+struct host;                /* base/host.h */
+
 struct curves;
 struct surfaces;
 
@@ -63,7 +65,7 @@ extern const decide_question make_q16[MAKE_VERBS], make_f32[MAKE_VERBS], make_f6
 
 /* Print the answer of `loft decide` to a question about surfaces, or why there is none. Returns an
  * exit code. */
-int decide_surfaces(const char *question, const engine *e, const option_list *of,
+int decide_surfaces(struct host *h, const char *question, const engine *e, const option_list *of,
                     const struct surfaces *all, const char *file);
 
 /* Run a command whose first word is a question of a table, one table per number type. */
@@ -74,7 +76,7 @@ typedef struct {
     option_words files;
 } decide_options;
 extern const option decide_rows[];
-int decide_run(const char *name, const decide_question *const table[3], unsigned count,
-               const decide_options *o);
+int decide_run(struct host *h, const char *name, const decide_question *const table[3],
+               unsigned count, const decide_options *o);
 
 #endif

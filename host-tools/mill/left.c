@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"          /* tool_grow */
+#include "base/memory.h"
 #include "mill/left.h"
 
 /* The bin of a place, limited to the bins that exist. */
@@ -45,10 +45,10 @@ void left_make(left_over *l, const record *r, double radius, double corner)
     for (int k = 0; k < 2; k++)
         l->bins[k] = (size_t)((high[k] - l->low[k]) / l->size) + 1;
     const size_t bins = l->bins[0] * l->bins[1];
-    l->start = tool_grow(NULL, (bins + 2) * sizeof *l->start);
+    l->start = memory_grow(NULL, (bins + 2) * sizeof *l->start);
     memset(l->start, 0, (bins + 2) * sizeof *l->start);
     l->count = r->count - first;
-    l->tip = tool_grow(NULL, (l->count + 1) * sizeof *l->tip);
+    l->tip = memory_grow(NULL, (l->count + 1) * sizeof *l->tip);
     for (size_t i = first; i < r->count; i++)
         l->start[bin_of(l, r->pulse[i].at) + 2]++;
     for (size_t b = 2; b < bins + 2; b++)
@@ -268,8 +268,8 @@ void left_around(void *context, mesh *m)
     g.rows = (size_t)fmin(ceil(l->block->size[2] / cell), ALONG);
     const size_t cells = g.n[0] * g.n[1], corners = (g.n[0] + 1) * (g.n[1] + 1),
                  most = cells + 2 * (g.n[0] + g.n[1]) * g.rows;
-    g.hidden = tool_grow(NULL, cells * sizeof *g.hidden);
-    g.height = tool_grow(NULL, corners * sizeof *g.height);
+    g.hidden = memory_grow(NULL, cells * sizeof *g.hidden);
+    g.height = memory_grow(NULL, corners * sizeof *g.height);
     memset(g.hidden, 0, cells * sizeof *g.hidden);
     for (size_t k = 0; k < corners; k++)
         g.height[k] = NAN;
@@ -281,8 +281,8 @@ void left_around(void *context, mesh *m)
             if (area_of(at[0], at[1], at[2]) != 0)
                 hide_below(&g, at);
         }
-    m->vertex = tool_grow(m->vertex, (m->vertices + 4 * most) * sizeof *m->vertex);
-    m->cell   = tool_grow(m->cell, (m->cells + most) * sizeof *m->cell);
+    m->vertex = memory_grow(m->vertex, (m->vertices + 4 * most) * sizeof *m->vertex);
+    m->cell   = memory_grow(m->cell, (m->cells + most) * sizeof *m->cell);
     add_top(&g);
     for (unsigned k = 0; k < 4; k++)
         add_side(&g, k % 2, k > 1);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/host.h"
 #include "base/memory.h"        /* memory_grow */
 #include "base/source.h"        /* source_name */
 #include "read/drawing.h"

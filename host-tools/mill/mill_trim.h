@@ -6,6 +6,8 @@
 
 #include "engine/mill.h"        /* mill_trim */
 
+struct host;                /* base/host.h */
+
 /* Read the loops of a drawing into *t, of which tol and plane are set. Returns 0, or an exit code
  * after one message. */
 int  mill_trim_read(struct host *h, mill_trim *t, const char *file);

@@ -8,7 +8,7 @@
 
 #include "base/source.h"        /* source_name */
 #include "base/spool.h"         /* spool_grow */
-#include "base/tool.h"          /* tool_error */
+#include "base/host.h"
 #include "mill/patch.h"
 
 #define ROWS_MOST 1024.0        /* of lib/toolpath/lines.h */
@@ -48,26 +48,27 @@ static double length_across(const surface *s, const patch_order *o, unsigned m, 
 }
 
 /* Refuse a patch that cannot be sent at all. */
-static int check_kind(const surface *s, const char *file)
+static int check_kind(host *h, const surface *s, const char *file)
 {
     if ((s->kind != SURFACE_TENSOR && s->kind != SURFACE_BICUBIC) || s->rational ||
         s->m > LOFT_PATCH_DEGREE || s->n > LOFT_PATCH_DEGREE || s->m < 1 || s->n < 1)
-        return tool_error(
-            EX_DATAERR,
-            "%s:%u: %s%s of degrees %u x %u: a machine cuts polynomial tensor patches "
-            "of degrees 1 to %d by itself: leave out --plan chip",
-            source_name(file), s->line, s->rational ? "rational " : "", surface_name(s->kind), s->m,
-            s->n, LOFT_PATCH_DEGREE);
+        return host_error(h, EX_DATAERR, "patch.degrees",
+                          (host_place){ source_name(file), s->line }, "leave out --plan chip",
+                          "%s%s of degrees %u x %u: a machine cuts polynomial tensor patches of "
+                          "degrees 1 to %d by itself",
+                          s->rational ? "rational " : "", surface_name(s->kind), s->m, s->n,
+                          LOFT_PATCH_DEGREE);
     for (unsigned k = 0; k < (s->m + 1) * (s->n + 1); k++)
         for (int i = 0; i < ENGINE_AXES; i++)
             if (!(fabs(s->point[k].p[i]) <= REACH))
-                return tool_error(EX_DATAERR, "%s:%u: %s: a point at %.6g mm: bring it within +-%g",
-                                  source_name(file), s->line, surface_name(s->kind),
-                                  s->point[k].p[i], REACH);
+                return host_error(
+                    h, EX_DATAERR, "patch.too-far", (host_place){ source_name(file), s->line },
+                    HOST_REMEDY("bring it within +-%g", REACH), "%s: a point at %.6g mm",
+                    surface_name(s->kind), s->point[k].p[i]);
     return 0;
 }
 
-static int refuse(const surface *s, const patch_order *o, int fault, const char *file)
+static int refuse(host *h, const surface *s, const patch_order *o, int fault, const char *file)
 {
     const char *what = fault == LOFT_LINES_NORMAL ? "it has no normal somewhere: leave out --plan "
                                                     "chip"
@@ -78,12 +79,14 @@ static int refuse(const surface *s, const patch_order *o, int fault, const char 
                                                    "--tool";
 
     if (fault == LOFT_LINES_COARSE)
-        return tool_error(EX_DATAERR,
-                          "%s:%u: %s: %u curves a line, the most of this machine, leave --tol %g: "
+        return host_error(h, EX_DATAERR, "patch.tolerance",
+                          (host_place){ source_name(file), s->line },
                           "give more --tol, or leave out --plan chip",
-                          source_name(file), s->line, surface_name(s->kind), o->columns, o->tol);
-    return tool_error(EX_DATAERR, "%s:%u: %s: a ball of %g mm cannot cut it by lines: %s",
-                      source_name(file), s->line, surface_name(s->kind), 2 * o->radius, what);
+                          "%s: %u curves a line, the most of this machine, leave --tol %g",
+                          surface_name(s->kind), o->columns, o->tol);
+    return host_error(h, EX_DATAERR, "patch.ball", (host_place){ source_name(file), s->line }, what,
+                      "%s: a ball of %g mm cannot cut it by lines", surface_name(s->kind),
+                      2 * o->radius);
 }
 
 /* The fewest columns that keep the tolerance: a power of two, then between that and half of it. */
@@ -112,10 +115,10 @@ static int choose_columns(lines_patch *p, const patch_order *o)
     return fault;
 }
 
-int patch_make(lines_patch *p, const surface *s, const patch_order *o,
+int patch_make(host *h, lines_patch *p, const surface *s, const patch_order *o,
                const double start[ENGINE_AXES], const char *file)
 {
-    const int code = check_kind(s, file);
+    const int code = check_kind(h, s, file);
     double top     = -HUGE_VAL;
 
     if (code != 0)
@@ -123,11 +126,10 @@ int patch_make(lines_patch *p, const surface *s, const patch_order *o,
     const unsigned m = o->axis == 1 ? s->m : s->n, n = o->axis == 1 ? s->n : s->m;
     const double rows = fmax(ceil(length_across(s, o, m, n) / o->step - 1e-6), 1);
     if (rows > ROWS_MOST)
-        return tool_error(
-            EX_DATAERR,
-            "%s:%u: %s: %.0f lines %.6g mm apart: a machine cuts %.0f by itself: give "
-            "more --step",
-            source_name(file), s->line, surface_name(s->kind), rows + 1, o->step, ROWS_MOST + 1);
+        return host_error(h, EX_DATAERR, "patch.lines", (host_place){ source_name(file), s->line },
+                          "give more --step",
+                          "%s: %.0f lines %.6g mm apart: a machine cuts %.0f by itself",
+                          surface_name(s->kind), rows + 1, o->step, ROWS_MOST + 1);
     *p = (lines_patch){ .head = { .radius = raw(o->radius),
                                   .tol = (int32_t)floor(o->tol * 65536),
                                   .rows = (uint16_t)rows,
@@ -146,7 +148,7 @@ int patch_make(lines_patch *p, const surface *s, const patch_order *o,
         p->place[i] = raw(start[i]);
     p->head.safe    = raw(top + o->above);
     const int fault = choose_columns(p, o);
-    return fault == LOFT_LINES_FINE ? 0 : refuse(s, o, fault, file);
+    return fault == LOFT_LINES_FINE ? 0 : refuse(h, s, o, fault, file);
 }
 
 unsigned patch_items(const lines_patch *p, loft_item item[LOFT_PATCH_PARTS])

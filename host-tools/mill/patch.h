@@ -9,6 +9,8 @@
 #include "plan/toolpath.h"      /* toolpath */
 #include "read/drawing.h"       /* drawing */
 
+struct host;                /* base/host.h */
+
 /* How it is cut. Lengths in mm, feeds in mm/s. */
 typedef struct {
     double radius;              /* of the ball */
@@ -24,7 +26,7 @@ typedef struct {
 /* The patch of a surface, with the fewest columns that keep the tolerance; it begins where the
  * motors are. Returns 0, or an exit code after printing one line: what prevents it, and the
  * remedy. */
-int patch_make(lines_patch *p, const surface *s, const patch_order *o,
+int patch_make(struct host *h, lines_patch *p, const surface *s, const patch_order *o,
                const double start[ENGINE_AXES], const char *file);
 
 /* Its items. Returns their number. */

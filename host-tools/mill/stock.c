@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"          /* tool_error */
+#include "base/host.h"
+#include "base/memory.h"
 #include "draw/mesh.h"
 #include "mill/stock.h"
 
@@ -53,13 +54,13 @@ static void widen(double box[2][3], const double p[3])
 }
 
 /* The box of one surface; an empty one is from INFINITY to -INFINITY. */
-static int find_box(const surface *s, unsigned n, const mill_trim *trim, const char *file,
+static int find_box(host *h, const surface *s, unsigned n, const mill_trim *trim, const char *file,
                     double box[2][3])
 {
     surface copy = *s;
     const surfaces one = { .surface = &copy, .count = 1 };
     mesh m = { 0 };
-    const int code = mesh_make(&m, &one, file, &engine_f64, n, n);
+    const int code = mesh_make(h, &m, &one, file, &engine_f64, n, n);
 
     for (int k = 0; k < 3; k++) {
         box[0][k] = INFINITY;
@@ -89,16 +90,16 @@ static double beyond(const stock *s, double box[2][3], int *axis, bool *above)
     return most;
 }
 
-int stock_place(stock *s, const surfaces *all, const mill_trim *trim, const char *file)
+int stock_place(host *h, stock *s, const surfaces *all, const mill_trim *trim, const char *file)
 {
     const unsigned n = all->count <= 16 ? 96 : 16;
-    double (*const box)[2][3] = tool_grow(NULL, (all->count + 1) * sizeof *box),
+    double (*const box)[2][3] = memory_grow(NULL, (all->count + 1) * sizeof *box),
                   (*const whole)[3] = box[all->count];
     int code = 0, axis = 0;
     bool above = false;
 
     for (size_t i = 0; i < all->count && code == 0; i++) {
-        code = find_box(&all->surface[i], n, trim, file, box[i]);
+        code = find_box(h, &all->surface[i], n, trim, file, box[i]);
         for (int k = 0; k < 3 && code == 0; k++) {
             whole[0][k] = i == 0 ? box[i][0][k] : fmin(whole[0][k], box[i][0][k]);
             whole[1][k] = i == 0 ? box[i][1][k] : fmax(whole[1][k], box[i][1][k]);
@@ -114,18 +115,17 @@ int stock_place(stock *s, const surfaces *all, const mill_trim *trim, const char
     for (size_t i = 0; i < all->count && code == 0 && s->placed; i++) {
         const double by = beyond(s, box[i], &axis, &above);
         if (by > 0)
-            code = tool_error(
-                EX_DATAERR,
-                "%s:%u: %s: reaches to %c %.3f, %.3f mm %s the block: give a larger --stock, "
-                "or another place: WxDxH@X,Y,Z",
-                file, all->surface[i].line, surface_name(all->surface[i].kind), "xyz"[axis],
-                box[i][above][axis], by, axis == 2 && !above ? "below" : "beyond");
+            code = host_error(
+                h, EX_DATAERR, "stock.surface-outside", (host_place){ file, all->surface[i].line },
+                "give a larger --stock, or another place: WxDxH@X,Y,Z",
+                "%s: reaches to %c %.3f, %.3f mm %s the block", surface_name(all->surface[i].kind),
+                "xyz"[axis], box[i][above][axis], by, axis == 2 && !above ? "below" : "beyond");
     }
     free(box);
     return code;
 }
 
-int stock_holds(const stock *s, const mill_cut *path, const char *file)
+int stock_holds(host *h, const stock *s, const mill_cut *path, const char *file)
 {
     double box[2][3];
     int axis = 0;
@@ -141,10 +141,9 @@ int stock_holds(const stock *s, const mill_cut *path, const char *file)
     const double by = beyond(s, box, &axis, &above);
     if (!(by > 0))
         return 0;
-    return tool_error(EX_DATAERR,
-                      axis == 2 ? "%s: the lines reach to %c %.3f, %.3f mm below the block: give a "
-                                  "thicker --stock, or a higher --floor"
-                                : "%s: the lines reach to %c %.3f, %.3f mm beyond the block: give "
-                                  "a larger --stock, or a smaller --area",
-                      file, "xyz"[axis], box[above][axis], by);
+    return host_error(h, EX_DATAERR, "stock.lines-outside", (host_place){ file, 0 },
+                      axis == 2 ? "give a thicker --stock, or a higher --floor"
+                                : "give a larger --stock, or a smaller --area",
+                      "the lines reach to %c %.3f, %.3f mm %s the block", "xyz"[axis],
+                      box[above][axis], by, axis == 2 ? "below" : "beyond");
 }

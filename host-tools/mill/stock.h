@@ -7,6 +7,8 @@
 #include "engine/mill.h"        /* mill_cut, mill_trim */
 #include "engine/surface.h"
 
+struct host;                /* base/host.h */
+
 /* mm; width, depth and height are along x, y and z. */
 typedef struct {
     bool given, placed;
@@ -23,9 +25,10 @@ bool stock_parse(const char *text, void *out);
  * loops counts. Returns 0, or an exit code after printing one line: the surfaces leave the block.
  *
  *   error   the surfaces are known by at least 16 x 16 points each, those of few by 96 x 96 */
-int stock_place(stock *s, const surfaces *all, const mill_trim *trim, const char *file);
+int stock_place(struct host *h, stock *s, const surfaces *all, const mill_trim *trim,
+                const char *file);
 
 /* Refuse a path with places beside the block or below its bottom. Returns as stock_place. */
-int stock_holds(const stock *s, const mill_cut *path, const char *file);
+int stock_holds(struct host *h, const stock *s, const mill_cut *path, const char *file);
 
 #endif

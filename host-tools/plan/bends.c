@@ -10,7 +10,7 @@
 
 #include "plan/bends.h"
 #include "base/space.h"          /* space_distance */
-#include "base/tool.h"           /* tool_grow */
+#include "base/memory.h"
 
 #define DEPTH    40         /* halvings of a curve */
 #define SHARP    0.0864     /* of two directions: 4.95 degrees */
@@ -56,7 +56,7 @@ static void go_on(bends *b, size_t move, const part *p, double u[3][ENGINE_AXES]
     if (b->moves && space_distance(b->last, u[0]) > SHARP) {
         if (b->count == b->room) {
             b->room = b->room ? 2 * b->room : 64;
-            b->bend = tool_grow(b->bend, b->room * sizeof *b->bend);
+            b->bend = memory_grow(b->bend, b->room * sizeof *b->bend);
         }
         bend *n = &b->bend[b->count++];
         *n = (bend){ .move = move, .t = p->from };

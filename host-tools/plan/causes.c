@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"           /* tool_grow */
+#include "base/memory.h"
 #include "plan/causes.h"
 
 #define WINDOW   65536      /* moments: half a minute and more around each; the same */
@@ -203,7 +203,7 @@ void causes_add_move(causes *c, const engine_move *move, double length)
         advance(c);
     if (c->moves - c->first == c->move_room) {
         c->move_room = c->move_room ? 2 * c->move_room : 256;
-        c->move      = tool_grow(c->move, c->move_room * sizeof *c->move);
+        c->move      = memory_grow(c->move, c->move_room * sizeof *c->move);
     }
     c->move[c->moves - c->first] = (causes_move){ .part = { .length = length },
                                                   .feed   = move->feed,
@@ -219,7 +219,7 @@ void causes_add(causes *c, const causes_moment *now)
         advance(c);
     if (c->count - c->low == c->room) {
         c->room   = c->room ? 2 * c->room : 4096;
-        c->moment = tool_grow(c->moment, c->room * sizeof *c->moment);
+        c->moment = memory_grow(c->moment, c->room * sizeof *c->moment);
     }
     c->moment[c->count - c->low] = *now;
     c->count++;

@@ -197,39 +197,39 @@ void certify_fold(certify *sum, const certify *part)
     sum->connected = sum->connected && part->connected;
 }
 
-static void print_limit(char axis, const char *what, const char *unit, const certify_worst *w,
-                        double limit, double bound)
+static void print_limit(FILE *out, char axis, const char *what, const char *unit,
+                        const certify_worst *w, double limit, double bound)
 {
     if (limit > 0)
-        printf("%c %-20s %10.6f of %-9.9g %-8s %10.3f s  %8.6g  %s\n", axis, what, w->worst, limit,
-               unit, w->seconds, bound, w->worst <= bound ? "ok" : "MISSED");
+        fprintf(out, "%c %-20s %10.6f of %-9.9g %-8s %10.3f s  %8.6g  %s\n", axis, what, w->worst,
+                limit, unit, w->seconds, bound, w->worst <= bound ? "ok" : "MISSED");
 }
 
-static void print_distance(const char *what, const certify_worst *w, const char *where)
+static void print_distance(FILE *out, const char *what, const certify_worst *w, const char *where)
 {
-    printf("%-22s %10.6f mm %22s at %.3f,%.3f,%.3f  %g  %s\n", what, w->worst, where, w->at[0],
-           w->at[1], w->at[2], w->tol, w->worst <= w->tol ? "ok" : "MISSED");
+    fprintf(out, "%-22s %10.6f mm %22s at %.3f,%.3f,%.3f  %g  %s\n", what, w->worst, where,
+            w->at[0], w->at[1], w->at[2], w->tol, w->worst <= w->tol ? "ok" : "MISSED");
 }
 
-bool certify_print(const certify *c, const certify_plan *plan, const char *axes)
+bool certify_print(FILE *out, const certify *c, const certify_plan *plan, const char *axes)
 {
     const engine_limits *l = plan->limits;
     char when[32];
 
-    printf("%-22s %10s %-21s %12s  %8s\n", "limit", "worst", "", "at", "at most");
+    fprintf(out, "%-22s %10s %-21s %12s  %8s\n", "limit", "worst", "", "at", "at most");
     for (int i = 0; i < ENGINE_AXES; i++) {
-        print_limit(axes[i], "speed", "mm/s", &c->speed[i], l->max_speed[i], CERTIFY_SPEED);
-        print_limit(axes[i], "acceleration", "mm/s^2", &c->accel[i], l->max_accel[i],
+        print_limit(out, axes[i], "speed", "mm/s", &c->speed[i], l->max_speed[i], CERTIFY_SPEED);
+        print_limit(out, axes[i], "acceleration", "mm/s^2", &c->accel[i], l->max_accel[i],
                     CERTIFY_ACCEL);
-        print_limit(axes[i], "jerk", "mm/s^3", &c->jerk[i], l->max_jerk[i], CERTIFY_JERK);
+        print_limit(out, axes[i], "jerk", "mm/s^3", &c->jerk[i], l->max_jerk[i], CERTIFY_JERK);
     }
     if (!c->connected)
-        printf("%-22s MISSED\n", "spans without a gap");
+        fprintf(out, "%-22s MISSED\n", "spans without a gap");
     else {
         snprintf(when, sizeof when, "%.3f s", c->off.seconds);
-        print_distance("motion from drawing", &c->off, when);
+        print_distance(out, "motion from drawing", &c->off, when);
         snprintf(when, sizeof when, "move %zu", c->missed.move + 1);
-        print_distance("drawing from motion", &c->missed, when);
+        print_distance(out, "drawing from motion", &c->missed, when);
     }
     return certify_holds(c);
 }

@@ -8,6 +8,8 @@
 #ifndef LOFT_CERTIFY_H
 #define LOFT_CERTIFY_H
 
+#include <stdio.h>
+
 #include "plan/certify_plan.h"  /* certify_plan, certify_worst */
 
 /* What a plan holds: these parts of the limits of speed, acceleration and jerk. */
@@ -43,6 +45,6 @@ bool certify_holds(const certify *c);
 
 /* Print the table. `axes` are the names of the motors. Returns whether everything is within its
  * bounds. */
-bool certify_print(const certify *c, const certify_plan *plan, const char *axes);
+bool certify_print(FILE *out, const certify *c, const certify_plan *plan, const char *axes);
 
 #endif

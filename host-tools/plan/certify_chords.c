@@ -10,7 +10,7 @@
 #include "plan/certify_chords.h"
 #include "plan/bends.h"         /* bends_find */
 #include "base/space.h"         /* space_distance */
-#include "base/tool.h"          /* tool_grow */
+#include "base/memory.h"
 
 void certify_cubic_of_span(const certify_plan *plan, size_t n, certify_cubic *out)
 {
@@ -56,10 +56,10 @@ static void make_room(certify_chords *c, size_t n)
 {
     if (n >= c->room) {
         c->room = c->room ? 2 * c->room : 1024;
-        c->end  = tool_grow(c->end, c->room * sizeof *c->end);
-        c->s    = tool_grow(c->s, c->room * sizeof *c->s);
-        c->share = tool_grow(c->share, c->room * sizeof *c->share);
-        c->of   = tool_grow(c->of, c->room * sizeof *c->of);
+        c->end  = memory_grow(c->end, c->room * sizeof *c->end);
+        c->s    = memory_grow(c->s, c->room * sizeof *c->s);
+        c->share = memory_grow(c->share, c->room * sizeof *c->share);
+        c->of   = memory_grow(c->of, c->room * sizeof *c->of);
     }
 }
 
@@ -198,7 +198,7 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Where the corners of the path that is planned are along the drawing; tool_grow has made it. */
+/* Where the corners of the path that is planned are along the drawing; memory_grow has made it. */
 static double *corners_of(const certify_chords *drawn, const certify_plan *plan, size_t *count)
 {
     const certify_plan planned = { .move = plan->planned ? plan->planned : plan->move,
@@ -210,7 +210,7 @@ static double *corners_of(const certify_chords *drawn, const certify_plan *plan,
 
     bends_find(&b, planned.move, planned.moves);
     certify_chords_make(&path, &planned, certify_cubic_of_move, planned.moves, plan->tol);
-    double *s = tool_grow(NULL, (b.count + 1) * sizeof *s);
+    double *s = memory_grow(NULL, (b.count + 1) * sizeof *s);
     for (size_t n = 0; n < b.count; n++) {
         const double now = way_to(&path, &b.bend[n], &k), way = now - before;
         at = corner_at(drawn, b.bend[n].at, at + way, plan->tol + 0.02 * way);
@@ -228,7 +228,7 @@ void certify_mark_corners(certify_chords *drawn, const certify_plan *plan)
     const double reach = CERTIFY_NEAR * plan->corner;
     size_t count, n = 0;
     double *corner = corners_of(drawn, plan, &count),
-           *cut = tool_grow(NULL, (2 * count + 1) * sizeof *cut);
+           *cut = memory_grow(NULL, (2 * count + 1) * sizeof *cut);
 
     for (size_t i = 0; i < count; i++) {
         cut[2 * i]     = corner[i] - reach;

@@ -6,7 +6,7 @@
 
 #include "base/say.h"
 #include "base/source.h"         /* source_name */
-#include "base/tool.h"           /* tool_s */
+#include "base/tool.h"
 #include "plan/check.h"
 #include "plan/table.h"          /* table_words */
 
@@ -54,8 +54,8 @@ static bool goes_sideways(const drawing_curve *c)
            hypot(c->p[3][0] - c->p[0][0], c->p[3][1] - c->p[0][1]) > 1e-6;
 }
 
-void check_print(const machine_file *m, const char *file, const drawing *d, const toolpath *path,
-                 double feed)
+void check_print(FILE *out, const machine_file *m, const char *file, const drawing *d,
+                 const toolpath *path, double feed)
 {
     double least = HUGE_VAL, most = 0;
     oddity fast  = { 0 }, low = { 0 };
@@ -76,16 +76,16 @@ void check_print(const machine_file *m, const char *file, const drawing *d, cons
         if (asked > may * (1 + 1e-9))
             note(&fast, c->line, asked, may, axis);
     }
-    (void)say(stdout, "box: %s\n", table_words(d, path, words));
+    (void)say(out, "box: %s\n", table_words(d, path, words));
     if (most > 0)
-        printf("feeds: %.6g to %.6g mm/s\n", least, most);
+        fprintf(out, "feeds: %.6g to %.6g mm/s\n", least, most);
     if (fast.count > 0)
-        (void)say(stdout,
+        (void)say(out,
                   "%s:%u: a feed of %.6g mm/s, and %c allows %.6g there: %zu curve%s %s drawn "
                   "slower\n",
                   source_name(file), fast.line, fast.is, "xyz"[fast.axis], fast.may, fast.count,
                   tool_s(fast.count), fast.count == 1 ? "is" : "are");
     if (low.count > 0)
-        (void)say(stdout, "%s:%u: a rapid at z %.6g, below 0: %zu of them go sideways there\n",
+        (void)say(out, "%s:%u: a rapid at z %.6g, below 0: %zu of them go sideways there\n",
                   source_name(file), low.line, low.is, low.count);
 }

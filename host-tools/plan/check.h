@@ -11,7 +11,7 @@
 /* Print the box of all that the tool does, the feeds that are asked for, and one line each for what
  * is odd: feeds that an axis cannot do, and rapids below z = 0. `feed`, mm/s: where the drawing
  * says none. */
-void check_print(const machine_file *m, const char *file, const drawing *d, const toolpath *path,
-                 double feed);
+void check_print(FILE *out, const machine_file *m, const char *file, const drawing *d,
+                 const toolpath *path, double feed);
 
 #endif

@@ -13,9 +13,10 @@
 #include "plan/job.h"
 #include "plan/job_curve.h"      /* job_curve */
 #include "plan/job_input.h"      /* job_input_crc */
-#include "base/progress.h"       /* progress_show */
 #include "base/spool.h"          /* spool_grow */
-#include "base/tool.h"           /* tool_grow, tool_clock */
+#include "base/host.h"
+#include "base/memory.h"
+#include "base/tool.h"
 
 #define FIRST   64          /* items that identify the plan */
 #define AHEAD   65536       /* items planned ahead: more than any queue, so that frames are full */
@@ -39,7 +40,7 @@ static void make_room(job *j, size_t kept)
         return;
     }
     j->room  = j->room ? 2 * j->room : 256;
-    j->entry = tool_grow(j->entry, j->room * sizeof *j->entry);
+    j->entry = memory_grow(j->entry, j->room * sizeof *j->entry);
 }
 
 /* Item n is due after `due` ticks. */
@@ -186,7 +187,7 @@ static void add_event(job *j, const toolpath_event *t, size_t kept)
     case DRAWING_SPINS: add_spindle(j, t, kept); break;
     case DRAWING_COOLS: add_action(j, &coolant, kept); break;
     case DRAWING_PAUSES:
-        j->pause = tool_grow(j->pause, (j->pauses + 1) * sizeof *j->pause);
+        j->pause = memory_grow(j->pause, (j->pauses + 1) * sizeof *j->pause);
         j->pause[j->pauses].item   = j->count;
         j->pause[j->pauses++].text = t->e.text;
         add_action(j, &pause, kept);
@@ -422,17 +423,15 @@ int job_plan(job *j, size_t kept, double seconds)
     return state < 0 ? state : LOFT_OK;
 }
 
-int job_finish(job *j)
+int job_finish(host *h, job *j)
 {
     int status = LOFT_OK;
-    progress bar;
 
-    progress_start(&bar, 1);
     while (status == LOFT_OK && !j->whole) {
-        progress_show(&bar, job_part(j), "planning");
-        status = job_plan(j, j->count, OPENING);
+        const host_progress p = { "planning", job_part(j), 1, false };
+        status = host_goes_on(h, &p) ? job_plan(j, j->count, OPENING) : JOB_STOPPED;
     }
-    progress_clear(&bar);
+    host_has_done(h);
     return status;
 }
 

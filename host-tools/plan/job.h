@@ -19,6 +19,8 @@
 #include "plan/levels.h"    /* levels */
 #include "plan/toolpath.h"  /* toolpath */
 
+struct host;                /* base/host.h */
+
 /* What a machine does beside motion. */
 struct job_does {
     bool actions;               /* it pauses and waits; only a job of spans */
@@ -110,9 +112,12 @@ void job_work_free(job_work *w);
  * status says that something is beyond its bound. */
 #define JOB_OUTSIDE (-100)
 
+/* And this one, that the host has stopped planning. */
+#define JOB_STOPPED (-101)
+
 /* What to say about that, or about another status that ended planning, and `then`. Returns the exit
  * code. */
-int job_refuse(const job *j, const char *file, int status, const char *then);
+int job_refuse(struct host *h, const job *j, const char *file, int status, const char *then);
 
 /* The items that are within their bounds, with all of the path up to them: no other may be sent. */
 size_t job_ready(job *j);
@@ -131,8 +136,9 @@ const char *job_words_of_plan(const job *j, double tol, char text[160]);
  * `kept` are planned. Items before `kept` will not be asked for again. Returns enum loft_status. */
 int  job_plan(job *j, size_t kept, double seconds);
 
-/* Plan the rest and keep none of it; shows a progress bar. Returns enum loft_status. */
-int  job_finish(job *j);
+/* Plan the rest and keep none of it; the host is told how far it is, and may stop it:
+ * JOB_STOPPED. Returns enum loft_status. */
+int  job_finish(struct host *h, job *j);
 
 /* The total number of items; LOFT_ITEMS_OPEN until it is known. */
 uint32_t job_items(const job *j);

@@ -6,7 +6,7 @@
 #include "wire/frame.h"          /* loft_crc32 */
 
 #include "base/spool.h"          /* spool_passed */
-#include "base/tool.h"           /* tool_version */
+#include "base/tool.h"            /* tool_version */
 #include "plan/job_input.h"
 
 static uint32_t crc_of(uint32_t crc, double x)

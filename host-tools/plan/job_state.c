@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/source.h"         /* source_name */
-#include "base/tool.h"           /* tool_error */
+#include "base/host.h"
 #include "plan/job.h"
 
 #define KNOWN   0.02        /* of the path: enough to estimate the duration of all of it */
@@ -108,15 +108,17 @@ static bool exceeds(const certify_worst w[ENGINE_AXES], double bound, const char
     return false;
 }
 
-int job_refuse(const job *j, const char *file, int status, const char *then)
+int job_refuse(host *h, const job *j, const char *file, int status, const char *then)
 {
     const certify c  = job_judged(j);
     const char *axes = kinematics_axes(j->k);
     char text[200];
 
+    if (status == JOB_STOPPED)
+        return EX_TEMPFAIL;
     if (status != JOB_OUTSIDE)
-        return tool_error(EX_DATAERR, "%s: cannot be planned: %s%s", source_name(file),
-                          engine_status(status, ENGINE_NO_MOTION), then);
+        return host_error(h, EX_DATAERR, "plan.failed", (host_place){ source_name(file), 0 }, NULL,
+                          "cannot be planned: %s%s", engine_status(status, ENGINE_NO_MOTION), then);
     if (!c.connected)
         snprintf(text, sizeof text, "it has a gap: plan with another --num");
     else if (!exceeds(c.speed, CERTIFY_SPEED, "speed", axes, text) &&
@@ -129,10 +131,9 @@ int job_refuse(const job *j, const char *file, int status, const char *then)
                  "%.2g",
                  is, of, 1.5 * is);
     }
-    return tool_error(EX_SOFTWARE,
-                      "%s: the plan is not within its bounds: %s; please report "
-                      "this%s",
-                      source_name(file), text, then);
+    return host_error(h, EX_SOFTWARE, "plan.not-within", (host_place){ source_name(file), 0 },
+                      HOST_REMEDY("%s; please report this%s", text, then),
+                      "the plan is not within its bounds");
 }
 
 /* How many moves end at that item, or tick, or before: see `ends`. */

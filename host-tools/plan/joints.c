@@ -10,7 +10,7 @@
 #include "base/source.h"         /* source_name */
 #include "base/space.h"          /* space_distance, space_eval */
 #include "base/spool.h"          /* spool_grow */
-#include "base/tool.h"           /* tool_error */
+#include "base/host.h"
 
 #define LOOKS     8         /* places in a piece where it is compared with the path */
 #define EVEN      1.02      /* largest change of the motors' feed within a piece */
@@ -25,6 +25,7 @@
 #define UPRIGHT   (1u << 2) /* the motor that lifts the pen */
 
 typedef struct {
+    host *host;
     joints *j;
     const toolpath *path;
     const joints_options *o;
@@ -208,15 +209,14 @@ static void examine_piece(const mapping *m, engine_move *move, double t0, double
 
 static int refuse_place(const mapping *m, const double at[ENGINE_AXES], const char *why)
 {
-    const size_t curve = m->path->curve[m->number];
-    char where[64] = "";
+    const size_t curve     = m->path->curve[m->number];
+    const bool travel      = curve == TOOLPATH_TRAVEL;
+    const host_place place = { source_name(m->o->file), travel ? 0 : m->o->d->curve[curve].line };
 
-    if (curve != TOOLPATH_TRAVEL)
-        snprintf(where, sizeof where, ":%u", m->o->d->curve[curve].line);
-    return tool_error(EX_DATAERR, "%s%s: %s %.6g,%.6g,%.6g mm is beyond a %s machine like this, %s",
-                      source_name(m->o->file), where,
-                      curve == TOOLPATH_TRAVEL ? "the travel over" : "the place", at[0], at[1],
-                      at[2], kinematics_name(m->j->k), why);
+    return host_error(m->host, EX_DATAERR, "plan.place-unreachable", place, NULL,
+                      "%s %.6g,%.6g,%.6g mm is beyond a %s machine like this, %s",
+                      travel ? "the travel over" : "the place", at[0], at[1], at[2],
+                      kinematics_name(m->j->k), why);
 }
 
 /* Refuse places out of reach. The sampling is as fine as the cuts of curves, so nothing can be far
@@ -363,9 +363,9 @@ static double farthest_radius(const toolpath *path, const kinematics *k)
     return most;
 }
 
-int joints_make(joints *out, toolpath *path, const kinematics *k, const joints_options *o)
+int joints_make(host *h, joints *out, toolpath *path, const kinematics *k, const joints_options *o)
 {
-    mapping m = { .j = out, .path = path, .o = o };
+    mapping m = { .host = h, .j = out, .path = path, .o = o };
     int code  = 0;
 
     *out = (joints){ .k = k, .path = path, .scale = { 1, 1, 1 }, .least = 1 };

@@ -19,6 +19,8 @@
 #include "plan/certify_along.h" /* certify_along */
 #include "plan/toolpath.h"      /* toolpath */
 
+struct host;                /* base/host.h */
+
 typedef struct {
     const kinematics *k;            /* NULL: not made */
     engine_move *move;              /* of the motors, in their own units; feed in planned units per
@@ -44,7 +46,8 @@ typedef struct {
 /* Convert the path to *out. A travel that passes the pole is led through it, which adds moves to
  * the path. Returns 0, or an exit code after printing one line. `k` and the path must outlive *out.
  * Free with joints_free. */
-int  joints_make(joints *out, toolpath *path, const kinematics *k, const joints_options *o);
+int joints_make(struct host *h, joints *out, toolpath *path, const kinematics *k,
+                const joints_options *o);
 void joints_free(joints *j);
 
 /* Convert limits of the motors, with tolerance and corner of the tool, to limits of the plan. */

@@ -7,6 +7,8 @@
 #include "plan/job.h"            /* struct job_does */
 #include "arrange/tools.h"          /* tools_part */
 
+struct host;                /* base/host.h */
+
 typedef struct {
     const char *file;
     const tools_part *part;
@@ -14,11 +16,12 @@ typedef struct {
     bool points, chip;          /* the job is of such items: then it has no actions */
 } missing_job;
 
-/* Tell what will not be done, each kind once, with its first line. */
-void missing_tell(const missing_job *j, const struct job_does *does);
+/* Tell what will not be done, each kind once, with its first line. Returns 0, or what --strict
+ * makes of it. */
+int missing_tell(struct host *h, const missing_job *j, const struct job_does *does);
 
 /* Refuse a program for a laser on a machine without one: it would only scan the work. Returns 0, or
  * an exit code after printing one line. */
-int missing_laser(const missing_job *j, const struct job_does *does);
+int missing_laser(struct host *h, const missing_job *j, const struct job_does *does);
 
 #endif

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/tool.h"
+#include "base/host.h"
 #include "plan/planning.h"
 #include "fit/smooth.h"         /* drawing_smooth */
 #include "plan/table.h"          /* table_check */
@@ -56,17 +56,17 @@ const option planning_rows[] = {
     { 0 }
 };
 
-int planning_start(planning *p)
+int planning_start(host *h, planning *p)
 {
     p->machine     = machine_usual();
-    const int code = p->file ? machine_read(&p->machine, p->file) : 0;
+    const int code = p->file ? machine_read(h, &p->machine, p->file) : 0;
 
     p->corner = p->corner < 0 ? p->machine.corner : p->corner;
     p->tol    = p->tol < 0 ? p->machine.tol : p->tol;
     return code;
 }
 
-int planning_usual(planning *p, const char *machine)
+int planning_usual(host *h, planning *p, const char *machine)
 {
     option_reading r;
     option_fault fault;
@@ -74,7 +74,7 @@ int planning_usual(planning *p, const char *machine)
     *p = (planning){ .e = NULL };
     (void)option_begin(&r, planning_rows, p, &fault);
     p->file = machine;
-    return planning_start(p);
+    return planning_start(h, p);
 }
 
 void planning_machine(const planning *p, engine_limits *limits)
@@ -102,19 +102,22 @@ void planning_limit(const planning *p, engine_limits *limits)
                                  : 2 * sin((p->exact > 0 ? p->exact : EXACT_DEGREES) * M_PI / 360);
 }
 
-static int within_reach(const planning *p, const drawing *d, size_t first, const char *file)
+static int within_reach(host *h, const planning *p, const drawing *d, size_t first,
+                        const char *file)
 {
     for (size_t i = first; i < d->count; i++)
         for (int k = 0; k < 4; k++) {
             const double *at = d->curve[i].p[k], z = d->curve[i].z[k];
             if (!(fabs(at[0]) <= p->e->reach && fabs(at[1]) <= p->e->reach))
-                return tool_error(
-                    EX_DATAERR, "%s:%u: a point at %.6g,%.6g mm: bring the drawing within +-%g mm",
-                    source_name(file), d->curve[i].line, at[0], at[1], p->e->reach);
+                return host_error(h, EX_DATAERR, "plan.point-too-far",
+                                  (host_place){ source_name(file), d->curve[i].line },
+                                  HOST_REMEDY("bring the drawing within +-%g mm", p->e->reach),
+                                  "a point at %.6g,%.6g mm", at[0], at[1]);
             if (!(fabs(z) <= p->e->reach))
-                return tool_error(EX_DATAERR,
-                                  "%s:%u: a point at z %.6g mm: bring the drawing within +-%g mm",
-                                  source_name(file), d->curve[i].line, z, p->e->reach);
+                return host_error(h, EX_DATAERR, "plan.height-too-far",
+                                  (host_place){ source_name(file), d->curve[i].line },
+                                  HOST_REMEDY("bring the drawing within +-%g mm", p->e->reach),
+                                  "a point at z %.6g mm", z);
         }
     return 0;
 }
@@ -132,23 +135,25 @@ static void obey_program(planning *p, const drawing *d)
 
 /* A small tolerance is left to the machine as far as that needs it. Motors that no straight line
  * maps need more (planning_joints). */
-static int smooth_within(const planning *p, double *within)
+static int smooth_within(host *h, const planning *p, double *within)
 {
     const bool straight = p->machine.k.kind->direct;
     const double spare = straight ? fmax(p->tol * (1 - 1e-12) - TOL_MIN, 0) : p->tol;
 
     *within = p->smooth < 0 ? fmin(SMOOTH_PART * p->tol, spare) : p->smooth;
     if (*within > p->tol / 2 || *within > spare)
-        return tool_error(
-            EX_USAGE,
-            "--smooth %g: leave half of the tolerance of %g mm to the machine, and at "
-            "least 0.00098 mm",
-                          *within, p->tol);
+        return host_error(
+            h, EX_USAGE, "plan.smooth", (host_place){ NULL, 0 },
+            HOST_REMEDY(
+                "leave half of the tolerance of %g mm to the machine, and at least 0.00098 mm",
+                p->tol),
+            "--smooth %g", *within);
     return 0;
 }
 
 /* A drawing that is smoothed while it is read. */
 typedef struct {
+    host *host;
     const planning *p;
     const char *file;
     drawing *smooth;
@@ -157,16 +162,18 @@ typedef struct {
     bool begun;
 } passing;
 
-static passing start_passing(const planning *p, drawing *smooth, const char *file)
+static passing start_passing(host *h, const planning *p, drawing *smooth, const char *file)
 {
-    return (passing){
-        .p = p, .file = file, .smooth = smooth, .how.laser = p->levels && p->machine.laser > 0
-    };
+    return (passing){ .host = h,
+                      .p = p,
+                      .file = file,
+                      .smooth = smooth,
+                      .how.laser = p->levels && p->machine.laser > 0 };
 }
 
 static int pass_curves(passing *s, drawing *d, bool last)
 {
-    const int code = within_reach(s->p, d, s->checked, s->file);
+    const int code = within_reach(s->host, s->p, d, s->checked, s->file);
 
     if (code != 0)
         return code;
@@ -188,7 +195,7 @@ static int take_curves(void *context, drawing *d)
 
     if (!s->begun) {
         obey_program(&p, d);
-        code     = smooth_within(&p, &s->how.within);
+        code     = smooth_within(s->host, &p, &s->how.within);
         s->begun = true;
     }
     return code == 0 ? pass_curves(s, d, false) : code;
@@ -207,10 +214,20 @@ static int read_passing(passing *s, drawing *d)
 
     d->taker   = passes ? take_curves : NULL;
     d->context = s;
-    return drawing_read(tool_host(), d, s->file);
+    return drawing_read(s->host, d, s->file);
 }
 
-int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
+/* The smoothed drawing is complete. Returns `code`. */
+static int end_passing(passing *s, planning *p, const drawing *d, int code)
+{
+    smooth_end(&s->how);
+    drawing_like(s->smooth, d);
+    if (s->how.replaced > 0)
+        p->smoothed = s->how.within;
+    return code;
+}
+
+int planning_read(host *h, planning *p, drawing *d, drawing *smooth, const char *file)
 {
     double within = 0;
 
@@ -222,37 +239,44 @@ int planning_read(planning *p, drawing *d, drawing *smooth, const char *file)
     d->text      = p->sheet.text;
     d->tools     = p->machine.tools.count > 0 ? &p->machine.tools : NULL;
     const drawing asked = *d;       /* without a taker */
-    passing s           = start_passing(p, smooth, file);
+    passing s           = start_passing(h, p, smooth, file);
 
-    int code = smooth_within(p, &within);
+    int code = smooth_within(h, p, &within);
     if (code == 0)
         code = read_passing(&s, d);
     if (code == 0) {
         obey_program(p, d);
-        code = smooth_within(p, &within);
+        code = smooth_within(h, p, &within);
     }
     if (code == 0 && s.begun && (within < s.how.within || within > s.how.within)) {
         smooth_end(&s.how);                 /* it says its tolerance later: all of it is needed */
         drawing_free(smooth);
         drawing_free(d);
         *d   = asked;
-        s    = start_passing(p, smooth, file);
-        code = drawing_read(tool_host(), d, file);
+        s    = start_passing(h, p, smooth, file);
+        code = drawing_read(h, d, file);
     }
     s.how.within = within;
     if (code == 0)
-        code = page_apply(&p->sheet, d, file);
+        code = page_apply(h, &p->sheet, d, file);
     if (code == 0)
-        code = tools_apply(&p->machine.tools, d, file);
+        code = tools_apply(h, &p->machine.tools, d, file);
     if (code == 0)
-        code = tools_order(&p->order, d, planning_path(p).zero, p->park, file);
+        code = tools_order(h, &p->order, d, planning_path(p).zero, p->park, file);
     if (code == 0)
         code = pass_curves(&s, d, true);
-    smooth_end(&s.how);
-    drawing_like(smooth, d);
-    if (s.how.replaced > 0)
-        p->smoothed = within;
-    return code;
+    return end_passing(&s, p, d, code);
+}
+
+int planning_smooth(host *h, planning *p, drawing *d, drawing *smooth, const char *file)
+{
+    passing s = start_passing(h, p, smooth, file);
+
+    obey_program(p, d);
+    int code = smooth_within(h, p, &s.how.within);
+    if (code == 0)
+        code = pass_curves(&s, d, true);
+    return end_passing(&s, p, d, code);
 }
 
 toolpath_options planning_path(const planning *p)
@@ -274,7 +298,15 @@ bool planning_start_at(const planning *p, const double start[ENGINE_AXES], toolp
     return kinematics_tool(&p->machine.k, start, how->start);
 }
 
-int planning_joints(const planning *p, const char *file, const drawing *d,
+/* The tolerance of the tool with which that of the motors, now `tol`, is TOL_MIN. */
+static double enough_tol(const planning *p, const joints *j, double tol)
+{
+    const double left = 1 - MAP_PART - (p->smoothed > 0 ? SMOOTH_PART : 0);
+
+    return p->tol + 1.05 * (TOL_MIN - tol) / j->least / left + 5e-4;
+}
+
+int planning_joints(host *h, const planning *p, const char *file, const drawing *d,
                     const double start[ENGINE_AXES], bool chip, const engine_limits *limits,
                     toolpath *path, joints *out)
 {
@@ -284,20 +316,17 @@ int planning_joints(const planning *p, const char *file, const drawing *d,
 
     *out = (joints){ .k = NULL };
     memcpy(o.start, start, sizeof o.start);
-    int code = table_check(&p->machine, file, d, path, p->tol);
+    int code = table_check(h, &p->machine, file, d, path, p->tol);
     if (code == 0)
-        code = joints_make(out, path, &p->machine.k, &o);
+        code = joints_make(h, out, path, &p->machine.k, &o);
     if (code != 0)
         return code;
     const double tol = joints_limits(out, limits).tol;
     if (tol < TOL_MIN && !p->machine.k.kind->direct)
-        return tool_error(EX_DATAERR,
-                          "%s: for these motors %g mm are %.5f: give --tol %.2g or more%s",
-                          source_name(file), limits->tol, tol,
-                          p->tol +
-                              1.05 * (TOL_MIN - tol) / out->least /
-                                  (1 - MAP_PART - (p->smoothed > 0 ? SMOOTH_PART : 0)) +
-                              5e-4,
-                          chip ? ", or --plan host" : "");
+        return host_error(h, EX_DATAERR, "plan.tolerance-motors",
+                          (host_place){ source_name(file), 0 },
+                          HOST_REMEDY("give --tol %.2g or more%s", enough_tol(p, out, tol),
+                                      chip ? ", or --plan host" : ""),
+                          "for these motors %g mm are %.5f", limits->tol, tol);
     return 0;
 }

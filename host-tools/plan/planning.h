@@ -14,6 +14,8 @@
 #include "arrange/page.h"           /* page_options */
 #include "plan/toolpath.h"       /* toolpath_options */
 
+struct host;                /* base/host.h */
+
 typedef struct {
     const engine *e;
     machine_file machine;
@@ -39,8 +41,8 @@ extern const option planning_rows[];
 /* After the options are read: read the machine's file if they name one, and take from the machine
  * what they leave to it. The second function begins without options: all are as by default.
  * Return 0, or an exit code after printing one line. */
-int planning_start(planning *p);
-int planning_usual(planning *p, const char *machine);
+int planning_start(struct host *h, planning *p);
+int planning_usual(struct host *h, planning *p, const char *machine);
 
 /* The limits of the machine of the file, or of a typical one. The second function applies those of
  * file and options to the limits of any machine. */
@@ -52,7 +54,10 @@ void planning_limit(const planning *p, engine_limits *limits);
  *
  *   memory  G-code and CSV: of the smoothed curves alone, if it `passes` and no option needs all of
  *           the drawing at once (page, tools, order) */
-int planning_read(planning *p, drawing *d, drawing *smooth, const char *file);
+int planning_read(struct host *h, planning *p, drawing *d, drawing *smooth, const char *file);
+
+/* The same with a drawing that was read before, and is laid out. */
+int planning_smooth(struct host *h, planning *p, drawing *d, drawing *smooth, const char *file);
 
 /* The options of the toolpath. The second function sets the tool's start for motors at `start`; it
  * returns false if they cannot be there. */
@@ -61,7 +66,7 @@ bool planning_start_at(const planning *p, const double start[ENGINE_AXES], toolp
 
 /* The path of the motors from there, for the machine to plan (`chip`) or not; `limits` are those of
  * the motors. Returns 0, or an exit code after printing one line. Call joints_free in any case. */
-int planning_joints(const planning *p, const char *file, const drawing *d,
+int planning_joints(struct host *h, const planning *p, const char *file, const drawing *d,
                     const double start[ENGINE_AXES], bool chip, const engine_limits *limits,
                     toolpath *path, joints *out);
 

@@ -7,7 +7,7 @@
 
 #include "base/source.h"         /* source_name */
 #include "base/spool.h"          /* spool_passed */
-#include "base/tool.h"
+#include "base/host.h"
 #include "plan/table.h"
 
 /* least[i] .. most[i], mm */
@@ -144,8 +144,8 @@ static void remedy_words(const table_box *drawn, const table_box *table, double 
         snprintf(out, room, "at %.3g of its size it fits", fitting_part(drawn, table));
 }
 
-int table_check(const machine_file *m, const char *file, const drawing *d, const toolpath *path,
-                double tol)
+int table_check(host *h, const machine_file *m, const char *file, const drawing *d,
+                const toolpath *path, double tol)
 {
     if (path->count == 0)
         return 0;
@@ -158,8 +158,8 @@ int table_check(const machine_file *m, const char *file, const drawing *d, const
     box_words(&all, &table, takes, sizeof takes);
     box_words(&table, &table, ends, sizeof ends);
     remedy_words(&drawn, &table, tol, remedy, sizeof remedy);
-    return tool_error(EX_DATAERR, "%s: takes the tool to %s, and the table is %s: %s",
-                      source_name(file), takes, ends, remedy);
+    return host_error(h, EX_DATAERR, "table.left", (host_place){ source_name(file), 0 }, remedy,
+                      "takes the tool to %s, and the table is %s", takes, ends);
 }
 
 const char *table_words(const drawing *d, const toolpath *path, char out[160])
@@ -173,15 +173,16 @@ const char *table_words(const drawing *d, const toolpath *path, char out[160])
     return out;
 }
 
-int table_place(const machine_file *m, const double from[ENGINE_AXES], const double to[ENGINE_AXES],
-                double tol)
+int table_place(host *h, const machine_file *m, const double from[ENGINE_AXES],
+                const double to[ENGINE_AXES], double tol)
 {
     for (int i = 0; i < ENGINE_AXES; i++) {
         double least, most;
         table_ends(m, i, &least, &most);
         if (to[i] < fmin(least - tol, from[i]) || to[i] > fmax(most + tol, from[i]))
-            return tool_error(EX_DATAERR, "%c %.6g is beyond the table, %.6g..%.6g: stay on it",
-                              "xyz"[i], to[i], least, most);
+            return host_error(h, EX_DATAERR, "table.place", (host_place){ NULL, 0 }, "stay on it",
+                              "%c %.6g is beyond the table, %.6g..%.6g", "xyz"[i], to[i], least,
+                              most);
     }
     return 0;
 }

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/spool.h"          /* spool_grow */
-#include "base/tool.h"           /* tool_grow */
 #include "plan/toolpath.h"
 
 /* Points closer than half a step of Q16.16 are one point. */

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/progress.h"       /* progress_show */
 #include "plan/trace.h"
-#include "base/tool.h"           /* tool_grow */
+#include "base/host.h"
+#include "base/memory.h"
 #include "plan/way.h"            /* way_follow */
 
 #define MOMENT   0.001      /* s; spans are examined in parts of at most this */
@@ -26,7 +26,9 @@ typedef struct {
     way path;
     causes causes;
     double length;
-    progress bar;
+    host *host;
+    double all;                     /* its largest value */
+    bool stopped;
 } making;
 
 
@@ -193,10 +195,8 @@ static void take_part(void *context, size_t n, const trace_part *p)
 
     if (m->keep)
         m->t->part[n] = *p;
-    if (m->sink != NULL && m->sink->part != NULL) {
-        progress_clear(&m->bar);
+    if (m->sink != NULL && m->sink->part != NULL)
         m->sink->part(m->sink->context, n, p);
-    }
 }
 
 
@@ -207,8 +207,8 @@ static void keep_span(trace *t, const engine_span *span, double end)
 {
     if (t->count == t->room) {
         t->room  = t->room ? 2 * t->room : 256;
-        t->span  = tool_grow(t->span, t->room * sizeof *t->span);
-        t->begin = tool_grow(t->begin, (t->room + 1) * sizeof *t->begin);
+        t->span  = memory_grow(t->span, t->room * sizeof *t->span);
+        t->begin = memory_grow(t->begin, (t->room + 1) * sizeof *t->begin);
     }
     t->begin[0]            = 0;
     t->begin[t->count + 1] = end;
@@ -232,7 +232,8 @@ static void add_span(making *m, const engine_span *span)
     for (int i = 0; i < ENGINE_AXES; i++)
         by[i] = (span->p[3][i] - (double)span->p[0][i]) * ENGINE_LSB;
     m->length += size_of(by);
-    progress_show(&m->bar, m->length, "planning");
+    const host_progress p = { "planning", m->length, m->all, false };
+    m->stopped            = !host_goes_on(m->host, &p);
 }
 
 static int plan_spans(making *m, joints *of, const engine *e, const engine_limits *limits)
@@ -241,30 +242,31 @@ static int plan_spans(making *m, joints *of, const engine *e, const engine_limit
     engine_span span;
     int step = joints_plan(&p, of, 0, of->count, e, limits);
 
-    while (step >= 0 && step != ENGINE_PLAN_DONE)
+    while (step >= 0 && step != ENGINE_PLAN_DONE && !m->stopped)
         if ((step = joints_step(&p, &span)) == ENGINE_PLAN_SPAN)
             add_span(m, &span);
     joints_end(&p);
-    return step < 0 ? step : 0;
+    return step < 0 ? step : m->stopped ? TRACE_STOPPED : 0;
 }
 
-int trace_make(trace *t, const engine *e, const engine_limits *limits, const toolpath *path,
-               joints *of, const trace_sink *sink, bool keep)
+int trace_make(host *h, trace *t, const engine *e, const engine_limits *limits,
+               const toolpath *path, joints *of, const trace_sink *sink, bool keep)
 {
-    making m = { .t = t, .sink = sink, .keep = keep };
+    making m = {
+        .t = t, .sink = sink, .keep = keep, .host = h, .all = path->drawn + path->travelled
+    };
 
     *t = (trace){ .limits = *limits, .joints = of, .move = path->move, .moves = path->count };
     if (keep)
-        t->part = tool_grow(NULL, t->moves * sizeof *t->part);
+        t->part = memory_grow(NULL, t->moves * sizeof *t->part);
     causes_start(&m.causes, take_part, &m);
     way_make(&m.path, path->move, t->moves, limits->tol, load_move, &m);
-    progress_start(&m.bar, path->drawn + path->travelled);
     const int status = plan_spans(&m, of, e, limits);
     if (status == 0) {
         way_finish(&m.path);
         causes_finish(&m.causes);
     }
-    progress_clear(&m.bar);
+    host_has_done(h);
     way_free(&m.path);
     causes_free(&m.causes);
     return status;

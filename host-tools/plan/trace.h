@@ -13,6 +13,8 @@
 #include "plan/causes.h"    /* trace_part */
 #include "plan/joints.h"    /* joints */
 
+struct host;                /* base/host.h */
+
 typedef struct {
     /* of the motors, in mm, mm/s, mm/s^2, mm/s^3 */
     double x[ENGINE_AXES], v[ENGINE_AXES], a[ENGINE_AXES], j[ENGINE_AXES];
@@ -46,8 +48,9 @@ typedef struct {
  * was made from it, must outlive *t; free with trace_free. Shows a progress bar if it takes long.
  *
  *   memory  without `keep` it does not depend on the length of the path */
-int trace_make(trace *t, const engine *e, const engine_limits *limits, const toolpath *path,
-               joints *of, const trace_sink *sink, bool keep);
+#define TRACE_STOPPED (-101)    /* by the host */
+int trace_make(struct host *h, trace *t, const engine *e, const engine_limits *limits,
+               const toolpath *path, joints *of, const trace_sink *sink, bool keep);
 void trace_free(trace *t);
 
 /* The motion at a time from 0 to t->seconds of a trace that was kept. *near is the span of the last

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/space.h"          /* space_distance */
-#include "base/tool.h"           /* tool_grow */
+#include "base/memory.h"
 #include "plan/way.h"
 
 #define SAGITTA   0.0005    /* mm; distance of chords from their curve */
@@ -19,7 +19,7 @@ static void add_chord(way *w, const double at[ENGINE_AXES], size_t move)
 {
     if (w->count == w->room) {
         w->room = w->room ? 2 * w->room : 256;
-        w->end  = tool_grow(w->end, w->room * sizeof *w->end);
+        w->end  = memory_grow(w->end, w->room * sizeof *w->end);
     }
     way_end *e = &w->end[w->count];
 

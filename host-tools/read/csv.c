@@ -8,6 +8,7 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "base/host.h"
 #include "read/csv.h"
 #include "base/scan.h"       /* scan_numbers */
 #include "base/source.h"     /* source_part */

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/host.h"
 #include "engine/curve.h"   /* curves_is_text, curves_free */
 #include "read/drawing.h"
 #include "base/memory.h"    /* memory_grow */

@@ -4,6 +4,7 @@
  * A curve that starts where the one before ends continues its path. Polynomials up to degree 3 are
  * kept. Others are cut into cubics within DRAWING_TOL.
  */
+#include "base/host.h"
 #include "geometry/curve_text.h"   /* curves_is_text, curves_read_text */
 #include "read/drawing_curves.h"
 #include "geometry/drawn.h"   /* drawn_pieces, drawn_cubics */

@@ -12,7 +12,7 @@
 #include "base/near.h"         /* near_try */
 #include "base/scan.h"           /* scan_number, scan_space */
 #include "base/source.h"         /* source_read */
-#include "base/tool.h"
+#include "base/host.h"
 
 /* A key, its range, and the field that it sets. Keys of axes have the prefix x, y or z, or none for
  * all axes. */
@@ -103,6 +103,7 @@ static const struct {
 };
 
 typedef struct {
+    host *host;
     machine_file *m;
     const char *file;
     unsigned line, named;                   /* the line that gave the kinematics; 0: none */
@@ -153,9 +154,10 @@ static int check_given_once(reading *r, const row *k, int axis)
 
     for (int i = 0; i <= ENGINE_AXES; i++)
         if (said[i] > 0 && (i == 1 + axis || (axis < 0 && k->axes)))
-            return tool_error(EX_DATAERR, "%s:%u: %s is given in line %u already: %s", r->file,
-                              r->line, k->key, said[i],
-                              i == 1 + axis ? "remove one" : "put what holds for all axes first");
+            return host_error(r->host, EX_DATAERR, "machine.key-twice",
+                              (host_place){ r->file, r->line },
+                              i == 1 + axis ? "remove one" : "put what holds for all axes first",
+                              "%s is given in line %u already", k->key, said[i]);
     *mine = r->line;
     return 0;
 }
@@ -165,9 +167,11 @@ static int set_value(reading *r, const row *k, int axis, double value)
     double *to = (double *)((char *)r->m + k->at);
 
     if (!(value >= k->least && value <= k->most) || (k->whole && value != floor(value)))
-        return tool_error(EX_DATAERR, "%s:%u: %s is %.10g: give %s from %.10g to %.10g %s", r->file,
-                          r->line, k->key, value, k->whole ? "a whole number" : "a number",
-                          k->least, k->most, k->unit);
+        return host_error(
+            r->host, EX_DATAERR, "machine.value-range", (host_place){ r->file, r->line },
+            HOST_REMEDY("give %s from %.10g to %.10g %s", k->whole ? "a whole number" : "a number",
+                        k->least, k->most, k->unit),
+            "%s is %.10g", k->key, value);
     for (int i = 0; i < (k->axes ? ENGINE_AXES : 1); i++)
         if (axis < 0 || axis == i)
             to[i] = value;
@@ -188,9 +192,9 @@ static int read_grbl(reading *r, const char *s)
 
     s++;
     if (!scan_number(&s, &number) || *s++ != '=' || !scan_number(&s, &value) || !number_ends(s))
-        return tool_error(EX_DATAERR,
-                          "%s:%u: not a setting of grbl: give lines such as $100=250.000", r->file,
-                          r->line);
+        return host_error(r->host, EX_DATAERR, "machine.grbl-setting",
+                          (host_place){ r->file, r->line }, "give lines such as $100=250.000",
+                          "not a setting of grbl");
     for (size_t i = 0; i < sizeof grbl / sizeof grbl[0]; i++)
         if (grbl[i].number == number)
             return set_value(r, find_row(grbl[i].key, strlen(grbl[i].key)), grbl[i].axis,
@@ -207,9 +211,9 @@ static int unknown_key(const reading *r, const char *s, size_t length)
     near_try(&near, "kinematics");
     for (size_t i = 0; i < ROWS; i++)
         near_try(&near, rows[i].key);
-    return tool_error(EX_DATAERR, "%s:%u: unknown key \"%.*s\"%s: host-tools/MACHINE.md has all",
-                      r->file, r->line, (int)(length < 30 ? length : 30), s,
-                      near_text(&near, "", meant));
+    return host_error(r->host, EX_DATAERR, "machine.key-unknown", (host_place){ r->file, r->line },
+                      "host-tools/MACHINE.md has all", "unknown key \"%.*s\"%s",
+                      (int)(length < 30 ? length : 30), s, near_text(&near, "", meant));
 }
 
 static int unknown_kinematics(const reading *r)
@@ -217,7 +221,8 @@ static int unknown_kinematics(const reading *r)
     char names[KINEMATICS_NAMES];
 
     kinematics_names(names);
-    return tool_error(EX_DATAERR, "%s:%u: write kinematics = %s", r->file, r->line, names);
+    return host_error(r->host, EX_DATAERR, "machine.kinematics", (host_place){ r->file, r->line },
+                      NULL, "write kinematics = %s", names);
 }
 
 /* `s` is after the key. */
@@ -228,8 +233,9 @@ static int read_kinematics(reading *r, const char *s)
     const size_t length = strcspn(word, " \t\r\n#");
 
     if (r->named > 0)
-        return tool_error(EX_DATAERR, "%s:%u: kinematics is given in line %u already: remove one",
-                          r->file, r->line, r->named);
+        return host_error(r->host, EX_DATAERR, "machine.kinematics-twice",
+                          (host_place){ r->file, r->line }, "remove one",
+                          "kinematics is given in line %u already", r->named);
     if (word == s || !number_ends(word + length) || !kinematics_find(&r->m->k, word, length))
         return unknown_kinematics(r);
     r->named = r->line;
@@ -254,8 +260,8 @@ static int read_word(reading *r, const row *k, int axis, const char *s)
         if (strlen(k->word[i]) == length && strncmp(s, k->word[i], length) == 0 &&
             number_ends(s + length))
             return set_value(r, k, axis, i);
-    return tool_error(EX_DATAERR, "%s:%u: write %s = %s, or %s", r->file, r->line, k->key,
-                      k->word[0], k->word[1]);
+    return host_error(r->host, EX_DATAERR, "machine.word", (host_place){ r->file, r->line }, NULL,
+                      "write %s = %s, or %s", k->key, k->word[0], k->word[1]);
 }
 
 static int read_key(reading *r, const char *s)
@@ -267,7 +273,7 @@ static int read_key(reading *r, const char *s)
     double value;
 
     if (strncmp(s, "tool.", 5) == 0)
-        return machine_tools_line(&r->m->tools, r->file, r->line, s);
+        return machine_tools_line(r->host, &r->m->tools, r->file, r->line, s);
     if (length == 10 && strncmp(s, "kinematics", 10) == 0)
         return read_kinematics(r, s + length);
     if (k == NULL || (named && !k->axes))
@@ -275,15 +281,18 @@ static int read_key(reading *r, const char *s)
     s += length;
     s += strspn(s, " \t");
     if (*s != '=')
-        return tool_error(EX_DATAERR, "%s:%u: no `=` behind %s: write %s = %g", r->file, r->line,
-                          k->key, k->key, k->least > 1 ? k->least : 1);
+        return host_error(r->host, EX_DATAERR, "machine.no-equals",
+                          (host_place){ r->file, r->line },
+                          HOST_REMEDY("write %s = %g", k->key, k->least > 1 ? k->least : 1),
+                          "no `=` behind %s", k->key);
     s++;
     s += strspn(s, " \t");
     if (k->word[0])
         return read_word(r, k, axis, s);
     if (!scan_number(&s, &value) || !number_ends(s))
-        return tool_error(EX_DATAERR, "%s:%u: %s is not a number: give one in %s", r->file, r->line,
-                          k->key, k->unit);
+        return host_error(r->host, EX_DATAERR, "machine.not-a-number",
+                          (host_place){ r->file, r->line }, HOST_REMEDY("give one in %s", k->unit),
+                          "%s is not a number", k->key);
     return set_value(r, k, axis, value);
 }
 
@@ -313,10 +322,10 @@ static int check_keys(const reading *r)
 {
     for (size_t i = 0; i < ROWS; i++)
         if (line_of(r, i) > 0 && !has_key(&r->m->k, &rows[i]))
-            return tool_error(
-                EX_DATAERR,
-                "%s:%u: %s is for kinematics = %s, and this machine is %s: remove one of them",
-                r->file, line_of(r, i), rows[i].key, rows[i].of, kinematics_name(&r->m->k));
+            return host_error(r->host, EX_DATAERR, "machine.key-of-other",
+                              (host_place){ r->file, line_of(r, i) }, "remove one of them",
+                              "%s is for kinematics = %s, and this machine is %s", rows[i].key,
+                              rows[i].of, kinematics_name(&r->m->k));
     return 0;
 }
 
@@ -324,13 +333,14 @@ static int check_keys(const reading *r)
 static int check_table(const reading *r)
 {
     const unsigned line = line_of(r, (size_t)(find_row("min", 3) - rows));
+    const double *min   = r->m->min;
 
     for (int i = 0; i < ENGINE_AXES; i++)
-        if (r->m->min[i] != 0 && !(r->m->travel[i] > 0))
-            return tool_error(EX_DATAERR,
-                              "%s:%u: %c.min is %g, but the table has no size there: give %c.travel"
-                              " in mm",
-                              r->file, line, "xyz"[i], r->m->min[i], "xyz"[i]);
+        if (min[i] != 0 && !(r->m->travel[i] > 0))
+            return host_error(r->host, EX_DATAERR, "machine.table-no-size",
+                              (host_place){ r->file, line },
+                              HOST_REMEDY("give %c.travel in mm", "xyz"[i]),
+                              "%c.min is %g, but the table has no size there", "xyz"[i], min[i]);
     return 0;
 }
 
@@ -339,10 +349,10 @@ static int check_drive(const reading *r)
 {
     for (int i = 0; i < 2; i++)
         if (r->m->drive[i] > 0)
-            return tool_error(EX_DATAERR,
-                              "%s:%u: %c.drive = servo: only z can be one: write "
-                              "z.drive = servo",
-                              r->file, line_of(r, (size_t)(find_row("drive", 5) - rows)), "xy"[i]);
+            return host_error(
+                r->host, EX_DATAERR, "machine.servo-axis",
+                (host_place){ r->file, line_of(r, (size_t)(find_row("drive", 5) - rows)) },
+                "write z.drive = servo", "%c.drive = servo: only z can be one", "xy"[i]);
     return 0;
 }
 
@@ -354,7 +364,8 @@ static int check_geometry(const reading *r)
         return 0;
     const unsigned line = why.key ? line_of(r, (size_t)(find_row(why.key, strlen(why.key)) - rows))
                                   : 0;
-    return tool_error(EX_DATAERR, "%s:%u: %s", r->file, line > 0 ? line : r->named, why.text);
+    return host_error(r->host, EX_DATAERR, "machine.geometry",
+                      (host_place){ r->file, line > 0 ? line : r->named }, NULL, "%s", why.text);
 }
 
 /* Both motors of a CoreXY move x and y, so both have one limit, the smaller one. It holds for
@@ -386,16 +397,16 @@ static int check_machine(const reading *r)
     return code;
 }
 
-int machine_line(machine_file *m, const char *file, unsigned line, const char *text)
+int machine_line(host *h, machine_file *m, const char *file, unsigned line, const char *text)
 {
-    reading r = { .m = m, .file = file, .line = line };
+    reading r = { .host = h, .m = m, .file = file, .line = line };
 
     return read_key(&r, text);
 }
 
-int machine_text(machine_file *m, const char *name, const char *text)
+int machine_text(host *h, machine_file *m, const char *name, const char *text)
 {
-    reading r = { .m = m, .file = name, .line = 1 };
+    reading r = { .host = h, .m = m, .file = name, .line = 1 };
     int code  = 0;
 
     for (const char *s = text; *s != '\0' && code == 0; r.line++) {
@@ -410,27 +421,25 @@ int machine_text(machine_file *m, const char *name, const char *text)
     return code ? code : check_machine(&r);
 }
 
-int machine_read(machine_file *m, const char *file)
+int machine_read(host *h, machine_file *m, const char *file)
 {
     size_t size;
     int code   = 0;
-    char *text = source_read(tool_host(), file, &size, &code);
+    char *text = source_read(h, file, &size, &code);
 
     if (text == NULL)
         return code;
     if (source_is_xml(text)) {
         free(text);
-        return tool_error(EX_DATAERR,
-                          "%s: is a drawing or a page: --machine takes lines `key = "
-                          "value`, see host-tools/MACHINE.md",
-                          source_name(file));
+        return host_error(h, EX_DATAERR, "machine.not-text", (host_place){ source_name(file), 0 },
+                          "--machine takes lines `key = value`, see host-tools/MACHINE.md",
+                          "is a drawing or a page");
     }
     code = strlen(text) == size
-               ? machine_text(m, source_name(file), text)
-               : tool_error(EX_DATAERR,
-                            "%s: is not text: lines `key = value` are expected, see "
-                            "host-tools/MACHINE.md",
-                            source_name(file));
+               ? machine_text(h, m, source_name(file), text)
+               : host_error(h, EX_DATAERR, "machine.not-text", (host_place){ source_name(file), 0 },
+                            "lines `key = value` are expected, see host-tools/MACHINE.md",
+                            "is not text");
     free(text);
     return code;
 }

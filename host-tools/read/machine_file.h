@@ -11,6 +11,8 @@
 #include "engine/machine_kinematics.h"     /* kinematics */
 #include "read/machine_tools.h"
 
+struct host;                /* base/host.h */
+
 /* Lengths in mm, times in s. Numbers per axis are numbers per motor. Read with machine_read; keys
  * that the file does not give keep their value. */
 typedef struct {
@@ -48,10 +50,10 @@ machine_file machine_usual(void);
 
 /* Read `file` ("-" is standard input) over *m. Returns 0, or an exit code after printing one line
  * `loft: file:line: ..`. */
-int machine_read(machine_file *m, const char *file);
+int machine_read(struct host *h, machine_file *m, const char *file);
 
 /* Like machine_read, from a text; `name` is that of its place. */
-int machine_text(machine_file *m, const char *name, const char *text);
+int machine_text(struct host *h, machine_file *m, const char *name, const char *text);
 
 /* Who keeps a key: a machine that obeys it, a machine as text for the host, or no machine: because
  * it is about its firmware, or about the plan. */
@@ -64,7 +66,8 @@ void machine_print(const machine_file *m, enum machine_keeper of, FILE *out);
 const char *machine_differs(const machine_file *a, const machine_file *b, enum machine_keeper of);
 
 /* Read one line `key = value` over *m. Checks only this line. */
-int machine_line(machine_file *m, const char *file, unsigned line, const char *text);
+int machine_line(struct host *h, machine_file *m, const char *file, unsigned line,
+                 const char *text);
 
 /* Where the homing switch of an axis is in the drawing, and how far to look for it; 0: the file
  * does not say. */

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/scan.h"              /* scan_number */
-#include "base/tool.h"              /* tool_error */
+#include "base/host.h"
 #include "read/machine_tools.h"
 
 /* A key with a number or, `size` above 0, with a text. */
@@ -63,35 +63,39 @@ static void copy_text(char *to, const char *s, size_t length, bool list)
     to[n] = '\0';
 }
 
-static int set_text(machine_tool *t, const row *k, const char *file, unsigned line, const char *s)
+static int set_text(host *h, machine_tool *t, const row *k, const char *file, unsigned line,
+                    const char *s)
 {
     const size_t length = text_length(s);
     char *to            = (char *)t + k->at;
 
     if (length == 0 || length >= k->size)
-        return tool_error(EX_DATAERR, "%s:%u: %s %s: give 1 to %zu letters", file, line, k->key,
-                          length == 0 ? "is empty" : "is too long", k->size - 1);
+        return host_error(h, EX_DATAERR, "machine.tool-text", (host_place){ file, line },
+                          HOST_REMEDY("give 1 to %zu letters", k->size - 1), "%s %s", k->key,
+                          length == 0 ? "is empty" : "is too long");
     if (*to != '\0')
-        return tool_error(EX_DATAERR, "%s:%u: %s of tool %s is given already: remove one", file,
-                          line, k->key, t->name);
+        return host_error(h, EX_DATAERR, "machine.tool-key-twice", (host_place){ file, line },
+                          "remove one", "%s of tool %s is given already", k->key, t->name);
     copy_text(to, s, length, strcmp(k->key, "pause") != 0);
     return 0;
 }
 
-static int set_number(machine_tool *t, const row *k, const char *file, unsigned line, const char *s)
+static int set_number(host *h, machine_tool *t, const row *k, const char *file, unsigned line,
+                      const char *s)
 {
     double value, *to = (double *)((char *)t + k->at);
 
     if (!scan_number(&s, &value) || !(value >= k->least && value <= k->most))
-        return tool_error(EX_DATAERR, "%s:%u: %s: give a number from %g to %g %s", file, line,
-                          k->key, k->least, k->most, k->unit);
+        return host_error(h, EX_DATAERR, "machine.tool-range", (host_place){ file, line },
+                          HOST_REMEDY("give a number from %g to %g %s", k->least, k->most, k->unit),
+                          "%s", k->key);
     s += strspn(s, " \t\r");
     if (*s != '\0' && *s != '\n' && *s != '#')
-        return tool_error(EX_DATAERR, "%s:%u: %s is not a number: give one in %s", file, line,
-                          k->key, k->unit);
+        return host_error(h, EX_DATAERR, "machine.tool-not-a-number", (host_place){ file, line },
+                          HOST_REMEDY("give one in %s", k->unit), "%s is not a number", k->key);
     if (!isnan(*to) && *to != 0)
-        return tool_error(EX_DATAERR, "%s:%u: %s of tool %s is given already: remove one", file,
-                          line, k->key, t->name);
+        return host_error(h, EX_DATAERR, "machine.tool-key-twice", (host_place){ file, line },
+                          "remove one", "%s of tool %s is given already", k->key, t->name);
     *to = value;
     return 0;
 }
@@ -109,7 +113,7 @@ static machine_tool *tool_of(machine_tools *t, const char *name, size_t length)
     return fresh;
 }
 
-int machine_tools_line(machine_tools *t, const char *file, unsigned line, const char *text)
+int machine_tools_line(host *h, machine_tools *t, const char *file, unsigned line, const char *text)
 {
     const char *name = text + strlen("tool."), *dot = name + strcspn(name, ". \t\r\n=#"),
                *key = *dot == '.' ? dot + 1 : dot;
@@ -121,18 +125,19 @@ int machine_tools_line(machine_tools *t, const char *file, unsigned line, const 
             k = &rows[i];
     const char *s = key + length + strspn(key + length, " \t");
     if (k == NULL || *dot != '.' || *s != '=')
-        return tool_error(EX_DATAERR,
-                          "%s:%u: not a line of a tool: write tool.NAME.KEY = .., KEY one of "
-                          "colours, layers, pause, feed, pen_up, pen_down, delay, diameter, length",
-                          file, line);
+        return host_error(h, EX_DATAERR, "machine.tool-line", (host_place){ file, line },
+                          "write tool.NAME.KEY = .., KEY one of colours, layers, pause, feed, "
+                          "pen_up, pen_down, delay, diameter, length",
+                          "not a line of a tool");
     machine_tool *of = tool_of(t, name, (size_t)(dot - name));
     if (of == NULL)
-        return tool_error(EX_DATAERR, "%s:%u: %s", file, line,
+        return host_error(h, EX_DATAERR, "machine.tool-name", (host_place){ file, line }, NULL,
+                          "%s",
                           t->count == MACHINE_TOOLS ? "more than 32 tools: remove some"
                                                     : "the name of a tool has 1 to 23 letters");
     s++;
     s += strspn(s, " \t");
-    return k->size > 0 ? set_text(of, k, file, line, s) : set_number(of, k, file, line, s);
+    return k->size > 0 ? set_text(h, of, k, file, line, s) : set_number(h, of, k, file, line, s);
 }
 
 const machine_tool *machine_tools_find(const machine_tools *t, const char *name)

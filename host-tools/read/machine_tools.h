@@ -9,6 +9,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+struct host;                /* base/host.h */
+
 #define MACHINE_TOOLS 32
 
 typedef struct {
@@ -28,7 +30,8 @@ typedef struct machine_tools {
 } machine_tools;
 
 /* Read one line, which begins with `tool.`. Returns 0, or an exit code after printing one line. */
-int machine_tools_line(machine_tools *t, const char *file, unsigned line, const char *text);
+int machine_tools_line(struct host *h, machine_tools *t, const char *file, unsigned line,
+                       const char *text);
 
 /* The tool of a name; NULL: there is none. */
 const machine_tool *machine_tools_find(const machine_tools *t, const char *name);

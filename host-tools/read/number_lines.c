@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/host.h"
 #include "base/scan.h"       /* scan_numbers */
 #include "read/csv.h"        /* drawing_csv_parts */
 #include "read/number_lines.h"

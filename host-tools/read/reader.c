@@ -3,6 +3,7 @@
  */
 #include <string.h>
 
+#include "base/host.h"
 #include "read/reader.h"
 
 const reader *reader_of(host *h, const reader *const rows[], size_t count, const char *file,

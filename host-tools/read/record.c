@@ -10,7 +10,8 @@
 #include "geometry/nearest_piece.h"
 #include "read/record.h"
 #include "base/scan.h"       /* scan_number */
-#include "base/tool.h"       /* tool_error, tool_grow */
+#include "base/host.h"
+#include "base/memory.h"
 
 #define CHORD_TOL 1e-4  /* mm between a curve and its chords */
 #define AROUND    64    /* pulses before and after, for a delta */
@@ -33,7 +34,7 @@ static void begin_job(record *r, uint32_t id)
 
 /* `# key = value` or `# key value`; unknown keys are skipped. steps_per_mm may be one number,
  * three, or one per axis. */
-static int read_key(record *r, const char *file, unsigned number, const char *line)
+static int read_key(host *h, record *r, const char *file, unsigned number, const char *line)
 {
     static const char *const maps[] = { "kinematics",  "center", "arm_length", "delta_radius",
                                         "tower_angle", "turn",   "inside" };
@@ -44,7 +45,7 @@ static int read_key(record *r, const char *file, unsigned number, const char *li
 
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++)
         if (strncmp(key + (key[0] && key[1] == '.' ? 2 : 0), maps[i], strlen(maps[i])) == 0)
-            return machine_line(&r->machine, file, number, key);
+            return machine_line(h, &r->machine, file, number, key);
     at += strspn(at, " \t=:");
     if (length == 3 && strncmp(key, "job", 3) == 0) {
         begin_job(r, (uint32_t)strtoul(at, NULL, 16));
@@ -94,13 +95,13 @@ static bool read_pulse(record *r, const char *line)
     memcpy(r->motors, motors, sizeof r->motors);
     if (r->count == r->room) {
         r->room  = r->room ? 2 * r->room : 4096;
-        r->pulse = tool_grow(r->pulse, r->room * sizeof *r->pulse);
+        r->pulse = memory_grow(r->pulse, r->room * sizeof *r->pulse);
     }
     r->pulse[r->count++] = p;
     return true;
 }
 
-static int read_lines(record *r, const char *file, FILE *stream)
+static int read_lines(host *h, record *r, const char *file, FILE *stream)
 {
     char line[512];
 
@@ -109,7 +110,7 @@ static int read_lines(record *r, const char *file, FILE *stream)
         if (strchr(line, '\n') == NULL && feof(stream))
             break;                      /* still being written */
         if (*at == '#') {
-            const int code = read_key(r, file, number, at);
+            const int code = read_key(h, r, file, number, at);
             if (code != 0)
                 return code;
             continue;
@@ -123,35 +124,35 @@ static int read_lines(record *r, const char *file, FILE *stream)
             continue;
         for (int i = 0; i < 3; i++)
             if (!(r->steps_per_mm[i] > 0))
-                return tool_error(EX_DATAERR,
-                                  "%s:%u: no steps per mm above: is not a pulse record of `loft "
-                                  "simulate --record`",
-                                  file, number);
+                return host_error(h, EX_DATAERR, "record.no-scale", (host_place){ file, number },
+                                  "is not a pulse record of `loft simulate --record`",
+                                  "no steps per mm above");
         if (!read_pulse(r, at))
-            return tool_error(
-                EX_DATAERR, "%s:%u: \"%.*s\" is not a pulse: slot,x,y,z in steps is expected", file,
-                number, (int)strcspn(at, "\r\n") > 40 ? 40 : (int)strcspn(at, "\r\n"), at);
+            return host_error(h, EX_DATAERR, "record.not-a-pulse", (host_place){ file, number },
+                              NULL, "\"%.*s\" is not a pulse: slot,x,y,z in steps is expected",
+                              (int)strcspn(at, "\r\n") > 40 ? 40 : (int)strcspn(at, "\r\n"), at);
     }
     if (ferror(stream))
-        return tool_error(errno == EISDIR ? EX_NOINPUT : EX_IOERR, "%s: cannot be read: %s", file,
-                          strerror(errno));
+        return host_error(h, errno == EISDIR ? EX_NOINPUT : EX_IOERR, "file.not-read",
+                          (host_place){ file, 0 }, NULL, "cannot be read: %s", strerror(errno));
     if (r->count == 0)
-        return tool_error(EX_DATAERR, "%s: holds no pulse: is it the record of a finished job?",
-                          file);
+        return host_error(h, EX_DATAERR, "record.empty", (host_place){ file, 0 },
+                          "is it the record of a finished job?", "holds no pulse");
     return 0;
 }
 
-int record_read(record *r, const char *file, uint32_t job)
+int record_read(host *h, record *r, const char *file, uint32_t job)
 {
     const bool piped = strcmp(file, "-") == 0;
     const char *name = piped ? "standard input" : file;
     FILE *stream = piped ? stdin : fopen(file, "r");
 
     if (stream == NULL)
-        return tool_error(EX_NOINPUT, "%s: cannot be opened: %s", name, strerror(errno));
+        return host_error(h, EX_NOINPUT, "file.not-opened", (host_place){ name, 0 }, NULL,
+                          "cannot be opened: %s", strerror(errno));
     r->machine = machine_usual();
     r->wanted  = job;
-    const int code = read_lines(r, name, stream);
+    const int code = read_lines(h, r, name, stream);
     if (!piped)
         fclose(stream);
 
@@ -235,7 +236,7 @@ static void cut_chords(chords *all, const drawing *d)
 
         if (all->room < all->chords.count + n) {
             all->room = 2 * (all->chords.count + n);
-            all->of   = tool_grow(all->of, all->room * sizeof *all->of);
+            all->of   = memory_grow(all->of, all->room * sizeof *all->of);
         }
         memcpy(a, c->p[0], sizeof a);
         for (unsigned k = 0; k < n; k++) {

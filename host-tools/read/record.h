@@ -19,6 +19,8 @@
 #include "read/drawing.h"
 #include "read/machine_file.h"   /* machine_file, for its kinematics */
 
+struct host;                /* base/host.h */
+
 typedef struct {
     uint64_t slot;
     double at[3];               /* mm */
@@ -40,7 +42,7 @@ typedef struct {
 /* Read `file`, "-" is standard input. If it holds several jobs, read the last run of `job`, or, for
  * 0, the last job. Returns 0, or a code of <sysexits.h> after printing one line. `*r` must be
  * zeroed; free with record_free. */
-int  record_read(record *r, const char *file, uint32_t job);
+int  record_read(struct host *h, record *r, const char *file, uint32_t job);
 void record_free(record *r);
 
 /* True if pulse i moved the pen over the paper. */

@@ -165,7 +165,7 @@ const char   *grbl_name(const grbl *g) { return g->name; }
 
 int grbl_machine(const grbl *g, machine_file *m)
 {
-    const int code = machine_text(m, g->port, g->settings.text);
+    const int code = machine_text(tool_host(), m, g->port, g->settings.text);
 
     if (code == 0 && !grbl_table(g, m))
         for (int i = 0; i < ENGINE_AXES; i++)

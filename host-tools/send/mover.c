@@ -97,7 +97,7 @@ static int greet_first(mover *v, double now, task_wants *w)
 int mover_open(mover *v, host *h, const mover_options *o, double now)
 {
     *v = (mover){ .host = h, .o = *o, .stage = greet_first };
-    const int code = planning_usual(&v->p, o->machine);
+    const int code = planning_usual(h, &v->p, o->machine);
 
     return code ? code : talk_open(&v->t, &v->o.line, now);
 }
@@ -187,11 +187,11 @@ static int plan_move(mover *v)
         as.steps_per_mm[i] = v->t.sender.axis[i].steps_per_mm;
     }
     limits_of(v, &as.limits);
-    const int code = planning_joints(&p, v->o.line.port, &nothing, start, false, &as.limits,
-                                     &w->path, &w->of);
+    const int code = planning_joints(v->host, &p, v->o.line.port, &nothing, start, false,
+                                     &as.limits, &w->path, &w->of);
     const int status = code == 0 ? job_open(&w->j, &w->of, &as) : LOFT_OK;
     w->j.k = w->of.k = &v->p.machine.k;     /* `p` ends here, and the job is drawn later */
-    return status == LOFT_OK ? code : job_refuse(&w->j, v->o.line.port, status, "");
+    return status == LOFT_OK ? code : job_refuse(v->host, &w->j, v->o.line.port, status, "");
 }
 
 
@@ -246,7 +246,7 @@ static int end_move(mover *v, double now, task_wants *w)
     talk_over(&v->t);
     v->stage = NULL;
     return v->planned == LOFT_OK ? take_report(v)
-                                 : job_refuse(&v->w.j, v->o.line.port, v->planned, "");
+                                 : job_refuse(v->host, &v->w.j, v->o.line.port, v->planned, "");
 }
 
 /* Returns whether another portion of the plan is wanted. */
@@ -485,7 +485,7 @@ void mover_to(mover *v, const double to[ENGINE_AXES], double feed)
     memcpy(m.to, to, sizeof m.to);
     v->code = talk_certain(&v->t);
     if (v->code == 0)
-        v->code = table_place(&v->p.machine, v->at, to, v->p.tol);
+        v->code = table_place(v->host, &v->p.machine, v->at, to, v->p.tol);
     if (v->code == 0)
         v->code = mover_free(v, to);
     if (v->code == 0)

@@ -128,7 +128,7 @@ static int take_block(settings_work *k)
     k->block[s->size] = '\0';
     snprintf(name, sizeof name, "the settings of %s", k->t->port);
     return s->size > LOFT_SETTINGS_TEXT
-               ? machine_text(&s->m, name, (const char *)k->block + LOFT_SETTINGS_TEXT)
+               ? machine_text(tool_host(), &s->m, name, (const char *)k->block + LOFT_SETTINGS_TEXT)
                : 0;
 }
 

@@ -11,7 +11,6 @@
 #include "base/tool.h"
 
 #define SILENCE 10.0        /* s of silence until we give up */
-#define LIMIT_FILTER 1      /* ms that a limit switch must stay closed: sparks are shorter */
 #define STOP    10.0        /* s for the machine to stop */
 #define PORTION 0.005       /* s of planning in a step */
 #define LOOK    0.02        /* s between two looks at the machine */
@@ -357,7 +356,7 @@ static int report_end(stream *r, double now, task_wants *w)
     if (r->planned != LOFT_OK) {
         snprintf(then, sizeof then, "; the job was ended on the path before item %zu",
                  job_ready(r->j));
-        return job_refuse(r->j, r->about->file, r->planned, then);
+        return job_refuse(tool_host(), r->j, r->about->file, r->planned, then);
     }
     if (t->sender.phase < LOFT_PHASE_DONE)
         return stream_interrupted(t, r->j);
@@ -434,18 +433,12 @@ static bool verb_obeyed(const loft_sender *s, enum loft_verb verb)
 
 int stream_limits(const talk *t, bool hard, loft_job *head)
 {
-    const loft_sender *s = &t->sender;
-
-    if (!hard)
+    if (!hard || stream_guard(&t->sender, head))
         return 0;
-    if (!(s->machine.kinds & LOFT_TAKES_GUARDS))
-        return tool_error(EX_CONFIG,
-                          "%s: limit_stop = hard: this machine slows down on the path: give "
-                          "limit_stop = ramp, or a newer firmware",
-                          t->port);
-    head->guard = (loft_guard){ LOFT_INPUT_ENDING & ~s->closed & ~head->away, LOFT_GUARD_HARD,
-                                LIMIT_FILTER };
-    return 0;
+    return tool_error(EX_CONFIG,
+                      "%s: limit_stop = hard: this machine slows down on the path: give "
+                      "limit_stop = ramp, or a newer firmware",
+                      t->port);
 }
 
 /* For some time after that, so that the machine tells where it stands. */

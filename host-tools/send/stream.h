@@ -9,6 +9,7 @@
 #include "read/drawing.h"        /* drawing */
 #include "plan/job.h"            /* job, kinematics */
 #include "send/facts.h"          /* send_facts */
+#include "send/greeted.h"        /* stream_machine */
 #include "send/talk.h"           /* talk */
 
 /* What the closing line says about the drawing. */
@@ -23,14 +24,6 @@ typedef struct {
     const char *port, *tool;        /* tool NULL: the drawing has none */
     const toolpath *path;
 } stream_subject;
-
-/* The limits of a greeted machine. */
-void stream_machine(const loft_sender *s, engine_limits *l);
-
-/* Where a new job begins: the place of the motors, in whole multiples of 2^-16 mm, which become the
- * same steps again. Where the machine's current job began. */
-void stream_new_start(const loft_sender *s, double out[ENGINE_AXES]);
-void stream_old_start(const loft_sender *s, bool points, double out[ENGINE_AXES]);
 
 /* A job that runs. */
 typedef struct stream {

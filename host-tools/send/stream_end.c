@@ -11,43 +11,6 @@
 #include "base/tool.h"
 #include "host/duration.h"      /* host_duration */
 
-void stream_place(const loft_sender *s, const kinematics *k, const int32_t steps[LOFT_AXES],
-                  double out[LOFT_AXES])
-{
-    double at[LOFT_AXES];
-
-    for (int i = 0; i < LOFT_AXES; i++)
-        at[i] = (double)steps[i] * 65536 / (double)s->axis[i].steps_per_mm;
-    if (!kinematics_tool(k, at, out))
-        memcpy(out, at, sizeof at);
-}
-
-void stream_machine(const loft_sender *s, engine_limits *l)
-{
-    for (int i = 0; i < ENGINE_AXES; i++) {
-        l->max_speed[i] = (double)s->axis[i].max_speed / 65536;
-        l->max_accel[i] = (double)s->axis[i].max_accel / 65536;
-    }
-    l->tick_hz = s->machine.tick_hz;
-}
-
-static double mm_of(const loft_axis *a, int32_t steps)
-{
-    return round((double)steps * 65536 * 65536 / (double)a->steps_per_mm) / 65536;
-}
-
-void stream_new_start(const loft_sender *s, double out[ENGINE_AXES])
-{
-    for (int i = 0; i < ENGINE_AXES; i++)
-        out[i] = mm_of(&s->axis[i], s->axis[i].position);
-}
-
-void stream_old_start(const loft_sender *s, bool points, double out[ENGINE_AXES])
-{
-    for (int i = 0; i < ENGINE_AXES; i++)
-        out[i] = points ? mm_of(&s->axis[i], s->axis[i].start) : (double)s->axis[i].start / 65536;
-}
-
 /* Positions for steps: "12.345 8.000 1.000". */
 static const char *place_text(const loft_sender *s, const kinematics *k,
                               const int32_t steps[LOFT_AXES], char text[96])
@@ -68,24 +31,6 @@ static const char *steps_text(const int32_t steps[LOFT_AXES], char text[96])
     for (int i = 0; i < LOFT_AXES; i++)
         used += (size_t)snprintf(text + used, 96 - used, "%s%" PRId32, i ? " " : "", steps[i]);
     return text;
-}
-
-static const engine *engine_of(const loft_welcome *machine)
-{
-    return machine->num == LOFT_F32   ? &engine_f32
-           : machine->num == LOFT_F64 ? &engine_f64
-                                      : &engine_q16;
-}
-
-/* The commanded end of the job, rounded to steps as the machine rounds. */
-static void commanded_end(const loft_sender *s, const job *j, int32_t out[LOFT_AXES])
-{
-    const engine *e = engine_of(&s->machine);
-
-    for (int i = 0; i < LOFT_AXES; i++)
-        out[i] = j->head.kind == LOFT_POINTS ? j->last[i]
-                                             : e->steps((double)j->last[i] / 65536,
-                                                        (double)s->axis[i].steps_per_mm / 65536);
 }
 
 static double machine_seconds(const loft_sender *s)
@@ -137,7 +82,7 @@ int stream_error(const loft_sender *s, const stream_subject *about, bool late, c
     text[0] = '\0';
     if (about->record == NULL)
         return 0;
-    code = record_read(&r, about->record, s->report.job);
+    code = record_read(tool_host(), &r, about->record, s->report.job);
     if (code == 0 && is_complete(s, &r))
         snprintf(text, 64, ", worst path error %.4f mm",
                  record_worst_error(about->d, &r, NULL, NULL));
@@ -161,10 +106,10 @@ int stream_checked(talk *t, job *j, const stream_subject *about, const send_tell
 
     if (j->head.kind != LOFT_CURVES || j->first > 0)    /* a job that was drawn before need not be
                                                          * planned completely */
-        status = job_finish(j);
+        status = job_finish(tool_host(), j);
     if (status != LOFT_OK)
-        return job_refuse(j, about->file, status, "");
-    commanded_end(s, j, want);
+        return job_refuse(tool_host(), j, about->file, status, "");
+    stream_commanded(s, j, want);
     if (memcmp(want, s->report.position, sizeof want) != 0)
         return tool_error(
             EX_SOFTWARE,

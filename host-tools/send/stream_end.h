@@ -26,8 +26,4 @@ int stream_interrupted(const talk *t, const job *j);
 /* A hold, resume or abort from the command line was done. */
 void stream_obeyed(const talk *t, enum loft_verb verb, const kinematics *k, const send_teller *to);
 
-/* The position of the tool in mm for steps of the motors. */
-void stream_place(const loft_sender *s, const kinematics *k, const int32_t steps[LOFT_AXES],
-                  double out[LOFT_AXES]);
-
 #endif

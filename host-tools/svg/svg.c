@@ -427,12 +427,14 @@ static bool draw_node(svg_reader *r, const xmlNode *node, svg_space space, const
         !clips(r, node, chain))
         return true;
     r->node = node;
-    progress_show(&r->notes->bar, r->visited, "drawing");
+    if (!svg_goes_on(r, "drawing"))
+        return false;
     if (++r->visited > SVG_ELEMENTS_MAX)
-        return svg_fail(r, "more than %u elements, counting each use: split the drawing",
+        return svg_fail(r, "svg.too-many-elements",
+                        "more than %u elements, counting each use: split the drawing",
                         SVG_ELEMENTS_MAX);
     if (r->depth >= SVG_DEPTH_MAX)
-        return svg_fail(r,
+        return svg_fail(r, "svg.nested-too-deep",
                         "more than %d nested elements, counting each use: draw with fewer groups",
                         SVG_DEPTH_MAX);
     const bool chosen = svg_layer_chosen(r, node);
@@ -524,7 +526,8 @@ static bool check_text(const svg_reader *r)
     if (text == NULL || strcmp(text, "outline") == 0 || strcmp(text, "line") == 0 ||
         strncmp(text, "line:", 5) == 0 || strcmp(text, "none") == 0)
         return true;
-    return svg_fail(r, "--text %.40s: give outline, line, line:FONT or none", text);
+    return svg_fail(r, "svg.text-option", "--text %.40s: give outline, line, line:FONT or none",
+                    text);
 }
 
 static bool draw_page(svg_reader *r, const xmlNode *root)

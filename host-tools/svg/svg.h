@@ -37,7 +37,6 @@
 
 #include <libxml/dict.h>        /* needs tree.h */
 
-#include "base/progress.h"
 #include "read/drawing.h"
 
 /* x' = a x + c y + e,  y' = b x + d y + f */
@@ -72,7 +71,8 @@ typedef struct {
     unsigned long long warned;  /* bits, see svg_warn */
     bool lost;                  /* a part of the current shape cannot be drawn: none of it is */
     const xmlNode *page;        /* the first white page that was left out */
-    progress bar;
+    double elements;            /* in the file, about */
+    bool stopped;               /* by the host */
 } svg_notes;
 
 /* The number of an element among its siblings. */
@@ -261,7 +261,11 @@ const xmlNode *svg_find(const svg_reader *r, const char *id);
 unsigned svg_at_line(const svg_reader *r);
 
 /* Print `loft: file:line: <message>` and return false. */
-bool svg_fail(const svg_reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
+bool svg_fail(const svg_reader *r, const char *name, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Tell the host how far the reading is; false: it has stopped it. */
+bool svg_goes_on(svg_reader *r, const char *doing);
 
 enum svg_warning {
     SVG_WARN_SELECTOR,

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"       /* tool_grow */
+#include "base/memory.h"
 #include "engine/engine.h"   /* engine_f64: where two pieces meet */
 #include "engine/piece.h"
 #include "svg/svg.h"
@@ -43,7 +43,7 @@ static void add_cut(cuts *c, double t)
 {
     if (c->count == c->room) {
         c->room = c->room ? 2 * c->room : 32;
-        c->at   = tool_grow(c->at, c->room * sizeof *c->at);
+        c->at   = memory_grow(c->at, c->room * sizeof *c->at);
     }
     c->at[c->count++] = t;
 }
@@ -127,7 +127,8 @@ static bool add_cuts(svg_reader *r, const drawing *outline, const drawing_curve 
     set_piece(&whole, c);
     r->compared += outline->count + 1;
     if (r->compared > WORK_MAX)
-        return svg_fail(r, "clipping takes too long: clip in the editor, or by simpler paths");
+        return svg_fail(r, "svg.clip-too-long",
+                        "clipping takes too long: clip in the editor, or by simpler paths");
     for (size_t k = 0; k < outline->count; k++) {
         size_t found;
         if (!are_near(&outline->curve[k], c))
@@ -136,7 +137,7 @@ static bool add_cuts(svg_reader *r, const drawing *outline, const drawing_curve 
         r->compared += MEETING;
         const int status = engine_f64.measure->meet(&whole, &edge, MEET_TOL, meeting, &found);
         if (status != 0)
-            return svg_fail(r, "clip-path: %s", engine_status(status, NULL));
+            return svg_fail(r, "svg.clip-path", "clip-path: %s", engine_status(status, NULL));
         for (size_t i = 0; i < found; i++)
             for (int j = 0; j < 3; j++)
                 if (meeting[i].overlap || j == 1)
@@ -266,7 +267,7 @@ bool svg_cut(svg_reader *r, const drawing *outline, size_t first)
     for (size_t i = first; i < d->count && good; i++) {
         const drawing_curve *c = &d->curve[i];
         const bool fresh       = i == first || c->path != c[-1].path;
-        progress_show(&r->notes->bar, r->visited, "clipping");
+        good                   = svg_goes_on(r, "clipping");
         if (c->fill & DRAWING_HIDDEN)
             continue;
         drawing_curve seen = *c;

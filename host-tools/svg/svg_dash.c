@@ -11,7 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"       /* tool_grow */
 #include "svg/svg.h"
 
 #define DASHES_MAX 200000u      /* of a drawing: more are a tone, not dashes */

@@ -344,7 +344,8 @@ bool svg_enter(svg_reader *r, svg_space *space, svg_scope *scope, bool *shown)
         enter_transform(r, &style, space);
     svg_style_close(&style);
     if (r->effort > SVG_EFFORT_MAX)
-        return svg_fail(r, "the style sheet takes too long: give shapes their styles by style=\"\" "
-                           "or fewer classes");
+        return svg_fail(r, "svg.style-too-long",
+                        "the style sheet takes too long: give shapes their styles by style=\"\" "
+                        "or fewer classes");
     return true;
 }

@@ -15,7 +15,8 @@
 
 #include "svg/svg.h"
 #include "svg/svg_file.h"
-#include "base/tool.h"       /* tool_error, tool_grow */
+#include "base/host.h"
+#include "base/memory.h"
 
 /* bytes from entities and defaults, counted for each use */
 #define EXPANDED_MAX   ((size_t)16 << 20)
@@ -39,7 +40,20 @@ unsigned svg_at_line(const svg_reader *r)
     return (unsigned)(size_t)node->_private;
 }
 
-bool svg_fail(const svg_reader *r, const char *format, ...)
+/* Behind the last ": " of a text, which ends before it then; NULL: there is none. */
+static const char *cut_remedy(char *text)
+{
+    char *colon = NULL;
+
+    for (char *at = text; (at = strstr(at, ": ")) != NULL; at++)
+        colon = at;
+    if (colon == NULL)
+        return NULL;
+    *colon = '\0';
+    return colon + 2;
+}
+
+bool svg_fail(const svg_reader *r, const char *name, const char *format, ...)
 {
     char text[300];
     va_list values;
@@ -47,10 +61,51 @@ bool svg_fail(const svg_reader *r, const char *format, ...)
     va_start(values, format);
     vsnprintf(text, sizeof text, format, values);
     va_end(values);
-    (void)tool_error(EX_DATAERR, "%s:%u: <%s>: %s", r->file, svg_at_line(r),
-                     (const char *)r->node->name, text);
+    const char *remedy = cut_remedy(text);
+    (void)host_error(r->host, EX_DATAERR, name, (host_place){ r->file, svg_at_line(r) }, remedy,
+                     "<%s>: %s", (const char *)r->node->name, text);
     return false;
 }
+
+bool svg_goes_on(svg_reader *r, const char *doing)
+{
+    const host_progress p = { doing, r->visited, r->notes->elements, true };
+
+    r->notes->stopped = !host_goes_on(r->host, &p);
+    return !r->notes->stopped;
+}
+
+/* The names of warnings. */
+static const char *const warning_name[] = {
+    [SVG_WARN_SELECTOR] = "svg.selector",
+    [SVG_WARN_DATA] = "svg.data",
+    [SVG_WARN_TEXT] = "svg.text",
+    [SVG_WARN_LETTER] = "svg.letter",
+    [SVG_WARN_LAYER] = "svg.layer",
+    [SVG_WARN_LAYER_NUMBERS] = "svg.layer-numbers",
+    [SVG_WARN_LINE] = "svg.line",
+    [SVG_WARN_UPRIGHT] = "svg.upright",
+    [SVG_WARN_PICTURE] = "svg.picture",
+    [SVG_WARN_CLIP_PATH] = "svg.clip-path",
+    [SVG_WARN_MASK] = "svg.mask",
+    [SVG_WARN_PATTERN] = "svg.pattern",
+    [SVG_WARN_DASHES] = "svg.dashes",
+    [SVG_WARN_BOX] = "svg.box",
+    [SVG_WARN_UNSEEN] = "svg.unseen",
+    [SVG_WARN_USE_NOTHING] = "svg.use-nothing",
+    [SVG_WARN_USE_ELSEWHERE] = "svg.use-elsewhere",
+    [SVG_WARN_USE_MISSING] = "svg.use-missing",
+    [SVG_WARN_USE_CYCLE] = "svg.use-cycle",
+    [SVG_WARN_LENGTH] = "svg.length",
+    [SVG_WARN_SIZE] = "svg.size",
+    [SVG_WARN_TRANSFORM] = "svg.transform",
+    [SVG_WARN_VIEW] = "svg.view",
+    [SVG_WARN_FAR] = "svg.far",
+    [SVG_WARN_MEDIA] = "svg.media",
+    [SVG_WARN_FILTER] = "svg.filter",
+    [SVG_WARN_BLEND] = "svg.blend",
+    [SVG_WARN_PAGE] = "svg.page",
+};
 
 static void say_once(const svg_reader *r, enum svg_warning kind, const char *format, va_list values)
 {
@@ -60,7 +115,9 @@ static void say_once(const svg_reader *r, enum svg_warning kind, const char *for
         return;
     r->notes->warned |= 1ull << kind;
     vsnprintf(text, sizeof text, format, values);
-    (void)tool_error(EX_OK, "%s:%u: %s", r->file, svg_at_line(r), text);
+    const char *remedy = cut_remedy(text);
+    host_warn(r->host, warning_name[kind], (host_place){ r->file, svg_at_line(r) }, remedy, "%s",
+              text);
 }
 
 void svg_warn(const svg_reader *r, enum svg_warning kind, const char *format, ...)
@@ -128,7 +185,7 @@ static void collect_ids(svg_reader *r, const xmlNode *root)
         char *id = node->type == XML_ELEMENT_NODE ? svg_attribute(node, "id") : NULL;
         if (id != NULL) {
             if (count == room)
-                list = tool_grow(list, (room = room ? 2 * room : 64) * sizeof *list);
+                list = memory_grow(list, (room = room ? 2 * room : 64) * sizeof *list);
             list[count] = (numbered){ { id, node }, count };
             count++;
         }
@@ -138,7 +195,7 @@ static void collect_ids(svg_reader *r, const xmlNode *root)
     }
     if (count > 0)
         qsort(list, count, sizeof *list, compare_ids_and_order);
-    r->named = tool_grow(NULL, count * sizeof *r->named);
+    r->named = memory_grow(NULL, count * sizeof *r->named);
     for (size_t i = 0; i < count; i++)
         if (r->named_count == 0 || strcmp(r->named[r->named_count - 1].id, list[i].named.id) != 0)
             r->named[r->named_count++] = list[i].named;
@@ -376,17 +433,18 @@ int drawing_read_svg(host *h, drawing *d, const char *file, const char *text, si
 
     r.node = root;
     if (root == NULL)
-        code = tool_error(EX_DATAERR, "%s:%d: %s", file, problem.line, problem.message);
+        code = host_error(h, EX_DATAERR, "svg.not-xml",
+                          (host_place){ file, (unsigned)problem.line }, NULL, "%s",
+                          problem.message);
     else if (!svg_is(root, "svg"))
-        code = tool_error(EX_DATAERR,
-                          "%s:%u: <%s> is not an SVG drawing: "
+        code = host_error(h, EX_DATAERR, "svg.not-svg", (host_place){ file, svg_at_line(&r) },
                           "<svg xmlns=\"http://www.w3.org/2000/svg\"> is expected",
-                          file, svg_at_line(&r), (const char *)root->name);
+                          "<%s> is not an SVG drawing", (const char *)root->name);
     else {
-        progress_start_late(&notes.bar, problem.elements);
+        notes.elements = problem.elements;
         collect_ids(&r, root);
-        code = svg_draw(&r, root) ? 0 : EX_DATAERR;
-        progress_clear_any();
+        code = svg_draw(&r, root) ? 0 : notes.stopped ? EX_TEMPFAIL : EX_DATAERR;
+        host_has_done(h);
     }
 
     for (size_t i = 0; i < r.named_count; i++)

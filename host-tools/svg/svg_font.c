@@ -9,7 +9,6 @@
 #include <strings.h>
 
 #include "base/scan.h"       /* scan_number */
-#include "base/tool.h"       /* tool_grow */
 #include "svg/svg.h"
 
 #define LARGER 1.2          /* CSS Fonts Level 4, 2.5.1 */

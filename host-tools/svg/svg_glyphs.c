@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"       /* tool_grow */
+#include "base/memory.h"
 #include "svg/svg.h"
 
 #define EM 1024
@@ -25,7 +25,7 @@ struct svg_fonts {
 
 static svg_fonts *open_fonts(void)
 {
-    svg_fonts *f = tool_grow(NULL, sizeof *f);
+    svg_fonts *f = memory_grow(NULL, sizeof *f);
     cairo_font_options_t *plain = cairo_font_options_create();
 
     cairo_font_options_set_hint_style(plain, CAIRO_HINT_STYLE_NONE);

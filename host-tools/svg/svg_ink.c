@@ -140,6 +140,6 @@ bool svg_ink_check(const svg_reader *r)
         return true;
     for (size_t i = 0; i < SVG_INKS && r->inks[i] != NULL; i++)
         snprintf(all + strlen(all), sizeof all - strlen(all), "%s%s", i ? ", " : "", r->inks[i]);
-    return svg_fail(r, "--only %.60s: nothing has this colour: %s%s", r->d->only,
+    return svg_fail(r, "svg.no-colour", "--only %.60s: nothing has this colour: %s%s", r->d->only,
                     *all ? "give one of " : "nothing in it is painted", all);
 }

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/scan.h"       /* scan_space */
-#include "base/tool.h"       /* tool_grow */
+#include "base/memory.h"
 #include "read/machine_tools.h"
 #include "svg/svg.h"
 
@@ -76,8 +76,8 @@ static void keep_name(drawing_names *all, const char *name)
 {
     const size_t size = strlen(name) + 1;
 
-    all->name = tool_grow(all->name, (all->count + 1) * sizeof *all->name);
-    all->name[all->count++] = memcpy(tool_grow(NULL, size), name, size);
+    all->name = memory_grow(all->name, (all->count + 1) * sizeof *all->name);
+    all->name[all->count++] = memcpy(memory_grow(NULL, size), name, size);
 }
 
 unsigned svg_layer_number(svg_reader *r, const xmlNode *node)
@@ -114,7 +114,8 @@ bool svg_layers_check(const svg_reader *r, const xmlNode *root)
         const size_t length = strcspn(word, ",");
         char names[200]     = "";
         if (!has_layer(root->children, word, length, names))
-            return svg_fail(r, "no layer \"%.*s\": %s%s", (int)(length < 60 ? length : 60), word,
+            return svg_fail(r, "svg.no-layer", "no layer \"%.*s\": %s%s",
+                            (int)(length < 60 ? length : 60), word,
                             *names ? "give one of "
                                    : "it has no layers of Inkscape: leave --layer "
                                      "out",

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"       /* tool_grow, tool_error */
+#include "base/memory.h"
 #include "svg/svg.h"
 
 #define FOLDER "/usr/share/hershey-fonts"
@@ -42,7 +42,7 @@ static char *file_of(const char *name)
     if (in == NULL)
         return NULL;
     const size_t room = 1 << 20;
-    char *text        = tool_grow(NULL, room);
+    char *text        = memory_grow(NULL, room);
     const size_t size = fread(text, 1, room - 1, in);
     text[size]        = '\0';
     fclose(in);
@@ -76,11 +76,11 @@ static bool open_lines(svg_reader *r)
     char *text        = file_of(name);
 
     if (text == NULL)
-        return svg_fail(r,
+        return svg_fail(r, "svg.no-font",
                         "--text line: no font \"%.40s\": install hershey-fonts-data, or name one "
                         "of its files, as rowmans",
                         name);
-    r->lines       = tool_grow(NULL, sizeof *r->lines);
+    r->lines       = memory_grow(NULL, sizeof *r->lines);
     *r->lines      = (svg_lines){ .text = text };
     find_glyphs(r->lines);
     return true;

@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "base/scan.h"       /* scan_number */
-#include "base/tool.h"       /* tool_grow */
+#include "base/memory.h"
 #include "svg/svg.h"
 
 #define PI 3.14159265358979323846
@@ -38,7 +38,7 @@ static void add_vertex(svg_vertices *all, const double at[2])
 {
     if (all->count == all->room) {
         all->room = all->room ? 2 * all->room : 16;
-        all->v    = tool_grow(all->v, all->room * sizeof *all->v);
+        all->v    = memory_grow(all->v, all->room * sizeof *all->v);
     }
     all->v[all->count] = (vertex){ .at = { at[0], at[1] } };
     all->count++;
@@ -268,7 +268,7 @@ bool svg_has_markers(const svg_reader *r, const svg_space *space)
 
 svg_vertices *svg_vertices_open(void)
 {
-    svg_vertices *all = tool_grow(NULL, sizeof *all);
+    svg_vertices *all = memory_grow(NULL, sizeof *all);
 
     *all = (svg_vertices){ .count = 0 };
     return all;
@@ -299,7 +299,8 @@ bool svg_markers(svg_reader *r, const svg_space *space, const svg_vertices *all)
                 continue;
             r->marking[r->markings++] = node[k];
             if (++r->visited > SVG_ELEMENTS_MAX)
-                good = svg_fail(r, "more than %u elements, counting each use: split the drawing",
+                good = svg_fail(r, "svg.too-many-elements",
+                                "more than %u elements, counting each use: split the drawing",
                                 SVG_ELEMENTS_MAX);
             good = good && draw_marker(r, node[k], space, &all->v[i], first);
             r->markings--;

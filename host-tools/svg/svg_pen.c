@@ -87,7 +87,8 @@ bool svg_cubic(svg_pen *pen, double x1, double y1, double x2, double y2, double 
         return true;
     }
     if (d->count >= DRAWING_CURVES_MAX)
-        return svg_fail(pen->r, "more than %u curves: split the drawing", DRAWING_CURVES_MAX);
+        return svg_fail(pen->r, "svg.too-many-curves", "more than %u curves: split the drawing",
+                        DRAWING_CURVES_MAX);
 
     drawing_add(d, p, pen->fresh, pen->line);
     drawing_curve *c = &d->curve[d->count - 1];

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/tool.h"       /* tool_grow */
+#include "base/memory.h"
 #include "svg/svg.h"
 
 #define SAMPLES 32              /* of a curve */
@@ -31,7 +31,7 @@ bool svg_lay_rail(svg_reader *r, const xmlNode *node, const svg_space *space, sv
     const bool good = svg_shape(r, &alone, &known);
     r->d    = to;
     r->node = was;
-    out->until = tool_grow(NULL, (out->d.count * SAMPLES + 1) * sizeof *out->until);
+    out->until = memory_grow(NULL, (out->d.count * SAMPLES + 1) * sizeof *out->until);
     out->until[0] = 0;
     for (size_t i = 0; i < out->d.count * SAMPLES; i++) {
         const drawing_curve *c = &out->d.curve[i / SAMPLES];

@@ -12,7 +12,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "base/tool.h"       /* tool_grow */
+#include "base/memory.h"
 #include "svg/svg.h"
 
 #define DEPTH_MAX 4             /* of :not() and :is() in each other */
@@ -129,7 +129,7 @@ static char *read_text(cursor *c, char quote)
 
 static test *add_test(compound *to, enum kind kind)
 {
-    test *t = tool_grow(NULL, sizeof *t);
+    test *t = memory_grow(NULL, sizeof *t);
 
     *t = (test){ .next = to->tests, .kind = kind };
     to->tests = t;
@@ -225,7 +225,7 @@ static bool read_list(cursor *c, test *t)
         svg_selector *one = read_selector(c);
         if (one == NULL)
             return false;
-        t->list = tool_grow(t->list, (t->count + 1) * sizeof *t->list);
+        t->list = memory_grow(t->list, (t->count + 1) * sizeof *t->list);
         t->list[t->count++] = one;
     } while (take(c, ','));
     c->depth--;
@@ -335,13 +335,13 @@ static bool read_compound(cursor *c, compound *to)
 /* Up to the end, a comma or a parenthesis; NULL if it is not understood. */
 static svg_selector *read_selector(cursor *c)
 {
-    svg_selector *s = tool_grow(NULL, sizeof *s);
+    svg_selector *s = memory_grow(NULL, sizeof *s);
     char before     = '\0';
 
     *s = (svg_selector){ .last = NULL };
     skip_blank(c);
     for (;;) {
-        compound *one = tool_grow(NULL, sizeof *one);
+        compound *one = memory_grow(NULL, sizeof *one);
         *one          = (compound){ .before = before, .left = s->last };
         s->last       = one;
         if (!read_compound(c, one)) {

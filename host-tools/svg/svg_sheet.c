@@ -9,7 +9,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "base/tool.h"       /* tool_grow */
+#include "base/memory.h"
 #include "svg/svg.h"
 
 /* A property that a rule sets; also custom ones, whose names belong to the sheet. */
@@ -62,7 +62,7 @@ static list *list_of(const svg_sheet *sheet, const char *word, size_t length, co
     list *found = xmlHashLookup2(sheet->lists, name, (const xmlChar *)kind);
 
     if (found == NULL && make) {
-        found = tool_grow(NULL, sizeof *found);
+        found = memory_grow(NULL, sizeof *found);
         *found = (list){ NULL, 0 };
         xmlHashAddEntry2(sheet->lists, name, (const xmlChar *)kind, found);
     }
@@ -97,7 +97,7 @@ static rule *rule_of(svg_sheet *sheet, const char *selector)
     svg_selector *parsed = u ? NULL : svg_selector_read(selector, strlen(selector));
 
     if (u == NULL && parsed != NULL) {
-        u = tool_grow(NULL, sizeof *u);
+        u = memory_grow(NULL, sizeof *u);
         *u = (rule){ .selector = parsed };
         xmlHashAddEntry(sheet->rules, (const xmlChar *)selector, u);
         enlist_rule(sheet, u);
@@ -112,14 +112,14 @@ static void set_property(rule *u, enum svg_property property, svg_value value)
             svg_value_put(&u->settings[i].value, value);
             return;
         }
-    u->settings = tool_grow(u->settings, (u->setting_count + 1) * sizeof *u->settings);
+    u->settings = memory_grow(u->settings, (u->setting_count + 1) * sizeof *u->settings);
     u->settings[u->setting_count++] = (setting){ property, value };
 }
 
 /* Make room for one more item after `count`; the room doubles when it is full. */
 static void *room_for_one(void *old, size_t count, size_t size)
 {
-    return (count & (count - 1)) == 0 ? tool_grow(old, (count ? 2 * count : 1) * size) : old;
+    return (count & (count - 1)) == 0 ? memory_grow(old, (count ? 2 * count : 1) * size) : old;
 }
 
 /* Does it set anything that is read? */
@@ -317,7 +317,7 @@ void svg_sheet_read(svg_reader *r, const xmlNode *style)
         if (child->type == XML_TEXT_NODE || child->type == XML_CDATA_SECTION_NODE)
             xmlBufferCat(text, child->content);
     if (r->sheet == NULL) {
-        r->sheet = tool_grow(NULL, sizeof *r->sheet);
+        r->sheet = memory_grow(NULL, sizeof *r->sheet);
         *r->sheet = (svg_sheet){ .rules = xmlHashCreate(0), .lists = xmlHashCreate(0) };
     }
     svg_sheet *sheet = r->sheet;

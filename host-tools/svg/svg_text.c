@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tool.h"       /* tool_grow */
+#include "base/memory.h"
 #include "svg/svg.h"
 
 #define LETTERS_MAX 200000u     /* drawn ones, counting those of each <use>: a few seconds */
@@ -60,7 +60,7 @@ void svg_shaped_add(svg_shaped *s, size_t from, double advance)
 {
     if (s->clusters == s->cluster_room) {
         s->cluster_room = s->cluster_room ? 2 * s->cluster_room : 32;
-        s->cluster      = tool_grow(s->cluster, s->cluster_room * sizeof *s->cluster);
+        s->cluster      = memory_grow(s->cluster, s->cluster_room * sizeof *s->cluster);
     }
     s->cluster[s->clusters++] =
         (svg_cluster){ .from = from, .advance = advance, .first = s->parts };
@@ -70,7 +70,7 @@ void svg_shaped_part(svg_shaped *s, char kind, const double p[], int points)
 {
     if (s->parts == s->part_room) {
         s->part_room = s->part_room ? 2 * s->part_room : 128;
-        s->part      = tool_grow(s->part, s->part_room * sizeof *s->part);
+        s->part      = memory_grow(s->part, s->part_room * sizeof *s->part);
     }
     s->part[s->parts] = (svg_part){ .kind = kind };
     for (int k = 0; k < 2 * points; k++)
@@ -94,11 +94,11 @@ static void add_letter(collection *c, const char *bytes, size_t length)
 {
     if (c->count + 1 >= c->room) {
         c->room   = c->room ? 2 * c->room : 64;
-        c->letter = tool_grow(c->letter, c->room * sizeof *c->letter);
+        c->letter = memory_grow(c->letter, c->room * sizeof *c->letter);
     }
     if (c->size + length >= c->text_room) {
         c->text_room = 2 * c->text_room + 64;
-        c->text      = tool_grow(c->text, c->text_room);
+        c->text      = memory_grow(c->text, c->text_room);
     }
     memcpy(c->text + c->size, bytes, length);
     c->letter[c->count++] =
@@ -130,7 +130,7 @@ static bool begin_stretch(collection *c, const svg_space *space, const xmlNode *
 {
     if (c->stretches == c->stretch_room) {
         c->stretch_room = c->stretch_room ? 2 * c->stretch_room : 8;
-        c->stretch      = tool_grow(c->stretch, c->stretch_room * sizeof *c->stretch);
+        c->stretch      = memory_grow(c->stretch, c->stretch_room * sizeof *c->stretch);
     }
     c->stretch[c->stretches++] = (stretch){ .space = *space,
                                             .node = node,
@@ -161,7 +161,7 @@ static void read_lists(svg_reader *r, const svg_space *space, lists *l)
         xmlFree(text);
         if (room == 0)
             continue;
-        l->value[k] = tool_grow(NULL, room * sizeof *l->value[k]);
+        l->value[k] = memory_grow(NULL, room * sizeof *l->value[k]);
         l->count[k] = svg_lengths(r, space, names[k], sides[k], l->value[k], room);
         if (k == 4 && !plain) {         /* angles have no units */
             svg_warn(r, SVG_WARN_LENGTH, "rotate is not used: give a list of numbers");
@@ -202,7 +202,7 @@ static void note_length(collection *c, const xmlNode *node, const svg_space *spa
     char *adjust        = svg_attribute(node, "lengthAdjust");
 
     if (length >= 0 && c->count > first) {
-        c->fit            = tool_grow(c->fit, (c->fits + 1) * sizeof *c->fit);
+        c->fit            = memory_grow(c->fit, (c->fits + 1) * sizeof *c->fit);
         c->fit[c->fits++] = (fitting){ first, c->count, length,
                                        adjust != NULL && strcmp(adjust, "spacingAndGlyphs") == 0 };
     }
@@ -262,8 +262,8 @@ static bool collect(collection *c, const xmlNode *node, const svg_space *space, 
     else
         read_lists(c->r, space, &l);
     if (++c->r->depth > SVG_DEPTH_MAX)
-        good = good &&
-               svg_fail(c->r, "more than %d nested elements: draw with fewer", SVG_DEPTH_MAX);
+        good = good && svg_fail(c->r, "svg.nested-too-deep",
+                                "more than %d nested elements: draw with fewer", SVG_DEPTH_MAX);
     bool begun = false;
     for (const xmlNode *child = node->children; child != NULL && good; child = child->next) {
         if (child->type == XML_TEXT_NODE || child->type == XML_CDATA_SECTION_NODE) {
@@ -346,7 +346,7 @@ static bool shape_text(layout *l, chunk *u, bool *shaped)
 {
     svg_reader *r    = l->c->r;
     const char *text = l->c->text + l->c->letter[u->first].at;
-    svg_span *spans  = tool_grow(NULL, (u->last - u->first) * sizeof *spans);
+    svg_span *spans  = memory_grow(NULL, (u->last - u->first) * sizeof *spans);
     const size_t n   = list_spans(l, u, spans);
     bool good        = true;
 
@@ -407,14 +407,14 @@ static bool shape_chunk(layout *l, chunk *u)
     r->node = stretch_of(l, u->first)->node;
     r->letters += (unsigned)(u->last - u->first) + CHUNK_COST;
     if (r->letters > LETTERS_MAX)
-        return svg_fail(r, "more than %u letters, counting each use: split the drawing",
-                        LETTERS_MAX);
+        return svg_fail(r, "svg.too-many-letters",
+                        "more than %u letters, counting each use: split the drawing", LETTERS_MAX);
     if (!shape_text(l, u, &shaped))
         return false;
     if (!shaped)
         return svg_warn(r, SVG_WARN_TEXT, "<text> is not drawn: convert text to paths"), true;
     warn_of(r, &u->shaped, text);
-    u->placed = tool_grow(NULL, (u->shaped.clusters + 1) * sizeof *u->placed);
+    u->placed = memory_grow(NULL, (u->shaped.clusters + 1) * sizeof *u->placed);
     for (size_t k = 0; k < u->shaped.clusters; k++) {
         const svg_cluster *c = &u->shaped.cluster[k];
         place *to            = &u->placed[k];
@@ -479,7 +479,7 @@ static bool make_chunks(layout *l)
         }
         if (l->count == l->room) {
             l->room = l->room ? 2 * l->room : 16;
-            l->all  = tool_grow(l->all, l->room * sizeof *l->all);
+            l->all  = memory_grow(l->all, l->room * sizeof *l->all);
         }
         l->all[l->count++] = (chunk){ .first = i, .last = i + 1 };
     }

@@ -61,7 +61,7 @@ static bool order_drawing(const char *name, double seconds, row *out)
     if (good) {
         (void)ends_of(&d, &end, &out->file);
         free(end);
-        good = order_apply(&best, &d, zero, false, name) == 0;
+        good = order_apply(tool_host(), &best, &d, zero, false, name) == 0;
     }
     if (good) {
         out->count = ends_of(&d, &end, &out->travel);

@@ -65,7 +65,7 @@ int main(int argc, char **argv)
     int code    = 0;
 
     tool_use(&h);
-    if (argc > 2 && (code = machine_read(&machine, argv[2])) != 0)
+    if (argc > 2 && (code = machine_read(&h, &machine, argv[2])) != 0)
         return code;
     char *text  = source_read(&h, argc > 1 ? argv[1] : "-", &size, &code);
 

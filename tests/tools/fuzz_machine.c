@@ -14,7 +14,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     char *text     = text_of(data, size);
     machine_file m = machine_usual();
 
-    const int code = machine_text(&m, "fuzz.txt", text);
+    const int code = machine_text(&counted, &m, "fuzz.txt", text);
     MUST(code == (refusals ? EX_DATAERR : 0) && refusals <= 1);
     for (int i = 0; code == 0 && i < ENGINE_AXES; i++)
         MUST(m.steps_per_mm[i] > 0 && m.max_speed[i] > 0 && m.max_accel[i] > 0 &&

@@ -17,7 +17,7 @@ static bool areas_of(const char *inner, bool strokes, bool fills, drawing *d)
     hear();
     *d           = (drawing){ .areas = fills };
     return drawing_read_svg(&heard, d, "test.svg", text, strlen(text)) == 0 &&
-           areas_apply(strokes, fills, d, "test.svg") == 0;
+           areas_apply(&heard, strokes, fills, d, "test.svg") == 0;
 }
 
 static void add_curves(cairo_t *cairo, const drawing *d, unsigned without)

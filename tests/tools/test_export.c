@@ -154,7 +154,7 @@ static void helices_stay_helices(arb *a)
 
 static char *write_form(export_form *form, const drawing *d, int want)
 {
-    const export_options o = { .d = d, .name = "d", .tol = 0.01 };
+    const export_options o = { .host = &heard, .d = d, .name = "d", .tol = 0.01 };
     char *text = NULL;
     size_t size;
     FILE *out = open_memstream(&text, &size);
@@ -195,7 +195,7 @@ static void layers_come_back(arb *a)
     (void)a;
     CHECK(drawing_read_svg(&heard, &d, "d.svg", text, strlen(text)) == 0 && d.count == 5);
     CHECK(names.count == 2 && strcmp(names.name[0], "1 \"a<b>&\xc3\xa4\"") == 0);
-    const export_options o = { .d = &d, .name = "d", .layers = &names };
+    const export_options o = { .host = &heard, .d = &d, .name = "d", .layers = &names };
     size_t size;
     FILE *f = open_memstream(&out, &size);
     CHECK(f != NULL && export_svg(&o, f) == 0);

@@ -29,7 +29,7 @@ static bool fill_svg(const char *inner, const char *how, const char *outline, dr
     if (*read_fill(how, &f) || read_svg(d, text) != 0)
         return false;
     f.outline = outline;
-    return fill_apply(&f, d, "test.svg") == 0;
+    return fill_apply(&heard, &f, d, "test.svg") == 0;
 }
 
 static void check_filled(const char *inner, const char *how, const char *outline,

@@ -89,7 +89,7 @@ static int make_joints(joints *j, toolpath *path, const kinematics *k)
 
     hear();
     kinematics_motors(k, path->move[0].p[0], none, o.start);
-    return joints_make(j, path, k, &o);
+    return joints_make(&heard, j, path, k, &o);
 }
 
 /* The distance of a place from a move of the tool: the nearest of many places, then ternary

@@ -18,7 +18,7 @@ static void make_mesh(mesh *m, const char *text)
 
     *m = (mesh){ 0 };
     CHECK(surfaces_read_text(&heard, &all, "test", text) == 0);
-    CHECK(mesh_make(m, &all, "test", &engine_f64, N, 4) == 0);
+    CHECK(mesh_make(&heard, m, &all, "test", &engine_f64, N, 4) == 0);
     surfaces_free(&all);
 }
 
@@ -380,10 +380,10 @@ static void a_raised_net_looks_the_same(arb *a)
                                                            j * 10 + arb_below(a, 300) / 100.0,
                                                            arb_below(a, 2000) / 100.0 },
                                                     .w = s.rational ? 1 + arb_below(a, 8) : 1 });
-    CHECK(mesh_make(&was, &all, "test", &engine_f64, N, 4) == 0);
+    CHECK(mesh_make(&heard, &was, &all, "test", &engine_f64, N, 4) == 0);
     while (s.m < to && (s.n < to || s.kind == SURFACE_TRIANGLE))
         raise_once(&s);
-    CHECK(surface_is_high(&s) && mesh_make(&m, &all, "test", &engine_f64, N, 4) == 0);
+    CHECK(surface_is_high(&s) && mesh_make(&heard, &m, &all, "test", &engine_f64, N, 4) == 0);
     CHECK(m.vertices == was.vertices && m.cells == was.cells);
     for (size_t i = 0; i < m.vertices; i++) {
         for (int k = 0; k < 3; k++)
@@ -410,7 +410,7 @@ static void a_raised_cone_has_a_normal_at_its_tip(arb *a)
         surface_add_point(&s, &(surface_point){ .p = { net[k][0], net[k][1], net[k][2] }, .w = 1 });
     while (s.m < 20)
         raise_once(&s);
-    CHECK(mesh_make(&m, &all, "test", &engine_f64, N, 4) == 0);
+    CHECK(mesh_make(&heard, &m, &all, "test", &engine_f64, N, 4) == 0);
     for (size_t i = 0; i < m.vertices; i++)
         check_vertex(&m.vertex[i], (const double[3]){ 0, 0, 1 }, 0, 0, 1e-9);
     mesh_free(&m);

@@ -30,7 +30,7 @@ static void add_line(drawing *d, double x0, double y0, double x1, double y1, boo
 static int apply(drawing *d, const order_options *o)
 {
     hear();
-    return order_apply(o, d, zero, false, "f");
+    return order_apply(&heard, o, d, zero, false, "f");
 }
 
 static const order_options best = { .how = "best", .effort = 0.01, .join = 0.005 };

@@ -45,7 +45,7 @@ static const char *read_option(const char *word, page_options *g)
 static int apply(const page_options *g, drawing *d)
 {
     hear();
-    return page_apply(g, d, "f");
+    return page_apply(&heard, g, d, "f");
 }
 
 static void copy_drawing(drawing *to, const drawing *from)
@@ -269,7 +269,7 @@ static void cutting_keeps_what_is_inside(arb *a)
     add_random_path(&d, a, 80);
     if (arb_below(a, 3) == 0)               /* a control point on a corner, or ends on an edge */
         memcpy(d.curve[0].p[0], box[arb_below(a, 2)], sizeof d.curve[0].p[0]);
-    CHECK(page_crop(&cut, &d, box, "f") == 0);
+    CHECK(page_crop(&heard, &cut, &d, box, "f") == 0);
     for (size_t i = 0; i < cut.count; i++) {
         const drawing_curve *c = &cut.curve[i];
         for (int k = 0; k <= 300; k++) {
@@ -315,7 +315,7 @@ static void edges_belong_to_the_page(arb *a)
     drawing_add(&d, along, true, 2);
     drawing_add(&d, beyond, true, 3);
     drawing_add(&d, through, true, 4);
-    CHECK(page_crop(&cut, &d, box, "f") == 0 && cut.count == 3);
+    CHECK(page_crop(&heard, &cut, &d, box, "f") == 0 && cut.count == 3);
     if (cut.count == 3) {
         CHECK(memcmp(cut.curve[0].p, arch, sizeof arch) == 0);
         CHECK(cut.curve[1].line == 2 && cut.curve[2].line == 4);
@@ -339,7 +339,7 @@ static void heights_stay(arb *a)
     page_options g = { .degrees = 30, .scale = { { 2 }, 1 }, .copies = { 2, 1 } };
     (void)a;
     drawing_add_space(&d, line, 12, true, 1);
-    CHECK(page_crop(&cut, &d, box, "f") == 0 && cut.count == 1 && cut.curve[0].feed == 12);
+    CHECK(page_crop(&heard, &cut, &d, box, "f") == 0 && cut.count == 1 && cut.curve[0].feed == 12);
     if (cut.count == 1) {
         CHECK(cut.curve[0].p[0][0] == 0 && cut.curve[0].p[3][0] == 50);
         for (int k = 0; k < 4; k++)

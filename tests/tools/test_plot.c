@@ -69,7 +69,7 @@ static void ink_is_on_the_curve(arb *a)
                              .name = "x.svg",
                              .output = path_of("a.png") };
     (void)a;
-    CHECK(plot_draw(&o, NULL) == 0);
+    CHECK(plot_draw(&heard, &o, NULL) == 0);
     cairo_surface_t *picture = cairo_image_surface_create_from_png(o.output);
     CHECK(cairo_surface_status(picture) == CAIRO_STATUS_SUCCESS &&
           cairo_image_surface_get_width(picture) == 1000);
@@ -102,7 +102,7 @@ static void rapids_are_drawn_apart(arb *a)
                              .output = path_of("r.png") };
     const double scale = 9.10, left = 62, bottom = 52 + 910;
     (void)a;
-    CHECK(plot_draw(&o, NULL) == 0);
+    CHECK(plot_draw(&heard, &o, NULL) == 0);
     cairo_surface_t *picture = cairo_image_surface_create_from_png(o.output);
     for (int i = 2; i <= 98; i++) {
         double p[2];
@@ -133,7 +133,7 @@ static void a_comb_stands_on_the_outside(arb *a)
                              .name = "x.svg",
                              .output = path_of("c.png") };
     (void)a;
-    CHECK(plot_draw(&o, NULL) == 0);
+    CHECK(plot_draw(&heard, &o, NULL) == 0);
     cairo_surface_t *picture = cairo_image_surface_create_from_png(o.output);
     const double scale = 9.10, left = 62, bottom = 52 + 910;
     for (int i = 1; i < 20; i++) {
@@ -170,7 +170,7 @@ static void every_format_is_written(arb *a)
                                      .output = path_of(formats[i].name) };
             plot_result found;
             char start[8] = "";
-            CHECK(plot_draw(&o, &found) == 0);
+            CHECK(plot_draw(&heard, &o, &found) == 0);
             CHECK(found.worst > 0.1 && found.worst <= 0.2501 && found.drawing_pulses >= 299 &&
                   found.mean <= found.worst);
             FILE *f = fopen(o.output, "rb");
@@ -193,13 +193,14 @@ static void what_cannot_be_written_is_told(arb *a)
                        .output = "x.gif" };
     (void)a;
     caught[0] = '\0';
-    CHECK(plot_draw(&o, NULL) == EX_USAGE && strstr(caught, ".png, .svg or .pdf") != NULL);
+    CHECK(plot_draw(&heard, &o, NULL) == EX_USAGE && strstr(caught, ".png, .svg or .pdf") != NULL);
     static const char *const names[] = { "/tmp/loft/no/such/x.png", "/tmp/loft/no/such/x.svg",
                                          "/tmp/loft/no/such/x.pdf" };
     for (int i = 0; i < 3; i++) {
         caught[0] = '\0';
         o.output = names[i];
-        CHECK(plot_draw(&o, NULL) == EX_CANTCREAT && strstr(caught, "cannot be written") != NULL);
+        CHECK(plot_draw(&heard, &o, NULL) == EX_CANTCREAT &&
+              strstr(caught, "cannot be written") != NULL);
     }
 }
 

@@ -56,7 +56,7 @@ static int read_text(record *r, const char *text)
     CHECK(f != NULL && fputs(text, f) >= 0 && fclose(f) == 0);
     hear();
     *r = (record){ 0 };
-    return record_read(r, file, wanted);
+    return record_read(&heard, r, file, wanted);
 }
 
 #define HEAD                                                                                       \
@@ -91,8 +91,8 @@ static void records_are_read(arb *a)
     record_free(&r);
     CHECK(read_text(&r, HEAD) == EX_DATAERR && strstr(caught, "holds no pulse") != NULL);
     record_free(&r);
-    CHECK(record_read(&r, "/tmp/loft/no/such/file", 0) == EX_NOINPUT && caught_lines == 2);
-    CHECK(record_read(&r, "/tmp", 0) == EX_NOINPUT);
+    CHECK(record_read(&heard, &r, "/tmp/loft/no/such/file", 0) == EX_NOINPUT && caught_lines == 2);
+    CHECK(record_read(&heard, &r, "/tmp", 0) == EX_NOINPUT);
 }
 
 /* Of three jobs, the second one twice: read the last of all, or the last run of the wanted job,

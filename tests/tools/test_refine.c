@@ -18,7 +18,7 @@ static void refine_text(refined *r, surfaces *all, const char *text, const engin
     *all = (surfaces){ 0 };
     *r = (refined){ 0 };
     CHECK(surfaces_read_text(&heard, all, "test", text) == 0);
-    CHECK(refine_surfaces(r, all, "test", e, tol) == 0);
+    CHECK(refine_surfaces(&heard, r, all, "test", e, tol) == 0);
 }
 
 /* The distance of p from a triangle: from its plane if the foot is inside, or from a side. */
@@ -108,7 +108,7 @@ static void surfaces_are_within_the_tolerance(arb *a)
         refined r = { 0 };
         snprintf(name, sizeof name, "tests/drawings/%s.loft", file[k]);
         CHECK(surfaces_read(&heard, &all, name) == 0);
-        CHECK(refine_surfaces(&r, &all, name, &engine_f64, 0.05) == 0);
+        CHECK(refine_surfaces(&heard, &r, &all, name, &engine_f64, 0.05) == 0);
         CHECK(farthest(&r, &all, &engine_f64) <= 0.05);
         refined_free(&r);
         surfaces_free(&all);

@@ -81,7 +81,7 @@ static void plan_lines(arb *a, size_t count)
     job_options as        = { .kind = LOFT_SPANS };
     double start[ENGINE_AXES], at[ENGINE_AXES];
 
-    CHECK(planning_usual(&s.p, NULL) == 0);
+    CHECK(planning_usual(&heard, &s.p, NULL) == 0);
     s.w    = (job_work){ .path = { 0 } };
     as.e   = s.p.e;
     stream_new_start(&s.t.sender, start);
@@ -102,7 +102,8 @@ static void plan_lines(arb *a, size_t count)
     for (int i = 0; i < ENGINE_AXES; i++)
         as.steps_per_mm[i] = s.t.sender.axis[i].steps_per_mm;
     planning_limit(&s.p, &as.limits);
-    CHECK(planning_joints(&s.p, "-", &nothing, start, false, &as.limits, &s.w.path, &s.w.of) == 0);
+    CHECK(planning_joints(&heard, &s.p, "-", &nothing, start, false, &as.limits, &s.w.path,
+                          &s.w.of) == 0);
     CHECK(job_open(&s.w.j, &s.w.of, &as) == LOFT_OK);
 }
 
@@ -347,7 +348,7 @@ static void homing_tells_where_the_tool_is(arb *a)
     o.bounce_ms      = arb_below(a, 5);
     s.told[0]        = '\0';
     open_mover(&o);
-    CHECK(machine_text(&v.p.machine, "test",
+    CHECK(machine_text(&heard, &v.p.machine, "test",
                        "x.travel = 60\nx.home_order = 1\ny.travel = 60\ny.home_order = 2\n"
                        "y.home_end = high\n") == 0);
     home_begin(&h, &v, NULL, 2, &to);
@@ -371,7 +372,7 @@ static void homing_ends_where_it_is_asked_to(arb *a)
 
     o.limit[0][0].at = -20;
     open_mover(&o);
-    CHECK(machine_text(&v.p.machine, "test", "x.travel = 60\nx.home_order = 1\n") == 0);
+    CHECK(machine_text(&heard, &v.p.machine, "test", "x.travel = 60\nx.home_order = 1\n") == 0);
     home_begin(&h, &v, NULL, 2, &to);
     CHECK(run(home_task(&h), sim.clock + 0.001 * arb_below(a, 800)) == TASK_GOES);
     v.t.stop           = true;

@@ -110,7 +110,7 @@ static void make_mesh(mesh *m, surfaces *all, const char *text)
     *all = (surfaces){ 0 };
     *m = (mesh){ 0 };
     CHECK(surfaces_read_text(&heard, all, "test", text) == 0);
-    CHECK(mesh_make(m, all, "test", &engine_f64, N, 3) == 0);
+    CHECK(mesh_make(&heard, m, all, "test", &engine_f64, N, 3) == 0);
 }
 
 static double area_of(const mesh *m, const size_t c[3])

@@ -39,7 +39,7 @@ static int place(const char *text, const mill_trim *trim, stock *s)
     caught[0] = '\0';
     read_ramp(&all);
     CHECK(stock_parse(text, s));
-    const int code = stock_place(s, &all, trim ? trim : &none, "ramp.loft");
+    const int code = stock_place(&heard, s, &all, trim ? trim : &none, "ramp.loft");
     surfaces_free(&all);
     return code;
 }
@@ -78,14 +78,14 @@ static void lines_stay_over_the_block(arb *a)
     stock s;
 
     (void)a;
-    CHECK(stock_parse("10x10x5@0,0,-2", &s) && stock_holds(&s, &path, "a.loft") == 0);
+    CHECK(stock_parse("10x10x5@0,0,-2", &s) && stock_holds(&heard, &s, &path, "a.loft") == 0);
     way[1][2] = -2.5;
     caught[0] = '\0';
-    CHECK(stock_holds(&s, &path, "a.loft") == EX_DATAERR);
+    CHECK(stock_holds(&heard, &s, &path, "a.loft") == EX_DATAERR);
     CHECK(strstr(caught, "z -2.500, 0.500 mm below the block: give a thicker --stock") != NULL);
     way[2][1] = 13;
     caught[0] = '\0';
-    CHECK(stock_holds(&s, &path, "a.loft") == EX_DATAERR);
+    CHECK(stock_holds(&heard, &s, &path, "a.loft") == EX_DATAERR);
     CHECK(strstr(caught, "y 13.000, 3.000 mm beyond the block: give a larger --stock, or a smaller "
                          "--area") != NULL);
 }

@@ -26,7 +26,7 @@ static int read_lines(machine_tools *t, const char *const lines[])
     hear();
     *t           = (machine_tools){ .count = 0 };
     for (unsigned i = 0; lines[i] != NULL && code == 0; i++)
-        code = machine_tools_line(t, "m", i + 1, lines[i]);
+        code = machine_tools_line(&heard, t, "m", i + 1, lines[i]);
     return code;
 }
 
@@ -86,7 +86,7 @@ static void bad_lines_are_refused(arb *a)
     for (unsigned i = 0; i <= MACHINE_TOOLS; i++) {
         char line[40];
         snprintf(line, sizeof line, "tool.t%u.delay = 1", i);
-        CHECK((machine_tools_line(&t, "m", 1, line) == 0) == (i < MACHINE_TOOLS));
+        CHECK((machine_tools_line(&heard, &t, "m", 1, line) == 0) == (i < MACHINE_TOOLS));
     }
 }
 
@@ -96,7 +96,7 @@ static int sorted(const machine_tools *t, const char *text, drawing *d)
     caught[0] = '\0';
     *d        = (drawing){ .tools = t };
     const int code = drawing_read_svg(&heard, d, "test.svg", text, strlen(text));
-    return code ? code : tools_apply(t, d, "test.svg");
+    return code ? code : tools_apply(&heard, t, d, "test.svg");
 }
 
 static void drawings_are_sorted(arb *a)
@@ -147,7 +147,7 @@ static void the_order_stays_within_a_tool(arb *a)
                  PAGE(STROKE(9, "red") STROKE(2, "blue") STROKE(1, "red") STROKE(8, "blue")
                           STROKE(1, "blue")),
                  &d) == 0);
-    CHECK(tools_order(&best, &d, zero, false, "test.svg") == 0);
+    CHECK(tools_order(&heard, &best, &d, zero, false, "test.svg") == 0);
     put_drawing(got, sizeof got, &d, 100);
     CHECK(strcmp(got, "M 1 0 L 1 10 M 9 10 L 9 0 M 8 0 L 8 10 M 2 10 L 2 0 M 1 0 L 1 10") == 0);
     drawing_free(&d);
@@ -174,7 +174,7 @@ static void the_order_stays_within_a_layer(arb *a)
         for (int k = 0; k < 4; k++)
             d.curve[d.count - 1].p[k][1] += 20;
     }
-    CHECK(tools_order(&layer, &d, zero, false, "test.svg") == 0 && caught[0] == '\0');
+    CHECK(tools_order(&heard, &layer, &d, zero, false, "test.svg") == 0 && caught[0] == '\0');
     put_drawing(got, sizeof got, &d, 100);
     CHECK(strcmp(got, "M 7 10 L 7 0 M 7 -10 L 7 -20 M 9 -20 L 9 -10 M 9 0 L 9 10 M 1 10 L 1 0"
                       " M 1 -10 L 1 -20 M 3 -20 L 3 -10 M 3 0 L 3 10 M 2 10 L 2 0 M 2 -10 L 2 -20"
@@ -182,7 +182,7 @@ static void the_order_stays_within_a_layer(arb *a)
     drawing_free(&d);
 
     CHECK(read_lines(&t, lines) == 0 && sorted(&t, text, &d) == 0);
-    CHECK(tools_order(&layer, &d, zero, false, "test.svg") == 0);
+    CHECK(tools_order(&heard, &layer, &d, zero, false, "test.svg") == 0);
     put_drawing(got, sizeof got, &d, 100);
     CHECK(strcmp(got, "M 7 0 L 7 10 M 9 10 L 9 0 M 1 0 L 1 10 M 3 10 L 3 0 M 2 0 L 2 10"
                       " M 5 10 L 5 0") == 0);
@@ -190,7 +190,7 @@ static void the_order_stays_within_a_layer(arb *a)
     drawing_free(&d);
 
     CHECK(sorted(&t, PAGE(STROKE(9, "red") STROKE(1, "red")), &d) == 0);
-    CHECK(tools_order(&layer, &d, zero, false, "test.svg") == 0);
+    CHECK(tools_order(&heard, &layer, &d, zero, false, "test.svg") == 0);
     CHECK(strstr(caught, "test.svg: it has no layers of Inkscape") != NULL);
     drawing_free(&d);
 }
@@ -209,7 +209,7 @@ static void a_gap_is_drawn_by_the_tool(arb *a)
     (void)a;
     CHECK(read_lines(&t, lines) == 0);
     CHECK(sorted(&t, PAGE(LAYER("1", "<path d='M1 0V5M1 5.25V10' stroke='red'/>")), &d) == 0);
-    CHECK(tools_order(&best, &d, zero, false, "test.svg") == 0 && d.count == 3);
+    CHECK(tools_order(&heard, &best, &d, zero, false, "test.svg") == 0 && d.count == 3);
     CHECK(tools_split(&t, &d, &d, part) == 1);
     for (size_t i = 0; i < d.count; i++) {
         CHECK(d.curve[i].tool == 1 && d.curve[i].layer == 1 && d.curve[i].path == 0);
@@ -257,7 +257,7 @@ static void a_program_changes_tools(arb *a)
     (void)a;
     CHECK(read_lines(&t, lines) == 0 && t.tool[1].length > 4);
     CHECK(drawing_read_gcode(&heard, &d, "part.nc", text, strlen(text)) == 0);
-    CHECK(tools_apply(&t, &d, "part.nc") == 0 && d.count == 5);
+    CHECK(tools_apply(&heard, &t, &d, "part.nc") == 0 && d.count == 5);
     CHECK(tools_split(&t, &d, &d, part) == 4);
     CHECK(part[0].tool == NULL && part[1].tool == &t.tool[0] && part[2].tool == &t.tool[1] &&
           part[3].tool == &t.tool[0] && part[2].d.count == 2 && part[3].d.program);

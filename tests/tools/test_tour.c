@@ -40,7 +40,8 @@ static void make_problem(problem *p, arb *a, size_t count, unsigned round, doubl
             p->point[used++][1] = y + length * (double)k * sin(turn + (double)k);
         }
     }
-    p->t = (tour_problem){ .point   = (const double (*)[2])p->point,
+    p->t = (tour_problem){ .host = &heard,
+                           .point = (const double(*)[2])p->point,
                            .stroke  = p->stroke,
                            .count   = count,
                            .from    = { 3, 4 },
