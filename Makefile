@@ -174,6 +174,27 @@ $(TOOL_OUT)/loft: $(TOOL_OBJ) $(TOOL_LIBS)
 tools:
 	+@$(PARALLEL) $(TOOL_OUT)/loft
 
+# --- libloft-host: the rooms below cmd/, and of send/ what needs no terminal ----------------------
+# One object, of which only the functions of library/host.h can be seen: what it is made of may have
+# any name. It needs the packages of HOST_PKG.
+HOST_ROOMS := base engine geometry read svg gcode fit arrange plan
+HOST_PKG   := $(filter-out libserialport ncurses,$(TOOL_PKG))
+HOST_SRC   := $(filter $(foreach r,$(HOST_ROOMS),host-tools/$(r)/%) host-tools/readers.c \
+                  host-tools/send/greeted.c,$(TOOL_SRC))
+HOST_OBJ   := $(HOST_SRC:%.c=$(TOOL_OUT)/tools/%.o) $(foreach n,$(NUMS),$(patsubst \
+                  %.c,$(TOOL_OUT)/tools/$(n)/%.o,$(filter host-tools/engine/%,$(TOOL_ENGINE))))
+OBJCOPY    ?= objcopy
+$(TOOL_OUT)/tools/host.a: $(HOST_OBJ)
+	$(Q)rm -f $@; $(AR) rcs $@ $^
+$(TOOL_OUT)/libloft-host.a: \
+        $(patsubst %.c,$(TOOL_OUT)/tools/%.o,$(wildcard host-tools/library/*.c)) \
+        $(TOOL_OUT)/tools/host.a $(TOOL_LIBS)
+	$(SAY) "  AR  $@"
+	$(Q)$(CC) -r -nostdlib $(filter %.o,$^) -Wl,--start-group $(filter %.a,$^) -Wl,--end-group \
+	    -o $(TOOL_OUT)/tools/loft-host.o
+	$(Q)$(OBJCOPY) --wildcard --keep-global-symbol='loft_host_*' $(TOOL_OUT)/tools/loft-host.o
+	$(Q)rm -f $@; $(AR) rcs $@ $(TOOL_OUT)/tools/loft-host.o
+
 .PHONY: print-tool-sources
 print-tool-sources:
 	@echo $(TOOL_SRC) $(TOOL_EACH)

@@ -37,8 +37,11 @@ $(foreach l,loft loft-surfaces,build/$(1)x$(AXES)/lib$(l)-$(INSTALLED_AS).so): b
 -include $(patsubst %.c,build/$(1)x$(AXES)/shared/%.d,$(LIB_SRC))
 endef
 $(foreach n,$(NUMS),$(eval $(call shared,$(n))))
-SHARED = $(foreach n,$(NUMS),$(LIBRARIES:%=build/$(n)x$(AXES)/lib%-$(call INSTALLED_AS,$(n)).so))
-STATIC = $(foreach n,$(NUMS),$(LIBRARIES:%=build/$(n)x$(AXES)/lib%.a))
+# of those that are asked for: one for each number type, or the one of the host
+NUMBERED = $(filter-out loft-host,$(LIBRARIES))
+HOSTED = $(if $(filter loft-host,$(LIBRARIES)),$(TOOL_OUT)/libloft-host.a)
+SHARED = $(foreach n,$(NUMS),$(NUMBERED:%=build/$(n)x$(AXES)/lib%-$(call INSTALLED_AS,$(n)).so))
+STATIC = $(foreach n,$(NUMS),$(NUMBERED:%=build/$(n)x$(AXES)/lib%.a))
 
 build/loft.map: lib/loft.h
 	@mkdir -p $(@D)
@@ -47,6 +50,7 @@ build/loft.map: lib/loft.h
 # --- install: what goes where is laid out in build/stage first ------------------------------------
 STAGE = VERSION=$(VERSION) SOVERSION=$(SOVERSION) DATE=$(DATE) AXES=$(AXES) NUMS="$(NUMS)" \
         LIBRARIES="$(LIBRARIES)" LOFT_ROOMS="$(LOFT_ROOMS)" SURFACES_ROOMS="$(SURFACES_ROOMS)" \
+        HOST_PKG="$(HOST_PKG)" HOST_LIBRARY="$(HOSTED)" \
         INCLUDEDIR="$(INCLUDEDIR)" LIBDIR="$(LIBDIR)" sh ports/packages/stage.sh build/stage
 # copied FOLDER, where: a folder of the stage, with its links, to its place
 copied = mkdir -p "$(DESTDIR)$(2)" && cp -RP build/stage/$(1)/. "$(DESTDIR)$(2)"
@@ -57,12 +61,15 @@ removed = cd build/stage/$(1) && find . ! -type d | while read -r f; do \
 
 .PHONY: libraries
 libraries:
-	+@$(PARALLEL) $(STATIC) $(SHARED)
+	+@$(PARALLEL) $(STATIC) $(SHARED) $(HOSTED)
 
 # lib, libraries and tools each call make: one after the other, also with -j
 libraries: | $(filter lib,$(MAKECMDGOALS))
 tools: | $(filter lib,$(MAKECMDGOALS)) \
          $(if $(filter libraries install uninstall,$(MAKECMDGOALS)),libraries)
+
+# (of a command line, LIBRARIES stays as it is)
+install uninstall: LIBRARIES += loft-host
 
 ## Install headers, libraries and the command   DESTDIR= PREFIX=/usr/local (LIBDIR= BINDIR= ..)
 .PHONY: install
@@ -71,13 +78,14 @@ install: install-lib tools
 	@$(call copied,bin,$(BINDIR)) && $(call copied,share,$(DATADIR))
 	@echo "installed in $(DESTDIR)$(PREFIX): the command, man pages, completions"
 
-## Install headers and libraries alone, with a C compiler alone   LIBRARIES="loft loft-surfaces"
+## Install headers and libraries alone: loft, loft-surfaces, loft-host   LIBRARIES="loft .."
 .PHONY: install-lib
 install-lib: libraries lib/names.h
 	@$(STAGE)
 	@$(call copied,include,$(INCLUDEDIR)) && $(call copied,lib,$(LIBDIR))
 	@echo "installed in $(DESTDIR)$(PREFIX): headers," \
-	    "$(foreach l,$(LIBRARIES),$(NUMS:%=lib$(l)-%,)) pkg-config and CMake files"
+	    "$(foreach l,$(NUMBERED),$(NUMS:%=lib$(l)-%,)) $(HOSTED:%=libloft-host,)" \
+	    "pkg-config and CMake files"
 
 ## Remove what `make install` with the same DESTDIR= and PREFIX= put there
 .PHONY: uninstall
@@ -108,7 +116,7 @@ check-quick:
 	@MAKE="$(MAKE)" bash tests/house/check.sh test-quick test-readme
 
 # --- make check-packages: one line per thing that was built and run, `N passed, N failed` ---------
-PACKAGE_ROWS := install tool cross onefile cmake meson debian arduino boards wasm rust \
+PACKAGE_ROWS := install host tool cross onefile cmake meson debian arduino boards wasm rust \
                 python cpp export inkscape hygiene
 
 ## Install what check-packages needs (Debian's build tools, shells, compilers of other languages)

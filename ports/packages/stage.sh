@@ -2,7 +2,8 @@
 # ports/packages/stage.sh -- lay out what is installed: FOLDER/include, lib, bin, share
 # SPDX-License-Identifier: MIT
 # usage: stage.sh FOLDER [COMMAND]   with VERSION SOVERSION DATE AXES NUMS INCLUDEDIR LIBDIR set,
-# LOFT_ROOMS and SURFACES_ROOMS, and LIBRARIES: loft, loft-surfaces or both
+# LOFT_ROOMS and SURFACES_ROOMS, and LIBRARIES: some of loft, loft-surfaces, loft-host; for the last
+# one its archive HOST_LIBRARY and what it needs, HOST_PKG
 # With COMMAND, the command loft that was built: bin and share too. Same input, same bytes.
 set -eu
 stage=$1 command=${2:-}
@@ -51,6 +52,13 @@ if has loft-surfaces; then
     libraries loft-surfaces "Surfaces and paths of a mill over them, above loft" loft
 fi
 
+if has loft-host; then
+    mkdir -p "$stage/include/loft/loft"
+    cp host-tools/library/host.h "$stage/include/loft/loft/host.h"
+    cp "$HOST_LIBRARY" "$stage/lib/libloft-host.a"
+    filled ports/packages/loft-host.pc.in "" "" "" "$HOST_PKG" > "$stage/lib/pkgconfig/loft-host.pc"
+fi
+
 [ -n "$command" ] || exit 0
 share=$stage/share
 mkdir -p "$stage/bin" "$share/man/man1" "$share/bash-completion/completions" \
@@ -65,6 +73,7 @@ done
 "$command" --help=bash > "$share/bash-completion/completions/loft"
 "$command" --help=zsh > "$share/zsh/site-functions/_loft"
 "$command" --help=fish > "$share/fish/vendor_completions.d/loft.fish"
-cp LICENSE README.md CHANGELOG.md host-tools/LOFT.md host-tools/MACHINE.md "$share/doc/loft"
+cp LICENSE README.md CHANGELOG.md host-tools/LOFT.md host-tools/MACHINE.md host-tools/USE.md \
+    "$share/doc/loft"
 cp ports/packages/inkscape/loft.inx ports/packages/inkscape/loft_inkscape.py \
     "$share/inkscape/extensions"
