@@ -159,6 +159,35 @@ static void the_nearest_border_is_found(arb *a)
                                               0.0011L);
 }
 
+/* Only one border comes near, at 29/32 of it, and of the places where the search starts its other
+ * corner is the nearest: what the row or the column of that border alone tells is not left out. */
+static void one_row_is_enough(arb *a)
+{
+    static const int32_t dip[9] = { 6, 70, 80, 45, 30, 80, 10, -20, 12 };
+    const unsigned deep = 2 + arb_below(a, 2), border = arb_below(a, 4), m = border / 2 ? 8 : deep,
+                   n = border / 2 ? deep : 8;
+    const loft_vec zero = { { 0 } };
+    loft_tensor s;
+    loft_net_near near;
+
+    for (unsigned i = 0; i <= m; i++)
+        for (unsigned j = 0; j <= n; j++) {
+            const unsigned k = border / 2 ? j : i, from = border % 2 ? deep - k : k;
+            loft_vec *const p = &net[i * (n + 1) + j];
+            for (int axis = 0; axis < LOFT_AXES; axis++)
+                p->axis[axis] = axis < 2 ? arb_real(a, 1) / 4 : 0;
+            p->axis[2] = loft_real_from_int(from == 0      ? dip[border / 2 ? i : j]
+                                            : from == deep ? 20
+                                                           : 30) +
+                         arb_real(a, 1) / 4;
+        }
+    CHECK(loft_tensor_init(&s, net, m, n) == LOFT_OK);
+    CHECK(loft_net_nearest(loft_net_from_tensor(&s), zero, LOFT_REAL(0.001), &near) == LOFT_OK);
+    CHECK(exact_acc(near.distance) <= distance_at(&s, border / 2 ? 29 / 32.0L : border % 2,
+                                                  border / 2 ? border % 2 : 29 / 32.0L, zero) +
+                                          0.0011L);
+}
+
 static void bad_arguments_are_refused(arb *a)
 {
     const loft_tensor s = arb_patch(a, 2);
@@ -175,6 +204,7 @@ int main(void)
     PROPERTY(far_beyond_a_corner_the_corner_is_exact, 10);
     PROPERTY(collapsed_patches_have_a_nearest_point, 30);
     PROPERTY(the_nearest_border_is_found, 30);
+    PROPERTY(one_row_is_enough, 30);
     PROPERTY(bad_arguments_are_refused, 1);
     return check_failures();
 }
