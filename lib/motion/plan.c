@@ -11,7 +11,7 @@
 #define SMOOTHING 16 /* knots whose points may still move */
 #define ALL       (LOFT_PLAN_EFFORT > 1)
 #define STEP      (ALL ? 20 : 32)    /* knots at a time, and what they need on both sides */
-#define SWEEPS    (ALL ? 54 : 48)    /* of smoothing */
+#define SWEEPS    (ALL ? 54 : 42)    /* of smoothing */
 #define MEASURED  (ALL ? 1024u : 32u) /* knots that are measured at once, the last one again */
 #define AT_ONCE   (ALL ? SWEEPS : 6) /* of them in a part */
 #define RAISES    (ALL ? 4 : 1)      /* of a whole chain 4 times as many */

@@ -16,9 +16,12 @@
 #define AHEAD       8                               /* places that are settled */
 #define NEXT        3                               /* and those that may not wait for it */
 #define RUN         3                               /* ways that are spaced anew at once */
+#define MOVED       1                               /* room of a place that does not lie at s yet */
 #define POINT       64                              /* what is shorter is a point */
 #define MEAN        16                              /* points of the path in a mean, */
-#define LATER       2                               /* places behind one that goes onto it */
+#define LATER       (EVENED ? 4 : 2)                /* places behind one that goes onto it, */
+#define EVENED      (LOFT_PLAN_EFFORT > 1 ? 0 : 2)  /* which are made even so often: or guessed, */
+#define CLEAR       4                               /* but not so near to a sharp one */
 
 
 // Places
@@ -123,6 +126,7 @@ static enum loft_path_state start(loft_path *path, loft_path_waiting *out)
     out->on.number = path->walk.number;
     out->on.feed   = path->walk.feed;
     out->on.sharp  = out->on.loose = false;
+    out->on.room   = 0;
     set_fold(&out->on, &path->walk, 0);
     return LOFT_PATH_PLACE;
 }
@@ -179,6 +183,7 @@ static void set_place(loft_path *path, int64_t s, bool ends, loft_path_waiting *
 
     on->sharp = c && c->s == s;
     on->loose = false;
+    on->room  = 0;
     on->feed  = loft_chain_go(&path->chain, &path->walk, s);
     loft_chain_place(&path->walk, s, &on->at);
     set_fold(on, &path->walk, s);
@@ -388,9 +393,10 @@ static void average(loft_path *path, unsigned k)
 static void put(loft_path *path, unsigned k, int64_t s, loft_coord feed)
 {
     loft_path_waiting *q = &path->queue[k];
-    loft_chain_walk w = *walk_before(path, s);
+    loft_chain_walk w = path->walk.s <= s ? path->walk : *walk_before(path, s);
 
-    (void)loft_chain_go(&path->chain, &w, s);
+    while (s > w.s + w.length && follow(path, &w))
+        ;
     q->s = s;
     q->on.feed = feed;
     loft_chain_place(&w, s, &q->on.at);
@@ -521,6 +527,40 @@ static void settle(loft_path *path)
     }
 }
 
+/* Bits of the places near ones that stay: sharp ones, the start, or the end of what is known. */
+static uint32_t tied_places(const loft_path *path)
+{
+    uint32_t tied = 0;
+
+    for (unsigned k = 0; k < path->queued; k++) {
+        const loft_path_waiting *q = &path->queue[k];
+        if (q->on.sharp || q->s == 0 || q->s == path->corners.known)
+            tied |= ((UINT32_C(2) << 2 * CLEAR) - 1) << k >> CLEAR;
+    }
+    return tied;
+}
+
+/* Places that are not on the mean yet go half of the way to the middle between their neighbours.
+ * The cap of speed jumps from arc to arc, and so would ways: but of uneven ways third differences
+ * are large, along the path, and the tolerance is too small to smooth that. */
+static void even_out(loft_path *path)
+{
+    const uint32_t tied = tied_places(path);
+    loft_path_waiting *q = path->queue;
+
+    for (int n = 0; n < EVENED; n++)
+        for (unsigned k = path->queued - 1u; k-- > path->averaged;) {
+            const int64_t before = q[k].s - q[k > 0 ? k - 1 : 0].s,
+                          by = (q[k + 1].s - q[k].s - before) / 4;
+            if ((tied >> k & 1) || before == 0 || loft_long_abs(by) <= before >> 8)
+                continue;
+            const loft_coord feed = loft_coord_least(q[k].on.feed, q[k + 1].on.feed);
+            q[by > 0 ? k : k + 1].on.feed = feed;
+            q[k].s += by;
+            q[k].on.room = MOVED;
+        }
+}
+
 /* Queue places as far ahead as is looked, or the last one. */
 static enum loft_path_state fill(loft_path *path)
 {
@@ -537,9 +577,14 @@ static enum loft_path_state fill(loft_path *path)
             path->queue[1] = path->queue[0];
             path->queued++;
         }
+        even_out(path);
     }
-    while (path->averaged + (path->chain.closed ? 0u : LATER) < path->queued)
+    while (path->averaged + (path->chain.closed ? 0u : LATER) < path->queued) {
+        const loft_path_waiting *q = &path->queue[path->averaged];
+        if (q->on.room == MOVED)
+            put(path, path->averaged, q->s, q->on.feed);
         average(path, path->averaged++);
+    }
     return LOFT_PATH_PLACE;
 }
 
