@@ -21,6 +21,7 @@
 #include "readers.h"
 
 #define MOST   1.05
+#define JOIN   0.005            /* mm: the default of --join */
 #define ROUNDS 100              /* of the bound; each takes the square of the strokes */
 
 /* Ends of paths; returns how many paths. */
@@ -52,7 +53,7 @@ typedef struct {
 /* Order a drawing by so many seconds of work. Returns false if it cannot be read. */
 static bool order_drawing(const char *name, double seconds, row *out)
 {
-    const order_options best = { .how = "best", .effort = seconds, .join = ORDER_JOIN };
+    const order_options best = { .how = "best", .effort = seconds, .join = JOIN };
     const double zero[2]     = { 0, 0 };
     drawing d                = { .count = 0 };
     double(*end)[2];
