@@ -105,6 +105,7 @@ static const char *const warning_name[] = {
     [SVG_WARN_FILTER] = "svg.filter",
     [SVG_WARN_BLEND] = "svg.blend",
     [SVG_WARN_PAGE] = "svg.page",
+    [SVG_WARN_BACKGROUND] = "svg.background",
 };
 
 static void say_once(const svg_reader *r, enum svg_warning kind, const char *format, va_list values)

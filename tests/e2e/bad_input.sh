@@ -111,10 +111,11 @@ case_words_of_others_are_made_visible() {
     one_line 64 'x1b' "$loft" plan $'--\e[1m'; visible err
     one_line 64 'x1b' "$loft" $'\e[1m'; visible err
 }
-# a terminal hears of a long computation within seconds; what cannot be asked is told before it
-case_a_long_computation_says_so() {
-    printf 'octant 91.0741\n0.187034 0.333294 6.99643\n' >"$tmp/long.loft"
-    timeout 1000 python3 - "$loft" measure "$tmp/long.loft" >"$tmp/out" <<'PY'
+# a terminal hears of a long silence within seconds; what cannot be asked is told before it
+case_a_long_silence_is_told() {
+    mkfifo "$tmp/silent.loft"           # a pipe that nobody writes
+    exec 7<>"$tmp/silent.loft"
+    timeout 1000 python3 - "$loft" measure "$tmp/silent.loft" >"$tmp/out" <<'PY'
 import os, pty, signal, sys
 pid, fd = pty.fork()
 if pid == 0:
@@ -125,8 +126,9 @@ while b'ends it' not in got:
 os.kill(pid, signal.SIGKILL)
 print(got.decode())
 PY
+    exec 7>&-
     says out '^working: measure: 1 s by now; ^C ends it'
-    { cat "$tmp/long.loft"; echo 'bicubic'; for i in 1 2 3 4; do
+    { echo 'octant 91.0741'; echo '0.187034 0.333294 6.99643'; echo 'bicubic'; for i in 1 2 3 4; do
           for k in 1 2 3 4; do echo "$i 9$k $k"; done; done; } |
         sed '$s/.*/132.659 2147483648 143.245/' >"$tmp/both.loft"
     one_line 65 'area: the numbers do not fit' \
