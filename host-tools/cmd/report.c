@@ -14,7 +14,8 @@
 #include "cmd/report.h"
 #include "cmd/view.h"
 
-#define OFTEN 0.1               /* s between two reports */
+#define OFTEN   0.1             /* s between two reports */
+#define REPAINT ('L' & 0x1f)    /* ^L */
 
 /* Of all jobs: the distance from the drawing and what it may be there, mm; parts of the limits of
  * each motor. */
@@ -140,6 +141,14 @@ void report_planned(const report_job *job, double seconds, uint32_t items)
     put_job(job);
     fprintf(now.out, ",\"seconds\":%.3f,\"items\":%" PRIu32, seconds, items);
     end_line();
+}
+
+int report_key(int key)
+{
+    if (key != REPAINT)
+        return key;
+    screen_paint();
+    return 0;
 }
 
 bool report_shown(void) { return now.form != REPORT_BAR || now.bar.shown; }

@@ -45,6 +45,10 @@ void report_show(const send_facts *f, const char *words);
 /* True if the state is shown, so that a line about it would repeat it. */
 bool report_shown(void);
 
+/* Take a key of the terminal: ^L paints the whole screen anew. Returns the key, or 0 if it is none
+ * of the job. */
+int report_key(int key);
+
 /* Tell an event in one line. */
 void report_line(const char *format, ...) __attribute__((format(printf, 1, 2)));
 

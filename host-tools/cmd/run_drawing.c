@@ -24,7 +24,7 @@ typedef struct {
 static int next_key(drawing_shown *x)
 {
     if (isatty(STDIN_FILENO) || x->r.pause == NULL || x->answered || x->deaf)
-        return keys_next();
+        return report_key(keys_next());
     const int key = keys_answer(0);
     x->deaf       = key == KEYS_END;
     x->answered   = key == '\n' || key == '\r' || key == 'a';

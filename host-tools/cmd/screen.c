@@ -102,6 +102,12 @@ void screen_put(int row, int column, const char *text)
         (void)mvaddnstr(row, column, say_copy(shown, sizeof shown, text), COLS - column);
 }
 
+void screen_paint(void)
+{
+    if (open_now)
+        (void)clearok(curscr, TRUE);
+}
+
 void screen_show(void)
 {
     (void)refresh();

@@ -23,6 +23,9 @@ void screen_size(int *rows, int *columns);
 /* Put a text at row 0.. and column 0..: what lies beyond the edge is cut. */
 void screen_put(int row, int column, const char *text);
 
+/* The next screen_show writes every character anew. Does nothing if no screen is open. */
+void screen_paint(void);
+
 /* Show all that was put since the last call, and nothing else. */
 void screen_show(void);
 

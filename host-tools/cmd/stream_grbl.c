@@ -32,7 +32,7 @@ static int step_shown(void *context, double now, task_wants *w)
     char words[160];
 
     if (code == TASK_GOES && !grbl_over(x->g)) {
-        const int key = keys_next();
+        const int key = report_key(keys_next());
         if (key != 0)
             task_wake(w, now);
         grbl_key(x->g, key);

@@ -48,9 +48,10 @@ case_grbl_draws_cubics_and_work_coordinates() {
 case_grbl_on_the_whole_terminal_and_in_json() {
     peer shown --held 30
     local job=("$loft" stream tests/drawings/outline12.csv --grbl --feed 1 --port "$tmp/shown")
-    types shown '@pen down@h ~held  X~s _r' "${job[@]}" --view || job_fails "exit code $?"
+    types shown '@pen down@h ~held~s ~%, held  X ~^L _r' "${job[@]}" --view \
+        || job_fails "exit code $?"
     seen 'h hold  r resume  a abort'; seen 'pen down'; seen '#'; seen '....'; seen '@'
-    seen 'held  X'; says after 'drawn: 12 curves, 0.131 m'
+    seen 'sent ahead, override 100 %, held  X '; says after 'drawn: 12 curves, 0.131 m'
     drew shown
     peer told --paced
     job[7]=$tmp/told

@@ -17,7 +17,8 @@ case_hold_and_resume_by_key() {
 case_a_job_on_the_whole_terminal() {
     undisturbed
     machine viewed --speed fast --halt 1200 --once
-    types viewed '@h hold@. #halted at tick 1200#h #asked to hold#> ~held, r resumes~s @@r' \
+    types viewed '@h hold@. #halted at tick 1200#h #asked to hold#> ~held, r resumes~s
+        ~held, r resumes  X ~^L @@r' \
         "$loft" stream "$tmp/small.csv" --view --port "$tmp/viewed" "${slowly[@]}" \
         || job_fails "exit code $?"
     gone "$machine"
