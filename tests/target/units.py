@@ -25,28 +25,31 @@ K, M = 1024, 1024 * 1024
 
 # name, core, number type;
 # machine of QEMU, set of objects, library;
-# flags of the linker, flash and RAM (where, how much), most tests left out
+# flags of the linker, flash and RAM (where, how much), most tests left out besides those
+# of NOWHERE
 BOARDS = [
     ("mps2-an385", "M3", "q16", "mps2-an385", "v7m-q16", "mps2-an385",
-     M3, (0, 4 * M), (0x21000000, 16 * M), 7),
+     M3, (0, 4 * M), (0x21000000, 16 * M), 2),
     ("riscv-virt", "rv32imac", "q16", "virt", "rv32-q16", "riscv-virt",
-     RISCV_CORE, (0x80000000, 120 * M), (0x80000000, 120 * M), 6),
+     RISCV_CORE, (0x80000000, 120 * M), (0x80000000, 120 * M), 1),
     ("nrf51", "M0", "q16", "microbit", "v6m-q16", "nrf51",
-     M0, (0, 256 * K), (0x20000000, 16 * K), 52),
+     M0, (0, 256 * K), (0x20000000, 16 * K), 47),
     ("stm32f405", "M4F", "q16", "netduinoplus2", "v7m-q16", "stm32f405",
-     M3, (0x08000000, M), (0x20000000, 128 * K), 22),
+     M3, (0x08000000, M), (0x20000000, 128 * K), 17),
     ("stm32f405", "M4F", "f32", "netduinoplus2", "v7em-f32", "stm32f405-f32",
-     M4F, (0x08000000, M), (0x20000000, 128 * K), 22),
+     M4F, (0x08000000, M), (0x20000000, 128 * K), 17),
     ("mps2-an500", "M7", "q16", "mps2-an500", "v7m-q16", "mps2-an500",
-     M3, (0, 4 * M), (0x60000000, 16 * M), 7),
+     M3, (0, 4 * M), (0x60000000, 16 * M), 2),
     ("mps2-an505", "M33", "q16", "mps2-an505", "v7m-q16", "mps2-an505",
-     M3, (0x10000000, 4 * M), (0x80000000, 16 * M), 7),
+     M3, (0x10000000, 4 * M), (0x80000000, 16 * M), 2),
 ]
 # bytes of RAM of an image besides its tests: the line of text, and data that the library's
 # functions leave out
 OWN = 1200
 NOWHERE = {
     "flash_log": "it tests a memory of the boards, nothing of lib/",
+    "slow": "chips plan with little effort, which has no slow runs",
+    "cruise": "chips plan with little effort, which has no slow runs",
     "harmonic": "its tables are solved by code of the command, with a heap",
     "wire_page": "it reads a page of text",
     "yardstick": "it tests what other tests measure with, nothing of lib/",
@@ -185,9 +188,10 @@ class Board:
         for number, image in enumerate(self.images(here, stack)):
             self.run_image(image, number)
         seen = self.passed + self.failed + self.left
-        self.row(self.left <= self.most_left and seen == len(tests),
+        most = self.most_left + len(NOWHERE)
+        self.row(self.left <= most and seen == len(tests),
                  f"{self.label}: {self.properties} properties of {self.passed} tests hold, "
-                 f"{self.left} of {len(tests)} tests left out (at most {self.most_left}), "
+                 f"{self.left} of {len(tests)} tests left out (at most {most}), "
                  f"{time.time() - begun:.0f} s")
         return self
 
