@@ -91,6 +91,10 @@ case_what_is_left_stays_while_held() {
              END { if (NR < 10) exit 1 }' "$tmp/left" \
         || job_fails "left while held: $(uniq -c "$tmp/left" | tr '\n' ',')"
 }
+silence_is_told() {     # the machine stands, also when something else lets it go on
+    kill -STOP "$machine"
+    grep -q '^waiting: the machine does not answer: look at cable' "$tmp/err"
+}
 case_a_wait_says_for_what() {
     local held='waiting: the machine is held: '
     machine stood --speed fast --halt 800 --once
@@ -103,8 +107,7 @@ case_a_wait_says_for_what() {
     machine asleep --speed fast --halt 500 --once
     draws asleep; "${job[@]}" >"$tmp/out" 2>"$tmp/err" </dev/null & local sender=$!
     halted asleep 500
-    kill -STOP "$machine"
-    until_file err '^waiting: the machine does not answer: look at cable'
+    until_true silence_is_told || job_fails "nothing is told of a silence: $(cat "$tmp/err")"
     kill -CONT "$machine"
     go_on asleep
     wait $sender || job_fails "the sender ended with $?"
