@@ -18,6 +18,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 enum option_kind {
     OPTION_END,
@@ -121,6 +122,13 @@ const char *option_value(const option *o, char out[80]);
 
 /* The help with the default behind it, "(0.01)", unless it says it itself. */
 const char *option_help(const option *o, char out[400]);
+
+/* The options of a table, or its rules, as objects of JSON with commas between: all that they say.
+ */
+void option_put_json(FILE *out, const option rows[], bool rules);
+
+/* `, "name": "text"`, or nothing without a text. */
+void option_put_member(FILE *out, const char *name, const char *text);
 
 /* What is wrong with what was given. The names are stable: option.unknown, .value (none is given),
  * .range (a number), .choice, .count, .form (of a PARSED), .excludes, .needs, .words, .json. */

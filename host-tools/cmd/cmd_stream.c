@@ -10,7 +10,7 @@
 
 #include "cmd/keys.h"           /* keys_start, keys_hasty */
 #include "base/say.h"
-#include "cmd/stream_grbl.h"     /* stream_grbl, stream_parts */
+#include "cmd/stream_grbl.h"     /* stream_grbl, stream_parts_find */
 #include "plan/check.h"          /* check_print */
 #include "plan/missing.h"        /* missing_tell */
 #include "plan/planning.h"       /* planning_limit */
@@ -22,31 +22,14 @@
 #include "host/duration.h"      /* host_duration */
 
 /* Plan the first portion of a part, from the position of the motors. */
-static int plan_work(const stream_options *o, const stream_parts *all, size_t k,
+static int plan_work(const stream_options *o, const plan_parts *all, size_t k,
                      const double start[ENGINE_AXES], const job_options *as, job_work *w)
 {
-    toolpath_options how = stream_parts_way(o, all, k);
-    const drawing *d     = &all->part[k].smooth;
-    const char *file     = all->file;
-    int status = 0;
-
-    if (!planning_start_at(&o->p, start, &how))
-        return tool_error(EX_DATAERR,
-                          "%s: its motors are at %.6g %.6g %.6g, where those of a %s machine like "
-                          "this cannot be: give its --machine FILE",
-                          o->line.port ? o->line.port : "-", start[0], start[1], start[2],
-                          kinematics_name(&o->p.machine.k));
-    toolpath_make(&w->path, d, &how);
-    if (w->path.count == 0)
-        return tool_error(EX_DATAERR,
-                          "%s: nothing to draw in it: give a drawing with visible outlines", file);
     keys_hasty(true);
-    int code = planning_joints(tool_host(), &o->p, file, d, start, o->chip, &as->limits, &w->path,
-                               &w->of);
-    if (code == 0)
-        status = job_open(&w->j, &w->of, as);
+    const int code = parts_plan(tool_host(), &o->p, all, k, o->line.port ? o->line.port : "-",
+                                start, o->chip, as, w);
     keys_hasty(false);
-    return status == 0 ? code : job_refuse(tool_host(), &w->j, file, status, "");
+    return code;
 }
 
 static void print_plan(const job *j, const toolpath *path, double tol)
@@ -72,7 +55,7 @@ static struct job_does does_of(const stream_options *o, const loft_sender *s)
 }
 
 /* From the first part that is drawn. */
-static missing_job asked_by(const stream_options *o, const stream_parts *all)
+static missing_job asked_by(const stream_options *o, const plan_parts *all)
 {
     return (missing_job){ all->file, &all->part[all->first], all->count - all->first, o->points,
                           o->chip };
@@ -114,8 +97,8 @@ static void print_page(const drawing *d)
 }
 
 /* Print what a part takes, and add it to the sum. */
-static void print_part(const stream_options *o, const stream_parts *all, size_t k,
-                       const job_work *w, toolpath *sum, double *seconds)
+static void print_part(const stream_options *o, const plan_parts *all, size_t k, const job_work *w,
+                       toolpath *sum, double *seconds)
 {
     const tools_part *p = &all->part[k];
 
@@ -147,7 +130,7 @@ static void end_of(const job *j, double out[ENGINE_AXES])
                                              : j->last[i] / 65536.0;
 }
 
-static int dry_run(const stream_options *o, const drawing *d, const stream_parts *all)
+static int dry_run(const stream_options *o, const drawing *d, const plan_parts *all)
 {
     double start[ENGINE_AXES] = { 0, 0, 0 }, seconds = 0;
     job_options as = { .patch = NULL };
@@ -196,7 +179,7 @@ static int check_machine(const stream_options *o, const loft_sender *s)
                       o->line.port);
 }
 
-static int plan_for(const stream_options *o, const stream_parts *all, size_t k,
+static int plan_for(const stream_options *o, const plan_parts *all, size_t k,
                     const double start[ENGINE_AXES], const loft_sender *s, job_work *w)
 {
     job_options as = { .patch = NULL };
@@ -212,7 +195,7 @@ static int plan_for(const stream_options *o, const stream_parts *all, size_t k,
 
 /* If the machine has a job, it may be one of these. It is if its id equals that of this job,
  * planned from the same start. Then *at is its part, and *w the job. */
-static int find_old(const stream_options *o, const stream_parts *all, const loft_sender *s,
+static int find_old(const stream_options *o, const plan_parts *all, const loft_sender *s,
                     job_work *w, size_t *at)
 {
     double start[ENGINE_AXES];
@@ -231,7 +214,7 @@ static int find_old(const stream_options *o, const stream_parts *all, const loft
 }
 
 /* Send the part that is planned, or else plan it from where the machine is. */
-static int stream_part(const stream_options *o, const stream_parts *all, size_t k, bool planned,
+static int stream_part(const stream_options *o, const plan_parts *all, size_t k, bool planned,
                        talk *t, job_work *w)
 {
     const loft_sender *s = &t->sender;
@@ -276,7 +259,7 @@ static int change(const stream_options *o, const machine_tool *tool, talk *t)
 }
 
 /* One job for each tool, one after the other. */
-static int stream_drawing(const stream_options *o, const stream_parts *all, talk *t)
+static int stream_drawing(const stream_options *o, const plan_parts *all, talk *t)
 {
     job_work w      = { .path = { 0 } };
     size_t old  = all->count;
@@ -318,7 +301,7 @@ static int control_machine(const stream_options *o)
 }
 
 static int read_file(stream_options *o, const char *file, drawing *d, drawing *smooth,
-                     stream_parts *all)
+                     plan_parts *all)
 {
     keys_hasty(true);
     o->p.passes = o->record == NULL;
@@ -334,7 +317,7 @@ static int read_file(stream_options *o, const char *file, drawing *d, drawing *s
 
 /* The machine may say that its spindle is a laser. Then the rows of a raster are to be lines. */
 static int adopt(stream_options *o, const char *file, talk *t, drawing *d, drawing *smooth,
-                 stream_parts *all)
+                 plan_parts *all)
 {
     const bool laser = o->p.machine.laser > 0;
     int code         = run_settings_adopt(&o->p.machine, t);
@@ -350,7 +333,7 @@ static int adopt(stream_options *o, const char *file, talk *t, drawing *d, drawi
 static int draw_file(stream_options *o, const char *file)
 {
     drawing d = { 0 }, smooth = { 0 };
-    stream_parts all;
+    plan_parts all;
     talk t;
 
     int code = read_file(o, file, &d, &smooth, &all);

@@ -60,11 +60,11 @@ static int run_lines(grbl *g, const gcode *lines, const report_job *told)
 }
 
 /* The G-code of a part, sent from where the controller is, or printed in a dry run. */
-static int draw_part(const stream_options *o, const stream_parts *all, size_t k, grbl *g,
+static int draw_part(const stream_options *o, const plan_parts *all, size_t k, grbl *g,
                      double start[ENGINE_AXES])
 {
     const tools_part *p   = &all->part[k];
-    toolpath_options how  = stream_parts_way(o, all, k);
+    toolpath_options how  = parts_way(&o->p, all, k);
     const gcode_options as = { .tol = (o->p.tol - o->p.smoothed) / 2,
                                .curves = o->g5 ? GCODE_G5 : GCODE_ARCS,
                                .rapids = p->d.program };
@@ -101,7 +101,7 @@ static int draw_part(const stream_options *o, const stream_parts *all, size_t k,
     return code;
 }
 
-int stream_grbl(stream_options *o, const stream_parts *all)
+int stream_grbl(stream_options *o, const plan_parts *all)
 {
     grbl *g = NULL;
     double start[ENGINE_AXES] = { 0, 0, 0 };

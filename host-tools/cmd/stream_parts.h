@@ -4,9 +4,8 @@
 #ifndef LOFT_STREAM_PARTS_H
 #define LOFT_STREAM_PARTS_H
 
-#include "plan/planning.h"      /* planning */
+#include "plan/parts.h"         /* plan_parts, planning */
 #include "send/talk.h"          /* talk_options */
-#include "arrange/tools.h"         /* tools_part */
 
 typedef struct {
     talk_options line;
@@ -17,19 +16,9 @@ typedef struct {
     bool chip, asks;            /* the machine plans; standard input can answer */
 } stream_options;
 
-/* A drawing by the tools that draw it, and from which of them on. */
-typedef struct {
-    const char *file;
-    tools_part part[TOOLS_PARTS];
-    size_t count, first;
-} stream_parts;
-
 /* The parts of a drawing, from the tool that was asked on. Returns 0, or an exit code after
  * printing one line. */
 int stream_parts_find(const stream_options *o, const char *file, const drawing *d,
-                      const drawing *smooth, stream_parts *all);
-
-/* How part k is drawn: before a pause the tool goes to its parking place, and stays lifted. */
-toolpath_options stream_parts_way(const stream_options *o, const stream_parts *all, size_t k);
+                      const drawing *smooth, plan_parts *all);
 
 #endif
