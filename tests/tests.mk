@@ -328,6 +328,16 @@ test-peer:
 test-model:
 	@sh tests/model/model.sh
 
+# --- what tests see: tests/MUTANTS.md -------------------------------------------------------------
+ROOM   ?= num,geom,basis,curve,kinematics,path,motion,wire,machine,surface,polygon,toolpath
+SAMPLE ?= 20
+SEED   ?= 1
+## Change lib/ a little: do tests see it?   ROOM=path SAMPLE=20 (0: all) SEED=1 PAGE=1
+.PHONY: mutate
+mutate: lib/names.h
+	@python3 tests/house/mutate.py --rooms $(ROOM) --sample $(SAMPLE) --seed $(SEED) \
+	    $(if $(ALL),--all) $(if $(PAGE),--page)
+
 # --- long sweeps, not part of `make check` --------------------------------------------------------
 define swept
 build/sweep/$(1)/%: test_%.c $(call libs,build/$(1)x$(AXES))
