@@ -44,6 +44,8 @@ typedef struct host {
     bool (*progress)(void *context, const host_progress *p);    /* false: stop; the same */
     double (*now)(void *context);       /* seconds of a clock that is never set */
     void *context;
+    const char *state;      /* a folder for what outlives the program, as notes of jobs; NULL: none,
+                             * nothing is kept; "": none, which is a warning */
     bool strict;            /* a warning is an error: a call that warned ends with EX_DATAERR */
     unsigned warnings, errors;          /* counted here */
     /* ---- */
@@ -68,7 +70,7 @@ void host_warn(host *h, const char *name, host_place at, const char *remedy, con
 
 /* A remedy with values, HOST_REMEDY("give %g or more", least). It is valid until the block ends. */
 #define HOST_REMEDY(...) host_words((char[HOST_WORDS]){ 0 }, __VA_ARGS__)
-#define HOST_WORDS 256
+#define HOST_WORDS 512
 const char *host_words(char out[HOST_WORDS], const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

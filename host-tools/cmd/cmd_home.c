@@ -31,7 +31,7 @@ static int run_home(void *options)
     const send_teller to   = run_teller();
     mover v                = { .at = { 0 } };
     home h;
-    int code = o->axes ? mover_axes(o->axes, axis) : 0;
+    int code = o->axes ? mover_axes(tool_host(), o->axes, axis) : 0;
 
     if (code == 0)
         code = run_mover(&v, &o->move, false);

@@ -99,7 +99,7 @@ static int run_monitor(void *options)
     int code;
 
     keys_start(false);
-    if ((code = transport_open(&m.machine, o->port, o->baud)) != 0)
+    if ((code = transport_open(&m.machine, tool_host(), o->port, o->baud)) != 0)
         return code;
     if ((code = host_line_open(&m.sender, o->link, 0)) == 0) {
         wire_text_init(&m.down, '>');

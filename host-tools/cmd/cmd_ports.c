@@ -93,7 +93,7 @@ static int run_ports(void *options)
     }
     if (o->ports.count > 0)
         return code;
-    code = transport_ports(print_port, &a);
+    code = transport_ports(tool_host(), print_port, &a);
     if (code == 0 && a.count == 0)
         (void)tool_error(
             EX_OK,

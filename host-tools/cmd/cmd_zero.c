@@ -72,7 +72,7 @@ static int run_zero(void *options)
     const zero_options *o  = options;
     bool axis[ENGINE_AXES] = { false };
     mover v                = { .at = { 0 } };
-    int code               = mover_axes(o->axes, axis);
+    int code               = mover_axes(tool_host(), o->axes, axis);
 
     if (code == 0)
         code = run_mover(&v, &o->move, false);

@@ -37,7 +37,7 @@ int run_until(task t)
 
 int run_open(talk *t, const talk_options *o)
 {
-    int code = talk_open(t, o, tool_clock());
+    int code = talk_open(t, tool_host(), o, tool_clock());
 
     if (code == 0)
         code = run_until(talk_greets(t));
@@ -54,7 +54,7 @@ int run_again(talk *t, double seconds)
 
 int run_controller(grbl **g, const talk_options *o)
 {
-    int code = grbl_open(g, o->port, o->baud, o->wait);
+    int code = grbl_open(g, tool_host(), o->port, o->baud, o->wait);
 
     if (code == 0)
         code = run_until(grbl_task(*g));

@@ -5,6 +5,7 @@
 #include <unistd.h>             /* isatty */
 
 #include "base/say.h"
+#include "base/tool.h"          /* tool_host */
 #include "cmd/keys.h"           /* keys_next, keys_answer */
 #include "cmd/report.h"         /* report_show */
 #include "cmd/run.h"            /* run_until */
@@ -122,7 +123,7 @@ int run_change(const machine_tool *tool, bool asks)
 {
     change c;
 
-    change_begin(&c, tool, asks);
+    change_begin(&c, tool_host(), tool, asks);
     if (c.state == CHANGE_ASKS)
         (void)say(stderr, "tool %s: %s: Enter goes on, q leaves\n", tool->name, tool->pause);
     return run_until((task){ step_asking, &c, &c.stop });

@@ -47,8 +47,25 @@ static void end(size_t bytes)
     exit(tool_error(EX_OSERR, "no memory for %zu bytes: give a smaller drawing", bytes));
 }
 
+/* As the XDG Base Directory Specification says. */
+static void find_state(char folder[PATH_MAX])
+{
+    const char *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");
+    int length        = 0;
+
+    if (state != NULL && *state == '/')
+        length = snprintf(folder, PATH_MAX, "%s/loft", state);
+    else if (home != NULL && *home == '/')
+        length = snprintf(folder, PATH_MAX, "%s/.local/state/loft", home);
+    if (length <= 0 || length >= PATH_MAX)
+        folder[0] = '\0';
+}
+
 host terminal_host(terminal *t)
 {
     memory_is_out(end);
-    return (host){ .message = print, .progress = draw, .now = seconds, .context = t };
+    find_state(t->state);
+    return (host){
+        .message = print, .progress = draw, .now = seconds, .context = t, .state = t->state
+    };
 }

@@ -49,6 +49,7 @@ loft_host *loft_host_open(const loft_host_calls *calls)
                    .progress = calls->progress != NULL ? show : NULL,
                    .now      = calls->now != NULL ? time_of : NULL,
                    .context  = h,
+                   .state    = calls->state,
                    .strict   = calls->strict };
     return h;
 }

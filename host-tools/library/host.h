@@ -50,6 +50,8 @@ typedef struct {
                                          * most ten times a second */
     void *context;
     bool strict;            /* a call that warned ends with EX_DATAERR */
+    const char *state;      /* a folder for notes of jobs, so that one that was cut off is noticed
+                             * if the machine restarts; NULL: none are kept */
 } loft_host_calls;
 
 typedef struct loft_host loft_host;

@@ -11,7 +11,7 @@
 #include "send/grbl_talk.h"
 #include "send/near_move.h"      /* near_move */
 #include "send/grbl_words.h"     /* grbl_error_text, grbl_alarm_text */
-#include "base/tool.h"           /* tool_error */
+#include "base/tool.h"           /* tool_s */
 #include "host/duration.h"      /* host_duration */
 
 #define QUESTIONS   256     /* bytes that are left for questions and keys */
@@ -120,8 +120,9 @@ static int report_wrong(const grbl *g)
 {
     const bool ours = g->wrong < g->sent;
 
-    return tool_error(EX_PROTOCOL, "%s: error %s at line %zu of %zu%s%s%s%s; the machine %s",
-                      g->port, g->error, g->wrong + ours, g->lines->count, ours ? ", `" : "",
+    return host_error(g->host, EX_PROTOCOL, "grbl.error", (host_place){ .file = g->port }, NULL,
+                      "error %s at line %zu of %zu%s%s%s%s; the machine %s", g->error,
+                      g->wrong + ours, g->lines->count, ours ? ", `" : "",
                       ours ? gcode_text(g->lines, g->wrong) : "", ours ? "`" : "",
                       grbl_error_text(g->error),
                       g->rests ? "is stopped" : "did not say that it stopped");
@@ -130,11 +131,11 @@ static int report_wrong(const grbl *g)
 static int report_aborted(const grbl *g)
 {
     if (!g->rests)
-        return tool_error(EX_TEMPFAIL,
-                          "aborted at line %zu of %zu: the controller did not say that it stopped, "
-                          "and was reset: home it",
-                          g->done, g->lines->count);
-    return tool_error(EX_TEMPFAIL,
+        return host_error(
+            g->host, EX_TEMPFAIL, "grbl.aborted", (host_place){ .file = NULL }, "home it",
+            "aborted at line %zu of %zu: the controller did not say that it stopped, and was reset",
+            g->done, g->lines->count);
+    return host_error(g->host, EX_TEMPFAIL, "grbl.aborted", (host_place){ .file = NULL }, NULL,
                       "aborted at line %zu of %zu: the machine is stopped at %.3f %.3f %.3f",
                       g->done, g->lines->count, g->place[0], g->place[1], g->place[2]);
 }
@@ -145,10 +146,10 @@ static int report_stopped(const grbl *g, bool gone)
         return gone ? grbl_report_vanished(g) : report_aborted(g);
     if (g->why == GRBL_STOPS_WRONG)
         return report_wrong(g);
-    return tool_error(EX_PROTOCOL,
-                      "%s: %s, at line %zu of %zu: what was drawn cannot be trusted; look at cable "
-                      "and --baud, home it and begin again",
-                      g->port, g->what, g->done, g->lines->count);
+    return host_error(
+        g->host, EX_PROTOCOL, "grbl.untrusted", (host_place){ .file = g->port },
+        "what was drawn cannot be trusted; look at cable and --baud, home it and begin again",
+        "%s, at line %zu of %zu", g->what, g->done, g->lines->count);
 }
 
 /* The lines that were sent are discarded. The greeting that follows is expected. */
@@ -209,25 +210,25 @@ static int report_trouble(grbl *g)
     const double now  = g->now;
 
     if (g->restarted && g->done == 0)
-        return tool_error(EX_TEMPFAIL,
-                          "%s: the controller was reset before the first line: nothing was drawn; "
-                          "run the same command again",
-                          g->port);
+        return host_error(g->host, EX_TEMPFAIL, "grbl.reset-before",
+                          (host_place){ .file = g->port },
+                          "nothing was drawn; run the same command again",
+                          "the controller was reset before the first line");
     if (g->restarted)
-        return tool_error(EX_PROTOCOL,
-                          "%s: the controller restarted at line %zu of %zu: its position is lost; "
-                          "home it and begin again",
-                          g->port, g->done, code->count);
+        return host_error(g->host, EX_PROTOCOL, "grbl.restarted", (host_place){ .file = g->port },
+                          "its position is lost; home it and begin again",
+                          "the controller restarted at line %zu of %zu", g->done, code->count);
     if (g->alarmed)
-        return tool_error(EX_PROTOCOL, "%s: alarm %s at line %zu of %zu%s", g->port, g->alarm,
-                          g->done, code->count, grbl_alarm_text(g->alarm));
+        return host_error(g->host, EX_PROTOCOL, "grbl.alarm", (host_place){ .file = g->port }, NULL,
+                          "alarm %s at line %zu of %zu%s", g->alarm, g->done, code->count,
+                          grbl_alarm_text(g->alarm));
     if (g->failed)
         return stop_controller(g, GRBL_STOPS_WRONG);
     if (doing_of(g) == GRBL_ENDS)
-        return tool_error(EX_PROTOCOL,
-                          "%s: the controller says %s at line %zu of %zu: %s; then "
-                          "begin again",
-                          g->port, g->word, g->done, code->count, g->state->text);
+        return host_error(g->host, EX_PROTOCOL, "grbl.ended", (host_place){ .file = g->port },
+                          HOST_REMEDY("%s; then begin again", g->state->text),
+                          "the controller says %s at line %zu of %zu", g->word, g->done,
+                          code->count);
     if (g->surplus)
         return stop_after(g, "one answer more than lines were sent: bytes were bent on the line");
     if (g->unread[0] != '\0' && now - g->read > UNREAD) {
@@ -236,10 +237,9 @@ static int report_trouble(grbl *g)
         return stop_after(g, text);
     }
     if (now - g->heard > GRBL_DEAF)
-        return tool_error(EX_IOERR,
-                          "%s: silent for %g s at line %zu of %zu: look at cable and power; it "
-                          "draws what it has and stops",
-                          g->port, GRBL_DEAF, g->done, code->count);
+        return host_error(g->host, EX_IOERR, "grbl.silent", (host_place){ .file = g->port },
+                          "look at cable and power; it draws what it has and stops",
+                          "silent for %g s at line %zu of %zu", GRBL_DEAF, g->done, code->count);
     if (now - g->read > GRBL_DEAF)
         return stop_after(g, "it answers lines, but does not tell its state");
     if (g->idles > 0 && g->done < g->sent && now - g->moved > STUCK) {

@@ -9,6 +9,7 @@
 #ifndef LOFT_GRBL_H
 #define LOFT_GRBL_H
 
+#include "base/host.h"
 #include "engine/engine.h"  /* ENGINE_AXES */
 #include "read/machine_file.h"  /* machine_file */
 #include "send/gcode_write.h"     /* gcode */
@@ -19,19 +20,19 @@
 typedef struct grbl grbl;
 
 /* Open the port. Next it is to be found out which controller answers, the size of its buffer and
- * its position (mm, in its work coordinates). Returns 0, or an exit code after one line. */
-int  grbl_open(grbl **g, const char *port, unsigned baud, double seconds);
+ * its position (mm, in its work coordinates). Returns 0, or an exit code after one message. */
+int  grbl_open(grbl **g, host *h, const char *port, unsigned baud, double seconds);
 void grbl_close(grbl *g);
 
 /* What was begun, by grbl_open or by grbl_begin. Stepped, it ends with 0 or with an exit code after
- * printing one line. */
+ * one message. */
 task grbl_task(grbl *g);
 
 const double *grbl_place(const grbl *g);
 const char   *grbl_name(const grbl *g);     /* its greeting; "": none */
 
 /* What it answered to `$$`, over *m, with the table as grbl_table sees it. Returns 0, or an exit
- * code after printing one line. */
+ * code after one message. */
 int  grbl_machine(const grbl *g, machine_file *m);
 
 /* Its table in work coordinates, into m->travel and m->min. Returns false, and leaves *m, if it has
@@ -48,7 +49,7 @@ void grbl_key(grbl *g, int key);
 /* How it goes, and the same in words. */
 void grbl_facts(grbl *g, send_facts *f, char words[160]);
 
-/* Is the job over, so that only its end is to be printed? */
+/* Is the job over, so that only its end is to be told? */
 bool grbl_over(const grbl *g);
 
 #endif

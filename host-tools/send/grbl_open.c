@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "send/grbl_talk.h"
-#include "base/tool.h"           /* tool_error */
+#include "base/memory.h"         /* memory_grow */
 
 #define OFFSET_TOLD 64      /* statuses: it tells its offset with each 10th or 30th */
 
@@ -18,44 +18,40 @@ static int report_unready(const grbl *g)
     const char *name = g->name[0] != '\0' ? g->name : "the controller";
 
     if (g->received == 0)
-        return tool_error(EX_UNAVAILABLE,
-                          "%s: no answer in %g s: look at its power, cable and --baud; one that "
-                          "takes longer to start needs --wait; "
-                          "or is it a loft machine? Then without --grbl",
-                          g->line.text, g->wait);
+        return host_error(g->host, EX_UNAVAILABLE, "grbl.no-answer",
+                          (host_place){ .file = g->line.text },
+                          "look at its power, cable and --baud; one that takes longer to start "
+                          "needs --wait; or is it a loft machine? Then without --grbl",
+                          "no answer in %g s", g->wait);
     if (!g->answered)
-        return tool_error(EX_PROTOCOL,
-                          "%s: %lu bytes came, but no word of grbl's: is --baud right, and is it a "
-                          "controller of that kind?",
-                          g->line.text, g->received);
+        return host_error(g->host, EX_PROTOCOL, "grbl.no-word",
+                          (host_place){ .file = g->line.text },
+                          "is --baud right, and is it a controller of that kind?",
+                          "%lu bytes came, but no word of grbl's", g->received);
     if (g->unread[0] != '\0')
-        return tool_error(
-            EX_PROTOCOL,
-            "%s: %s answers, but its report `%s` has no place with a meaning: look at "
-            "the line, --baud and its settings",
-            g->line.text, name, g->unread);
+        return host_error(
+            g->host, EX_PROTOCOL, "grbl.no-meaning", (host_place){ .file = g->line.text },
+            "look at the line, --baud and its settings",
+            "%s answers, but its report `%s` has no place with a meaning", name, g->unread);
     if (g->machined)
-        return tool_error(EX_CONFIG,
-                          "%s: %s answers, but reports its position as MPos without WCO: set $10=0 "
-                          "with a terminal, so that it reports WPos",
-                          g->line.text, name);
-    return tool_error(EX_PROTOCOL,
-                      "%s: %s answers, but does not report its position when asked by `?`: "
+        return host_error(g->host, EX_CONFIG, "grbl.no-work-place",
+                          (host_place){ .file = g->line.text },
+                          "set $10=0 with a terminal, so that it reports WPos",
+                          "%s answers, but reports its position as MPos without WCO", name);
+    return host_error(g->host, EX_PROTOCOL, "grbl.no-place", (host_place){ .file = g->line.text },
                       "reset it, or give it firmware that speaks grbl 1.1",
-                      g->line.text, name);
+                      "%s answers, but does not report its position when asked by `?`", name);
 }
 
 static int refuse_busy(const grbl *g)
 {
     if (strncmp(g->word, "Alarm", 5) == 0)
-        return tool_error(EX_CONFIG,
-                          "%s: the controller is locked after an alarm: home it ($H) or unlock it "
-                          "($X) with a terminal, then run this again",
-                          g->port);
-    return tool_error(EX_UNAVAILABLE,
-                      "%s: the controller is not idle but says %s%s%s: let it "
-                      "finish, or reset it",
-                      g->port, g->word, *g->state->text ? ": " : "", g->state->text);
+        return host_error(g->host, EX_CONFIG, "grbl.locked", (host_place){ .file = g->port },
+                          "home it ($H) or unlock it ($X) with a terminal, then run this again",
+                          "the controller is locked after an alarm");
+    return host_error(g->host, EX_UNAVAILABLE, "grbl.not-idle", (host_place){ .file = g->port },
+                      "let it finish, or reset it", "the controller is not idle but says %s%s%s",
+                      g->word, *g->state->text ? ": " : "", g->state->text);
 }
 
 /* With soft limits, the offset tells where the table is in work coordinates. One that never tells
@@ -64,7 +60,7 @@ static int await_offset(grbl *g, double now, task_wants *w)
 {
     if (grbl_settings_number(&g->settings, 20, 0) <= 0 || g->offsetted || g->idles >= OFFSET_TOLD ||
         now >= g->until)
-        return 0;
+        return host_code(g->host, g->warned, 0);
     if (!grbl_step(g, now, w))
         return grbl_report_vanished(g);
     task_wake(w, g->offsetted ? now : g->until);
@@ -91,7 +87,8 @@ static int greet_controller(grbl *g, double now, task_wants *w)
     const bool answered = g->answered;
 
     if (g->stop)
-        return tool_error(EX_TEMPFAIL, "stopped before the controller answered: nothing was sent");
+        return host_error(g->host, EX_TEMPFAIL, "grbl.stopped", (host_place){ .file = NULL }, NULL,
+                          "stopped before the controller answered: nothing was sent");
     if (!grbl_step(g, now, w))
         return grbl_report_vanished(g);
     if (g->answered && !answered)
@@ -124,17 +121,19 @@ static int begin_greeting(grbl *g, double now, task_wants *w)
     return greet_controller(g, now, w);
 }
 
-int grbl_open(grbl **out, const char *port, unsigned baud, double seconds)
+int grbl_open(grbl **out, host *h, const char *port, unsigned baud, double seconds)
 {
-    grbl *g = tool_grow(NULL, sizeof *g);
+    grbl *g = memory_grow(NULL, sizeof *g);
 
-    *g = (grbl){ .port = port,
+    *g = (grbl){ .host = h,
+                 .warned = h->warnings,
+                 .port = port,
                  .buffer = GRBL_BUFFER,
                  .rate = 100,
                  .unit = 1,
                  .wait = seconds,
                  .stage = begin_greeting };
-    const int code = transport_open(&g->line, port, baud);
+    const int code = transport_open(&g->line, h, port, baud);
     if (code != 0) {
         free(g);
         g = NULL;
@@ -165,7 +164,7 @@ const char   *grbl_name(const grbl *g) { return g->name; }
 
 int grbl_machine(const grbl *g, machine_file *m)
 {
-    const int code = machine_text(tool_host(), m, g->port, g->settings.text);
+    const int code = machine_text(g->host, m, g->port, g->settings.text);
 
     if (code == 0 && !grbl_table(g, m))
         for (int i = 0; i < ENGINE_AXES; i++)

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "base/scan.h"           /* scan_number */
-#include "base/tool.h"           /* tool_error */
+#include "base/host.h"
 #include "send/grbl_settings.h"
 
 #define FAR 1e6                  /* mm of travel: more has no meaning */
@@ -42,7 +42,7 @@ static double most_of(int number)
     }
 }
 
-void grbl_settings_take(grbl_settings *s, const char *port, const char *line)
+void grbl_settings_take(grbl_settings *s, host *h, const char *port, const char *line)
 {
     const size_t room = sizeof s->text - s->used, size = strlen(line) + 1;
     const char *at    = line + 1;
@@ -50,9 +50,9 @@ void grbl_settings_take(grbl_settings *s, const char *port, const char *line)
 
     if (scan_number(&at, &number) && *at == '=' && number >= 0 && number < 1000 &&
         !isnan(most_of((int)number)) && !value_of(at + 1, most_of((int)number), &value)) {
-        (void)tool_error(EX_OK,
-                         "%s: the controller says `%s`, which is left out: give %.*s= a number",
-                         port, line, (int)(at - line), line);
+        host_warn(h, "grbl.setting", (host_place){ .file = port },
+                  HOST_REMEDY("give %.*s= a number", (int)(at - line), line),
+                  "the controller says `%s`, which is left out", line);
         return;
     }
     if (size < room)

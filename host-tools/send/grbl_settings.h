@@ -14,7 +14,7 @@ typedef struct {
 
 /* Keep a line of its answer. A number that is needed here and has no meaning is left out, with a
  * warning about what is at `port`. */
-void grbl_settings_take(grbl_settings *s, const char *port, const char *line);
+void grbl_settings_take(grbl_settings *s, host *h, const char *port, const char *line);
 
 /* A number of it; `otherwise` if it was not told. */
 double grbl_settings_number(const grbl_settings *s, int number, double otherwise);

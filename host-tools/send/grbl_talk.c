@@ -10,7 +10,6 @@
 
 #include "base/scan.h"           /* scan_number */
 #include "send/grbl_talk.h"
-#include "base/tool.h"           /* tool_error */
 
 #define OFFSET_ASK  0.02    /* s, until it has told its offset: with every 10th or 30th answer */
 
@@ -253,10 +252,10 @@ static void take_build(grbl *g, const char *text)
         number_at(&at, ",]", GRBL_BUFFER_LEAST, GRBL_BUFFER_MOST, &bytes))
         g->buffer = (unsigned)bytes;
     else
-        (void)tool_error(EX_OK,
-                         "%s: the controller says `%s`, which is no size of a buffer: %u bytes are "
-                         "sent ahead: look at the line and at its firmware",
-                         g->port, text, g->buffer - 1);
+        host_warn(g->host, "grbl.buffer", (host_place){ .file = g->port },
+                  "look at the line and at its firmware",
+                  "the controller says `%s`, which is no size of a buffer: %u bytes are sent ahead",
+                  text, g->buffer - 1);
 }
 
 static void take_line(grbl *g, char *text)
@@ -278,7 +277,7 @@ static void take_line(grbl *g, char *text)
     } else if (strncmp(text, "Grbl", 4) == 0) {
         take_greeting(g, text);
     } else if (text[0] == '$') {
-        grbl_settings_take(&g->settings, g->port, text);
+        grbl_settings_take(&g->settings, g->host, g->port, text);
     } else if (strncmp(text, "[OPT:", 5) == 0) {
         take_build(g, text);
     }
@@ -324,8 +323,7 @@ bool grbl_step(grbl *g, double now, task_wants *w)
 
 int grbl_report_vanished(const grbl *g)
 {
-    return tool_error(EX_IOERR,
-                      "%s: the port has vanished (%s) at line %zu: this protocol cannot resume; "
-                      "home the machine and begin again",
-                      g->port, strerror(errno), g->done);
+    return host_error(g->host, EX_IOERR, "grbl.port-gone", (host_place){ .file = g->port },
+                      "this protocol cannot resume; home the machine and begin again",
+                      "the port has vanished (%s) at line %zu", strerror(errno), g->done);
 }

@@ -26,6 +26,7 @@
 enum grbl_stop { GRBL_STOPS_WRONG, GRBL_STOPS_AFTER, GRBL_STOPS_ABORTED };
 
 struct grbl {
+    host *host;                         /* hears of what is wrong */
     const char *port;
     transport line;
     double now;                         /* the time of the last step */
@@ -42,6 +43,7 @@ struct grbl {
     char name[64];                      /* its greeting                          */
     unsigned buffer;
     unsigned long received;             /* bytes                                 */
+    unsigned warned;                    /* messages, before this controller */
     bool answered;                      /* a word of grbl's arrived */
     unsigned inquired;                  /* how many of its questions were sent */
     bool asking;                        /* an answer is awaited */
@@ -86,7 +88,7 @@ bool grbl_flush(grbl *g);
  * are complete. Returns whether the port is still there. */
 bool grbl_step(grbl *g, double now, task_wants *w);
 
-/* The exit code after printing one line: the port is not there any more. */
+/* The exit code after one message: the port is not there any more. */
 int grbl_report_vanished(const grbl *g);
 
 #endif

@@ -44,7 +44,7 @@ void home_begin(home *h, mover *v, const bool axis[ENGINE_AXES], unsigned touche
  * `out` by way of `sign`; out below 0: none is named. */
 void home_unlock(home *h, mover *v, int out, double sign, const send_teller *to);
 
-/* Stepped, it ends with 0, or with an exit code after one line. */
+/* Stepped, it ends with 0, or with an exit code after one message. */
 int  home_step(home *h, double now, task_wants *w);
 task home_task(home *h);
 

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/spool.h"          /* spool_grow */
-#include "base/tool.h"
 #include "plan/table.h"          /* table_place */
 #include "send/mover.h"
 #include "send/stream_end.h"     /* stream_ended, stream_place */
@@ -40,12 +39,13 @@ static int look(mover *v)
     int32_t steps[LOFT_AXES];
 
     if (loft_state_busy(s->ack.state))
-        return tool_error(EX_TEMPFAIL,
-                          "%s: a job is running: wait for its end, or `loft stream --abort --port "
-                          "%s`",
-                          v->o.line.port, v->o.line.port);
+        return host_error(
+            v->host, EX_TEMPFAIL, "job.running", (host_place){ .file = v->o.line.port },
+            HOST_REMEDY("wait for its end, or `loft stream --abort --port %s`", v->o.line.port),
+            "a job is running");
     if (s->ack.state == LOFT_STATE_FAULT)
-        return tool_error(EX_TEMPFAIL, "%s: the machine has a fault: restart it", v->o.line.port);
+        return host_error(v->host, EX_TEMPFAIL, "job.fault", (host_place){ .file = v->o.line.port },
+                          "restart it", "the machine has a fault");
     for (int i = 0; i < LOFT_AXES; i++)
         steps[i] = s->axis[i].position;
     read_place(v, steps);
@@ -99,7 +99,7 @@ int mover_open(mover *v, host *h, const mover_options *o, double now)
     *v = (mover){ .host = h, .o = *o, .stage = greet_first };
     const int code = planning_usual(h, &v->p, o->machine);
 
-    return code ? code : talk_open(&v->t, &v->o.line, now);
+    return code ? code : talk_open(&v->t, h, &v->o.line, now);
 }
 
 void mover_close(mover *v)
@@ -169,10 +169,10 @@ static int plan_move(mover *v)
 
     stream_new_start(&v->t.sender, start);
     if (!kinematics_tool(&p.machine.k, start, from))
-        return tool_error(EX_DATAERR,
-                          "%s: its motors are where those of a %s machine like this "
-                          "cannot be: give its --machine FILE",
-                          v->o.line.port, kinematics_name(&p.machine.k));
+        return host_error(v->host, EX_DATAERR, "job.motors", (host_place){ .file = v->o.line.port },
+                          "give its --machine FILE",
+                          "its motors are where those of a %s machine like this cannot be",
+                          kinematics_name(&p.machine.k));
     /* a move past the pole of a polar machine becomes several: the path must be able to grow */
     w->path = (toolpath){ .move  = spool_grow(NULL, sizeof *w->path.move),
                           .curve = spool_grow(NULL, sizeof *w->path.curve),
@@ -231,7 +231,8 @@ static int take_report(mover *v)
         return 0;
     }
     if (v->t.stop)
-        return tool_error(EX_TEMPFAIL, "stopped: the tool is at %s", mover_text(v->at, text));
+        return host_error(v->host, EX_TEMPFAIL, "job.stopped", (host_place){ .file = NULL }, NULL,
+                          "stopped: the tool is at %s", mover_text(v->at, text));
     out->how = done ? MOVER_ARRIVED : MOVER_ENDED;
     return done || (over && v->ended && s->refusal == LOFT_REFUSAL_NONE)
                ? 0
@@ -270,10 +271,9 @@ static int run_move(mover *v, double now, task_wants *w)
     if (!talk_step(&v->t, now, w))
         return talk_vanished(&v->t, "in the middle of a move ");
     if (talk_silence(&v->t, v->began) > SILENCE)
-        return tool_error(EX_IOERR,
-                          "%s: the machine has been silent for %g s: it stops on the path; look "
-                          "at cable and power",
-                          v->o.line.port, SILENCE);
+        return host_error(v->host, EX_IOERR, "job.silent", (host_place){ .file = v->o.line.port },
+                          "it stops on the path; look at cable and power",
+                          "the machine has been silent for %g s", SILENCE);
     task_wake(w, plan_on(v) ? now : now + LOOK);
     if (!v->ended && s->phase == LOFT_PHASE_STREAMING &&
         (v->planned != LOFT_OK || v->t.stop || (v->m.ends && v->m.ends(v->m.context)))) {
@@ -304,7 +304,8 @@ static int begin_move(mover *v, double now, task_wants *w)
     if (v->m.guard.inputs == 0 && v->m.ends == NULL)    /* the user sees to the others */
         talk_begins(&v->t, j->head.id, "");
     if (loft_sender_begin(&v->t.sender, &j->head, job_items(j), job_source, j) != LOFT_OK)
-        return tool_error(EX_SOFTWARE, "the move could not begin: please report this");
+        return host_error(v->host, EX_SOFTWARE, "job.not-begun", (host_place){ .file = NULL },
+                          "please report this", "the move could not begin");
     (void)plan_on(v);
     v->began = 0;
     v->stage = s->phase < LOFT_PHASE_DONE ? run_move : end_move;
@@ -329,7 +330,8 @@ static int steps_there(const mover *v, const double at[ENGINE_AXES], int32_t ste
     char why[160], text[96];
 
     if (kinematics_beyond(&v->p.machine.k, at, why))
-        return tool_error(EX_DATAERR, "%s: %s: give another place", mover_text(at, text), why);
+        return host_error(v->host, EX_DATAERR, "job.place", (host_place){ .file = NULL },
+                          "give another place", "%s: %s", mover_text(at, text), why);
     stream_new_start(&v->t.sender, near);
     kinematics_motors(&v->p.machine.k, at, near, motors);
     for (int i = 0; i < LOFT_AXES; i++)
@@ -346,15 +348,16 @@ static int obey(mover *v, double now, task_wants *w)
         return talk_vanished(&v->t, "before the machine obeyed ");
     task_wake(w, v->until);
     if (s->verb != 0)
-        return now <= v->until
-                   ? TASK_GOES
-                   : tool_error(EX_IOERR,
-                                "%s: the machine did not obey in %g s: run the same command again",
-                                v->o.line.port, OBEYS);
+        return now <= v->until ? TASK_GOES
+                               : host_error(v->host, EX_IOERR, "job.not-obeyed",
+                                            (host_place){ .file = v->o.line.port },
+                                            "run the same command again",
+                                            "the machine did not obey in %g s", OBEYS);
     return s->ack.refusal == LOFT_REFUSAL_NONE
                ? 0
-               : tool_error(EX_TEMPFAIL, "%s: the machine refused: a job has begun meanwhile",
-                            v->o.line.port);
+               : host_error(v->host, EX_TEMPFAIL, "job.refused",
+                            (host_place){ .file = v->o.line.port }, NULL,
+                            "the machine refused: a job has begun meanwhile");
 }
 
 static int obey_place(mover *v, double now, task_wants *w)
@@ -375,10 +378,9 @@ static int send_place(mover *v, double now, task_wants *w)
 
     (void)w;
     if (!(s->machine.kinds & LOFT_TAKES_PLACES))
-        code = tool_error(EX_CONFIG,
-                          "%s: this machine cannot be told where it stands: give it a newer "
-                          "firmware",
-                          v->o.line.port);
+        code = host_error(v->host, EX_CONFIG, "job.no-places",
+                          (host_place){ .file = v->o.line.port }, "give it a newer firmware",
+                          "this machine cannot be told where it stands");
     if (code == 0)
         code = steps_there(v, v->place, v->steps);
     if (code != 0)
@@ -388,7 +390,9 @@ static int send_place(mover *v, double now, task_wants *w)
     v->until = now + OBEYS;
     return loft_sender_place(s, (uint8_t)v->axes, v->steps) == LOFT_OK
                ? go_on(v, obey_place)
-               : tool_error(EX_SOFTWARE, "the place could not be sent: please report this");
+               : host_error(v->host, EX_SOFTWARE, "job.place-not-sent",
+                            (host_place){ .file = NULL }, "please report this",
+                            "the place could not be sent");
 }
 
 void mover_place(mover *v, unsigned axes, const double at[ENGINE_AXES])
@@ -425,7 +429,9 @@ static int send_table(mover *v, double now, task_wants *w)
     v->until = now + OBEYS;
     return loft_sender_table(s, v->high, (uint8_t)(1u << v->axis), steps) == LOFT_OK
                ? go_on(v, obey_table)
-               : tool_error(EX_SOFTWARE, "the table could not be sent: please report this");
+               : host_error(v->host, EX_SOFTWARE, "job.table-not-sent",
+                            (host_place){ .file = NULL }, "please report this",
+                            "the table could not be sent");
 }
 
 void mover_table(mover *v, int axis, bool counts)
@@ -465,10 +471,11 @@ int mover_free(const mover *v, const double to[ENGINE_AXES])
     char text[256];
 
     return held == 0 ? 0
-                     : tool_error(EX_UNAVAILABLE,
-                                  "%s: %s is closed, and this does not lead away from it: `loft "
-                                  "unlock --port %s` does",
-                                  v->o.line.port, talk_inputs(held, text), v->o.line.port);
+                     : host_error(v->host, EX_UNAVAILABLE, "job.switch-closed",
+                                  (host_place){ .file = v->o.line.port },
+                                  HOST_REMEDY("`loft unlock --port %s` does", v->o.line.port),
+                                  "%s is closed, and this does not lead away from it",
+                                  talk_inputs(held, text));
 }
 
 static int refuse(mover *v, double now, task_wants *w)
@@ -500,12 +507,13 @@ const char *mover_text(const double at[ENGINE_AXES], char text[96])
     return text;
 }
 
-int mover_axes(const char *text, bool axis[ENGINE_AXES])
+int mover_axes(host *h, const char *text, bool axis[ENGINE_AXES])
 {
     for (const char *s = text; *s; s++) {
         const char *known = strchr("xyz", *s);
         if (known == NULL || axis[known - "xyz"])
-            return tool_error(EX_USAGE, "%s: give each axis once, as xy or z", text);
+            return host_error(h, EX_USAGE, "job.axes", (host_place){ .file = NULL },
+                              "give each axis once, as xy or z", "%s", text);
         axis[known - "xyz"] = true;
     }
     return 0;

@@ -65,13 +65,13 @@ typedef struct mover {
 } mover;
 
 /* Read the machine's file, if there is one, and open the port; next the machine is greeted, which
- * must be at rest. Returns 0, or an exit code after printing one line; call mover_close in any
+ * must be at rest. Returns 0, or an exit code after one message; call mover_close in any
  * case. */
 int  mover_open(mover *v, host *h, const mover_options *o, double now);
 void mover_close(mover *v);
 
 /* Go on with what was begun by one of the calls below, or by mover_open: TASK_GOES, 0, or an exit
- * code after printing one line. */
+ * code after one message. */
 int  mover_step(mover *v, double now, task_wants *w);
 task mover_task(mover *v);
 
@@ -98,14 +98,14 @@ void mover_to(mover *v, const double to[ENGINE_AXES], double feed);
 uint16_t mover_away(const mover *v, const double from[ENGINE_AXES], const double to[ENGINE_AXES]);
 
 /* Refuse a move while a limit switch is closed that it does not lead away from. Returns 0, or an
- * exit code after printing one line. */
+ * exit code after one message. */
 int mover_free(const mover *v, const double to[ENGINE_AXES]);
 
 /* "3.000 0.000 -2.500" */
 const char *mover_text(const double at[ENGINE_AXES], char text[96]);
 
-/* Read `xy`: letters of axes, each once, into axis[]. Returns 0, or an exit code after printing one
- * line. */
-int mover_axes(const char *text, bool axis[ENGINE_AXES]);
+/* Read `xy`: letters of axes, each once, into axis[]. Returns 0, or an exit code after one
+ * message. */
+int mover_axes(host *h, const char *text, bool axis[ENGINE_AXES]);
 
 #endif

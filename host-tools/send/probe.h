@@ -25,7 +25,7 @@ typedef struct {
     double touched[ENGINE_AXES];    /* mm */
 } probe;
 
-/* At the end it is told where. Stepped, it ends with 0, or with an exit code after one line. */
+/* At the end it is told where. Stepped, it ends with 0, or with an exit code after one message. */
 void probe_begin(probe *p, mover *v, const probe_way *way, const send_teller *to);
 task probe_task(probe *p);
 

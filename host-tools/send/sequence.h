@@ -13,7 +13,7 @@
 
 #define SEQUENCE_PARTS 160
 
-/* 0, or an exit code after one line: it ends there. */
+/* 0, or an exit code after one message: it ends there. */
 typedef int sequence_call(void *context);
 
 typedef struct {
@@ -33,7 +33,7 @@ void sequence_begin(sequence *q, mover *v, void *context);
  * NULL: none. A part may add others, behind those that wait; SEQUENCE_PARTS in all. */
 void sequence_add(sequence *q, sequence_call *begin, sequence_call *end);
 
-/* TASK_GOES, 0 after the last part, or an exit code after one line. */
+/* TASK_GOES, 0 after the last part, or an exit code after one message. */
 int  sequence_step(sequence *q, double now, task_wants *w);
 task sequence_task(sequence *q);
 

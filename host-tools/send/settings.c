@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "machine/settings.h"   /* LOFT_SETTINGS_AXES */
-#include "base/tool.h"
+#include "base/memory.h"
 #include "send/settings.h"
 
 #define SILENCE  10.0           /* s of silence until we give up */
@@ -25,10 +25,10 @@ static int ask(settings_work *k, const uint8_t byte[], unsigned count, double no
     k->until = now + ANSWERS;
     return loft_sender_set(&t->sender, (uint16_t)k->at, byte, (uint8_t)count) == LOFT_OK
                ? 0
-               : tool_error(EX_CONFIG,
-                            "%s: this machine keeps no settings: give a newer firmware, or "
-                            "--machine FILE to each command",
-                            t->port);
+               : host_error(t->host, EX_CONFIG, "settings.none-kept",
+                            (host_place){ .file = t->port },
+                            "give a newer firmware, or --machine FILE to each command",
+                            "this machine keeps no settings");
 }
 
 /* TASK_GOES until the answer is here. */
@@ -37,7 +37,8 @@ static int hear(settings_work *k, double now, task_wants *w)
     talk *t = k->t;
 
     if (t->sender.asking && t->stop)
-        return tool_error(EX_TEMPFAIL, "stopped: the machine has its old settings");
+        return host_error(t->host, EX_TEMPFAIL, "settings.stopped", (host_place){ .file = NULL },
+                          NULL, "stopped: the machine has its old settings");
     if (t->sender.asking && !talk_step(t, now, w))
         return talk_vanished(t, "before the machine answered ");
     if (!t->sender.asking)
@@ -46,10 +47,10 @@ static int hear(settings_work *k, double now, task_wants *w)
     return talk_silence(t, k->until - ANSWERS) <= SILENCE && now <= k->until &&
                    t->sender.phase != LOFT_PHASE_UNFIT
                ? TASK_GOES
-               : tool_error(EX_IOERR,
-                            "%s: the machine did not answer: look at cable and power, and run the "
-                            "same command again",
-                            t->port);
+               : host_error(t->host, EX_IOERR, "settings.no-answer",
+                            (host_place){ .file = t->port },
+                            "look at cable and power, and run the same command again",
+                            "the machine did not answer");
 }
 
 static void begin(settings_work *k, settings *s, talk *t,
@@ -128,7 +129,7 @@ static int take_block(settings_work *k)
     k->block[s->size] = '\0';
     snprintf(name, sizeof name, "the settings of %s", k->t->port);
     return s->size > LOFT_SETTINGS_TEXT
-               ? machine_text(tool_host(), &s->m, name, (const char *)k->block + LOFT_SETTINGS_TEXT)
+               ? machine_text(k->t->host, &s->m, name, (const char *)k->block + LOFT_SETTINGS_TEXT)
                : 0;
 }
 
@@ -142,7 +143,7 @@ static void take_head(settings_work *k, const loft_kept *kept)
     s->size   = (unsigned)(kept->byte[6] | kept->byte[7] << 8);
     if (s->size < LOFT_SETTINGS_TEXT)       /* the firmware's: see WIRE.md */
         s->size = LOFT_SETTINGS_TEXT;
-    k->block = tool_grow(k->block, MOST + LOFT_KEPT_MOST);
+    k->block = memory_grow(k->block, MOST + LOFT_KEPT_MOST);
 }
 
 static int ask_piece(settings_work *k, double now, task_wants *w);
@@ -158,8 +159,9 @@ static int hear_piece(settings_work *k, double now, task_wants *w)
     if (k->at == 0)
         take_head(k, kept);
     if (kept->count == 0)
-        return tool_error(EX_PROTOCOL, "%s: its settings end early: please report this",
-                          k->t->port);
+        return host_error(k->t->host, EX_PROTOCOL, "settings.end-early",
+                          (host_place){ .file = k->t->port }, "please report this",
+                          "its settings end early");
     memcpy(k->block + k->at, kept->byte, kept->count);
     k->at += kept->count;
     k->stage = k->at < k->s->size ? ask_piece : end_reading;
@@ -183,14 +185,15 @@ static int begin_reading(settings_work *k, double now, task_wants *w)
 /* Damaged settings are not adopted. */
 static int adopt(settings_work *k)
 {
+    const unsigned warned = k->t->host->warnings;
+
     if (k->s->origin == LOFT_SETTINGS_KEPT)
         *k->adopts = k->s->m;
     if (k->s->origin == LOFT_SETTINGS_DAMAGED)
-        (void)tool_error(EX_OK,
-                         "%s: its settings are damaged: it runs with those of its firmware, until "
-                         "`loft set` gives it new ones",
-                         k->t->port);
-    return 0;
+        host_warn(k->t->host, "settings.damaged", (host_place){ .file = k->t->port },
+                  "it runs with those of its firmware, until `loft set` gives it new ones",
+                  "its settings are damaged");
+    return host_code(k->t->host, warned, 0);
 }
 
 static int end_reading(settings_work *k, double now, task_wants *w)
@@ -203,10 +206,10 @@ static int end_reading(settings_work *k, double now, task_wants *w)
     if (code == 0 && k->adopts != NULL)
         return adopt(k);
     if (code == 0 && k->resets && k->s->origin == LOFT_SETTINGS_KEPT)
-        return tool_error(EX_CONFIG,
-                          "%s: its firmware cannot go back to its own settings: give a newer one, "
-                          "or set each of them",
-                          k->t->port);
+        return host_error(k->t->host, EX_CONFIG, "settings.no-reset",
+                          (host_place){ .file = k->t->port },
+                          "give a newer one, or set each of them",
+                          "its firmware cannot go back to its own settings");
     return code;
 }
 
@@ -281,17 +284,16 @@ static int check_obeyed(const settings *s, const talk *t)
 
     return key == NULL
                ? 0
-               : tool_error(EX_CONFIG, "%s: this board cannot do it: %s is fixed in its firmware",
-                            t->port, key);
+               : host_error(t->host, EX_CONFIG, "settings.fixed", (host_place){ .file = t->port },
+                            NULL, "this board cannot do it: %s is fixed in its firmware", key);
 }
 
 static int too_long(const settings *s, const talk *t, unsigned size)
 {
-    return tool_error(
-        EX_CONFIG,
-        "%s: these settings are %u bytes, and the machine has room for %u: leave some "
-        "to a --machine FILE",
-        t->port, size, s->room);
+    return host_error(t->host, EX_CONFIG, "settings.too-long", (host_place){ .file = t->port },
+                      "leave some to a --machine FILE",
+                      "these settings are %u bytes, and the machine has room for %u", size,
+                      s->room);
 }
 
 static void seal(uint8_t *block, unsigned size)
@@ -339,12 +341,13 @@ static int hear_written(settings_work *k, double now, task_wants *w)
     if (code != 0)
         return code;
     if (kept->busy)
-        return tool_error(EX_TEMPFAIL, "%s: a job is running: wait for its end", k->t->port);
+        return host_error(k->t->host, EX_TEMPFAIL, "settings.busy",
+                          (host_place){ .file = k->t->port }, "wait for its end",
+                          "a job is running");
     if (kept->count != count || memcmp(kept->byte, k->block + k->at, count) != 0)
-        return tool_error(EX_IOERR,
-                          "%s: the machine's memory does not keep what is written: it has its old "
-                          "settings",
-                          k->t->port);
+        return host_error(
+            k->t->host, EX_IOERR, "settings.not-kept", (host_place){ .file = k->t->port }, NULL,
+            "the machine's memory does not keep what is written: it has its old settings");
     if (k->at == 0) {
         talk_again(k->t, k->wait);
         k->stage = greet_again;
@@ -371,7 +374,7 @@ void settings_reset(settings_work *k, settings *s, talk *t, double wait)
     k->resets = true;
     k->size   = LOFT_SETTINGS_AXES;
     k->at     = CHECK_BYTES;
-    k->block  = tool_grow(NULL, k->size);
+    k->block  = memory_grow(NULL, k->size);
     memset(k->block, 0, k->size);
     begin_block(s, k->block, k->size);
     seal(k->block, k->size);
@@ -380,7 +383,7 @@ void settings_reset(settings_work *k, settings *s, talk *t, double wait)
 static void fill_block(settings_work *k, const char *text, size_t length)
 {
     k->size  = LOFT_SETTINGS_TEXT + (unsigned)length;
-    k->block = tool_grow(NULL, k->size);
+    k->block = memory_grow(NULL, k->size);
     memset(k->block, 0, k->size);
     begin_block(k->s, k->block, k->size);
     write_axes(&k->s->m, k->block);
@@ -399,7 +402,8 @@ static int begin_writing(settings_work *k, double now, task_wants *w)
     if (code != 0)
         return code;
     if (out == NULL)
-        return tool_error(EX_OSERR, "out of memory");
+        return host_error(k->t->host, EX_OSERR, "settings.no-memory", (host_place){ .file = NULL },
+                          NULL, "out of memory");
     machine_print(&k->s->m, MACHINE_TEXT, out);
     fclose(out);
     fill_block(k, text, length);

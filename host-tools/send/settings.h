@@ -52,7 +52,7 @@ void settings_reset(settings_work *k, settings *s, talk *t, double wait);
  * are damaged. */
 void settings_adopt(settings_work *k, machine_file *m, talk *t);
 
-/* Go on with what was begun: TASK_GOES, 0, or an exit code after printing one line. */
+/* Go on with what was begun: TASK_GOES, 0, or an exit code after one message. */
 int  settings_step(settings_work *k, double now, task_wants *w);
 task settings_task(settings_work *k);
 

@@ -327,18 +327,17 @@ static int report_silent(stream *r, double now, task_wants *w)
     (void)now;
     (void)w;
     talk_over(r->t);
-    return tool_error(EX_IOERR,
-                      "%s: the machine has been silent for %g s %s: it stops on the path; "
-                      "look at the cable, then run the same command again; if it lost its "
-                      "power, the position may be lost: home it, or `loft zero`",
-                      r->t->port, SILENCE, where_text(r, place));
+    return host_error(r->t->host, EX_IOERR, "job.silent", (host_place){ .file = r->t->port },
+                      "it stops on the path; look at the cable, then run the same command again; "
+                      "if it lost its power, the position may be lost: home it, or `loft zero`",
+                      "the machine has been silent for %g s %s", SILENCE, where_text(r, place));
 }
 
 /* The job was drawn, and is as commanded. The record of the machine may not be complete yet. */
 static int report_drawn(stream *r, double now, task_wants *w)
 {
     char error[64];
-    const int code = stream_error(&r->t->sender, r->about, now >= r->until, error);
+    const int code = stream_error(r->t, r->about, now >= r->until, error);
 
     task_wake(w, now + RECORD_LOOK);
     if (code == 0)
@@ -356,7 +355,7 @@ static int report_end(stream *r, double now, task_wants *w)
     if (r->planned != LOFT_OK) {
         snprintf(then, sizeof then, "; the job was ended on the path before item %zu",
                  job_ready(r->j));
-        return job_refuse(tool_host(), r->j, r->about->file, r->planned, then);
+        return job_refuse(r->t->host, r->j, r->about->file, r->planned, then);
     }
     if (t->sender.phase < LOFT_PHASE_DONE)
         return stream_interrupted(t, r->j);
@@ -400,7 +399,8 @@ static int begin_job(stream *r, double now, task_wants *w)
 
     talk_begins(t, j->head.id, r->about->file);
     if (loft_sender_begin(&t->sender, &j->head, job_items(j), job_source, j) != LOFT_OK)
-        return tool_error(EX_SOFTWARE, "the job could not begin: please report this");
+        return host_error(t->host, EX_SOFTWARE, "job.not-begun", (host_place){ .file = NULL },
+                          "please report this", "the job could not begin");
     loft_sender_extend(&t->sender, (uint32_t)job_ready(j), job_items(j));
     r->began = now;
     r->stage = draw;
@@ -435,10 +435,9 @@ int stream_limits(const talk *t, bool hard, loft_job *head)
 {
     if (!hard || stream_guard(&t->sender, head))
         return 0;
-    return tool_error(EX_CONFIG,
-                      "%s: limit_stop = hard: this machine slows down on the path: give "
-                      "limit_stop = ramp, or a newer firmware",
-                      t->port);
+    return host_error(t->host, EX_CONFIG, "job.limit-stop", (host_place){ .file = t->port },
+                      "give limit_stop = ramp, or a newer firmware",
+                      "limit_stop = hard: this machine slows down on the path");
 }
 
 /* For some time after that, so that the machine tells where it stands. */
@@ -457,7 +456,9 @@ static int begin_control(stream_control *c, double now)
     loft_sender *s = &c->t->sender;
 
     if (!loft_state_busy(s->ack.state))
-        return tool_error(EX_UNAVAILABLE, "%s: no job is running: nothing to %s", c->t->port,
+        return host_error(c->t->host, EX_UNAVAILABLE, "job.none-runs",
+                          (host_place){ .file = c->t->port }, NULL,
+                          "no job is running: nothing to %s",
                           c->verb == LOFT_HOLD     ? "hold"
                           : c->verb == LOFT_RESUME ? "resume"
                                                    : "abort");
@@ -475,9 +476,9 @@ int stream_control_step(stream_control *c, double now, task_wants *w)
     if (!talk_step(c->t, now, w))
         return talk_vanished(c->t, "");
     if (now - c->began > STOP)
-        return tool_error(
-            EX_IOERR, "%s: the machine did not obey in %g s: look at the cable, or cut its power",
-            c->t->port, STOP);
+        return host_error(c->t->host, EX_IOERR, "job.not-obeyed",
+                          (host_place){ .file = c->t->port }, "look at the cable, or cut its power",
+                          "the machine did not obey in %g s", STOP);
     task_wake(w, now + LOOK);
     if (c->done <= 0)
         snprintf(w->awaits, sizeof w->awaits, "%s",

@@ -78,7 +78,7 @@ void stream_control_begin(stream_control *c, talk *t, enum loft_verb verb, const
 task stream_control_task(stream_control *c);
 
 /* Let the limit switches and the emergency stop that are open now stop a job at once, if `hard`: a
- * machine that cannot do so is refused. Returns 0, or an exit code after printing one line. */
+ * machine that cannot do so is refused. Returns 0, or an exit code after one message. */
 int stream_limits(const talk *t, bool hard, loft_job *head);
 
 #endif

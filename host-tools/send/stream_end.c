@@ -74,25 +74,25 @@ static bool is_complete(const loft_sender *s, const record *r)
     return complete;
 }
 
-int stream_error(const loft_sender *s, const stream_subject *about, bool late, char text[64])
+int stream_error(const talk *t, const stream_subject *about, bool late, char text[64])
 {
+    const loft_sender *s = &t->sender;
     record r = { 0 };
     int code = 0;
 
     text[0] = '\0';
     if (about->record == NULL)
         return 0;
-    code = record_read(tool_host(), &r, about->record, s->report.job);
+    code = record_read(t->host, &r, about->record, s->report.job);
     if (code == 0 && is_complete(s, &r))
         snprintf(text, 64, ", worst path error %.4f mm",
                  record_worst_error(about->d, &r, NULL, NULL));
     else if (code == 0 && !late)
         code = TASK_GOES;
     else if (code == 0)
-        code = tool_error(
-            EX_DATAERR,
-            "%s: does not end where the machine says it is: name the record of this machine",
-            about->record);
+        code = host_error(t->host, EX_DATAERR, "record.other-machine",
+                          (host_place){ .file = about->record }, "name the record of this machine",
+                          "does not end where the machine says it is");
     record_free(&r);
     return code;
 }
@@ -106,15 +106,15 @@ int stream_checked(talk *t, job *j, const stream_subject *about, const send_tell
 
     if (j->head.kind != LOFT_CURVES || j->first > 0)    /* a job that was drawn before need not be
                                                          * planned completely */
-        status = job_finish(tool_host(), j);
+        status = job_finish(t->host, j);
     if (status != LOFT_OK)
-        return job_refuse(tool_host(), j, about->file, status, "");
+        return job_refuse(t->host, j, about->file, status, "");
     stream_commanded(s, j, want);
     if (memcmp(want, s->report.position, sizeof want) != 0)
-        return tool_error(
-            EX_SOFTWARE,
-            "the machine is at steps %s, commanded were %s: home it, and please report this",
-            steps_text(s->report.position, text), steps_text(want, other));
+        return host_error(t->host, EX_SOFTWARE, "job.elsewhere", (host_place){ .file = NULL },
+                          "home it, and please report this",
+                          "the machine is at steps %s, commanded were %s",
+                          steps_text(s->report.position, text), steps_text(want, other));
     if (s->collected)
         send_tell(to, SEND_NOTE, "this job was drawn already: its report is");
     return 0;
@@ -145,17 +145,15 @@ static int report_hindered(const talk *t, const job *j)
     char text[256], at[96], steps[96], of[32];
 
     if (!began)
-        return tool_error(
-            EX_UNAVAILABLE,
-            "%s: %s is closed: move away by hand, with `loft unlock`, or with a drawing that leads "
-            "away and --away",
-            t->port, by ? talk_inputs(by, text) : "an input");
-    return tool_error(
-        EX_TEMPFAIL,
-        "%s: %s closed and ended the job after %u%s items: the machine is stopped %s at %s mm, "
-        "steps %s; move away by hand, with `loft unlock`, or with a drawing that leads away and "
-        "--away%s",
-        t->port, talk_inputs(by, text), (unsigned)s->report.items, job_of(j, of),
+        return host_error(
+            t->host, EX_UNAVAILABLE, "job.input-closed", (host_place){ .file = t->port },
+            "move away by hand, with `loft unlock`, or with a drawing that leads away and --away",
+            "%s is closed", by ? talk_inputs(by, text) : "an input");
+    return host_error(
+        t->host, EX_TEMPFAIL, "job.ended-by-input", (host_place){ .file = t->port }, NULL,
+        "%s closed and ended the job after %u%s items: the machine is stopped %s at %s mm, steps "
+        "%s; move away by hand, with `loft unlock`, or with a drawing that leads away and --away%s",
+        talk_inputs(by, text), (unsigned)s->report.items, job_of(j, of),
         hard ? "at once" : "on the path", place_text(s, j->k, s->report.position, at),
         steps_text(s->report.position, steps),
         stop   ? "; its position is in doubt: then `loft home`, or `loft zero`"
@@ -167,51 +165,45 @@ static int report_refused(const talk *t, const job *j)
 {
     switch (t->sender.refusal) {
     case LOFT_REFUSAL_START:
-        return tool_error(EX_TEMPFAIL,
-                          "%s: the machine has moved since it was asked for its position: run the "
-                          "same command again",
-                          t->port);
+        return host_error(t->host, EX_TEMPFAIL, "job.moved-since", (host_place){ .file = t->port },
+                          "run the same command again",
+                          "the machine has moved since it was asked for its position");
     case LOFT_REFUSAL_KIND:
         if (j->head.guard.how & LOFT_GUARD_SQUARE)
-            return tool_error(EX_CONFIG,
-                              "%s: this board has one motor or one switch pin for an axis with "
-                              "square = yes: square it by hand, and give square = no",
-                              t->port);
-        return tool_error(
-            EX_CONFIG,
-            "%s: the machine does not accept items of this kind: try with or without --points",
-            t->port);
+            return host_error(
+                t->host, EX_CONFIG, "job.no-squaring", (host_place){ .file = t->port },
+                "square it by hand, and give square = no",
+                "this board has one motor or one switch pin for an axis with square = yes");
+        return host_error(t->host, EX_CONFIG, "job.kind", (host_place){ .file = t->port },
+                          "try with or without --points",
+                          "the machine does not accept items of this kind");
     case LOFT_REFUSAL_LIMITS:
-        return tool_error(EX_DATAERR,
-                          "%s: the machine cannot plan within these limits: see --tol, --corner, "
-                          "--accel and --jerk, or plan here, "
-                          "with --plan host",
-                          t->port);
+        return host_error(t->host, EX_DATAERR, "job.limits", (host_place){ .file = t->port },
+                          "see --tol, --corner, --accel and --jerk, or plan here, with --plan host",
+                          "the machine cannot plan within these limits");
     case LOFT_REFUSAL_ITEM:
-        return tool_error(EX_DATAERR,
-                          "%s: the machine cannot do item %u: give less --feed or --accel", t->port,
+        return host_error(t->host, EX_DATAERR, "job.item", (host_place){ .file = t->port },
+                          "give less --feed or --accel", "the machine cannot do item %u",
                           (unsigned)t->sender.ack.next);
     case LOFT_REFUSAL_INPUT: return report_hindered(t, j);
     case LOFT_REFUSAL_TABLE:
-        return tool_error(
-            EX_DATAERR,
-            "%s: item %u leaves the table, where the machine was homed: it is stopped "
-            "on the path before; move the drawing, or `loft home` again",
-            t->port, (unsigned)t->sender.ack.next);
+        return host_error(
+            t->host, EX_DATAERR, "job.table", (host_place){ .file = t->port },
+            "it is stopped on the path before; move the drawing, or `loft home` again",
+            "item %u leaves the table, where the machine was homed", (unsigned)t->sender.ack.next);
     case LOFT_REFUSAL_PATCH:
-        return tool_error(EX_DATAERR,
-                          "%s: the machine cannot cut this patch so: give a smaller ball, more "
-                          "columns, or --plan host",
-                          t->port);
+        return host_error(t->host, EX_DATAERR, "job.patch", (host_place){ .file = t->port },
+                          "give a smaller ball, more columns, or --plan host",
+                          "the machine cannot cut this patch so");
     case LOFT_REFUSAL_FAULT:
-        return tool_error(EX_UNAVAILABLE,
-                          "%s: the machine does not know its position: restart and home it",
-                          t->port);
+        return host_error(t->host, EX_UNAVAILABLE, "job.place-unknown",
+                          (host_place){ .file = t->port }, "restart and home it",
+                          "the machine does not know its position");
     default:
-        return tool_error(
-            EX_TEMPFAIL,
-            "%s: the machine is busy: wait, or end its job with `loft stream --abort --port %s`",
-            t->port, t->port);
+        return host_error(
+            t->host, EX_TEMPFAIL, "job.busy", (host_place){ .file = t->port },
+            HOST_REMEDY("wait, or end its job with `loft stream --abort --port %s`", t->port),
+            "the machine is busy");
     }
 }
 
@@ -224,27 +216,27 @@ int stream_ended(talk *t, const job *j)
     case LOFT_PHASE_ABORTED:
         if (s->refusal != LOFT_REFUSAL_NONE)
             return report_refused(t, j);
-        return tool_error(EX_TEMPFAIL,
+        return host_error(t->host, EX_TEMPFAIL, "job.aborted", (host_place){ .file = NULL }, NULL,
                           "aborted after %u%s items: the machine is stopped on the path at %s mm, "
                           "steps %s; the next job starts there",
                           (unsigned)s->report.items, job_of(j, of),
                           place_text(s, j->k, s->report.position, text),
                           steps_text(s->report.position, other));
     case LOFT_PHASE_BUSY:
-        return tool_error(EX_TEMPFAIL,
-                          "%s: another job (%08x) is running: wait, or end it with `loft stream "
-                          "--abort --port %s`",
-                          t->port, (unsigned)s->machine.job, t->port);
+        return host_error(
+            t->host, EX_TEMPFAIL, "job.other", (host_place){ .file = t->port },
+            HOST_REMEDY("wait, or end it with `loft stream --abort --port %s`", t->port),
+            "another job (%08x) is running", (unsigned)s->machine.job);
     case LOFT_PHASE_LOST:
-        return tool_error(
-            EX_PROTOCOL,
-            "%s: the machine was restarted in the middle of the job: home it, or `loft zero --port "
-            "%s` at 0,0,0, then start again: its position may be lost",
-            t->port, t->port);
+        return host_error(t->host, EX_PROTOCOL, "job.restarted", (host_place){ .file = t->port },
+                          HOST_REMEDY("home it, or `loft zero --port %s` at 0,0,0, then start "
+                                      "again: its position may be lost",
+                                      t->port),
+                          "the machine was restarted in the middle of the job");
     case LOFT_PHASE_UNFIT:
-        return tool_error(
-            EX_CONFIG, "%s: the machine came back with another version or other axes: start again",
-            t->port);
+        return host_error(t->host, EX_CONFIG, "job.unfit", (host_place){ .file = t->port },
+                          "start again",
+                          "the machine came back with another version or other axes");
     default: return report_refused(t, j);
     }
 }
@@ -255,14 +247,15 @@ int stream_interrupted(const talk *t, const job *j)
     char text[96], other[96], of[32];
 
     if (s->phase < LOFT_PHASE_STREAMING && s->sent == 0 && !s->resumed)
-        return tool_error(EX_TEMPFAIL, "stopped before the job began: the machine has not moved");
+        return host_error(t->host, EX_TEMPFAIL, "job.stopped-before", (host_place){ .file = NULL },
+                          NULL, "stopped before the job began: the machine has not moved");
     if (s->ack.state != LOFT_STATE_HELD)
-        return tool_error(EX_IOERR, "stopped, but the machine did not say that it is stopped: it "
-                                    "runs out of items and then stops on the path");
-    return tool_error(EX_TEMPFAIL,
+        return host_error(t->host, EX_IOERR, "job.not-stopped", (host_place){ .file = NULL }, NULL,
+                          "stopped, but the machine did not say that it is stopped: it runs out of "
+                          "items and then stops on the path");
+    return host_error(t->host, EX_TEMPFAIL, "job.held", (host_place){ .file = NULL }, NULL,
                       "held at item %u%s: the machine is stopped on the path at %s mm, steps %s; "
-                      "the same command continues, "
-                      "`loft stream --abort --port %s` gives up",
+                      "the same command continues, `loft stream --abort --port %s` gives up",
                       (unsigned)s->ack.executed, job_of(j, of),
                       place_text(s, j->k, s->status.position, text),
                       steps_text(s->status.position, other), t->port);

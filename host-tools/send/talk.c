@@ -8,7 +8,6 @@
 #include "base/create.h"
 #include "send/talk.h"
 #include "send/unfinished.h"
-#include "base/tool.h"
 
 static uint32_t now_ms(const talk *t) { return (uint32_t)(uint64_t)(1000 * t->now); }
 
@@ -37,7 +36,7 @@ static bool send_frames(talk *t)
 static unfinished_machine machine_of(const talk *t)
 {
     return (unfinished_machine){ t->port, t->sender.machine.boot,
-                                 loft_state_busy(t->sender.ack.state) };
+                                 loft_state_busy(t->sender.ack.state), t->host };
 }
 
 static void note_job(talk *t)
@@ -85,14 +84,13 @@ void talk_wants(const talk *t, task_wants *w)
 int talk_vanished(const talk *t, const char *where)
 {
     if (t->noted)
-        return tool_error(EX_IOERR,
-                          "%s: the port has vanished %s(%s): if the machine stayed on, plug it in "
-                          "and run the same command again; if it lost its power, the position may "
-                          "be lost: home it, or `loft zero`",
-                          t->port, where, strerror(errno));
-    return tool_error(EX_IOERR,
-                      "%s: the port has vanished %s(%s): plug it in and run the same command again",
-                      t->port, where, strerror(errno));
+        return host_error(t->host, EX_IOERR, "port.gone", (host_place){ .file = t->port },
+                          "if the machine stayed on, plug it in and run the same command again; if "
+                          "it lost its power, the position may be lost: home it, or `loft zero`",
+                          "the port has vanished %s(%s)", where, strerror(errno));
+    return host_error(t->host, EX_IOERR, "port.gone", (host_place){ .file = t->port },
+                      "plug it in and run the same command again", "the port has vanished %s(%s)",
+                      where, strerror(errno));
 }
 
 const char *talk_inputs(uint16_t inputs, char text[256])
@@ -119,10 +117,10 @@ int talk_certain(const talk *t)
     const unfinished_machine m = machine_of(t);
 
     return t->sender.ack.flags & LOFT_FLAG_LOST
-               ? tool_error(EX_UNAVAILABLE,
-                            "%s: its position is in doubt, as after an emergency stop: `loft home "
-                            "--port %s`, or `loft zero`",
-                            t->port, t->port)
+               ? host_error(t->host, EX_UNAVAILABLE, "job.place-in-doubt",
+                            (host_place){ .file = t->port },
+                            HOST_REMEDY("`loft home --port %s`, or `loft zero`", t->port),
+                            "its position is in doubt, as after an emergency stop")
                : unfinished_check(&m);
 }
 
@@ -142,7 +140,7 @@ void talk_over(talk *t)
                ended_by_us = s->phase == LOFT_PHASE_READY && !loft_state_busy(s->ack.state);
 
     if ((reported || ended_by_us) && !(s->ack.flags & LOFT_FLAG_LOST))
-        unfinished_end(t->port);
+        unfinished_end(t->host, t->port);
     t->job = 0;
     t->noted = false;
 }
@@ -162,14 +160,14 @@ double talk_silence(const talk *t, double began)
 static int report_silent(const talk *t)
 {
     if (t->received > 0)
-        return tool_error(EX_PROTOCOL,
-                          "%s: %llu bytes came, but no good frame: is it a loft machine, and "
-                          "is --baud %u right?",
-                          t->line.text, (unsigned long long)t->received,
-                          t->line.baud ? t->line.baud : 115200);
-    return tool_error(EX_UNAVAILABLE,
-                      "%s: no machine answered in %g s: look at its power, cable and baud rate",
-                      t->line.text, t->wait);
+        return host_error(t->host, EX_PROTOCOL, "port.no-frame",
+                          (host_place){ .file = t->line.text },
+                          HOST_REMEDY("is it a loft machine, and is --baud %u right?",
+                                      t->line.baud ? t->line.baud : 115200),
+                          "%llu bytes came, but no good frame", (unsigned long long)t->received);
+    return host_error(
+        t->host, EX_UNAVAILABLE, "port.no-answer", (host_place){ .file = t->line.text },
+        "look at its power, cable and baud rate", "no machine answered in %g s", t->wait);
 }
 
 static void begin_greeting(talk *t, double now)
@@ -188,7 +186,8 @@ int talk_greet(talk *t, double now, task_wants *w)
         begin_greeting(t, now);
     if (t->sender.phase == LOFT_PHASE_HELLO) {
         if (t->stop)
-            return tool_error(EX_TEMPFAIL, "stopped before the machine answered: nothing was sent");
+            return host_error(t->host, EX_TEMPFAIL, "port.stopped", (host_place){ .file = NULL },
+                              NULL, "stopped before the machine answered: nothing was sent");
         if (!talk_step(t, now, w))
             return talk_vanished(t, "before the machine answered ");
     }
@@ -199,11 +198,11 @@ int talk_greet(talk *t, double now, task_wants *w)
         return now < t->until ? TASK_GOES : report_silent(t);
     }
     if (t->sender.phase == LOFT_PHASE_UNFIT)
-        return tool_error(EX_CONFIG,
-                          "%s: the machine has %u axes and wire version %u, this program %d and "
-                          "%d: give both the same release",
-                          t->line.text, t->sender.machine.axes, t->sender.machine.version,
-                          LOFT_AXES, LOFT_WIRE_VERSION);
+        return host_error(t->host, EX_CONFIG, "port.unfit", (host_place){ .file = t->line.text },
+                          "give both the same release",
+                          "the machine has %u axes and wire version %u, this program %d and %d",
+                          t->sender.machine.axes, t->sender.machine.version, LOFT_AXES,
+                          LOFT_WIRE_VERSION);
     return 0;
 }
 
@@ -221,7 +220,7 @@ static int open_log(talk *t, const char *file)
     wire_text_init(&t->down, '>');
     wire_text_init(&t->up, '<');
     t->log = create_file(file);
-    return t->log != NULL ? 0 : create_refused(tool_host(), file, errno);
+    return t->log != NULL ? 0 : create_refused(t->host, file, errno);
 }
 
 const option talk_rows[] = {
@@ -234,12 +233,12 @@ const option talk_rows[] = {
     { 0 }
 };
 
-int talk_open(talk *t, const talk_options *o, double now)
+int talk_open(talk *t, host *h, const talk_options *o, double now)
 {
-    *t = (talk){ .port = o->port, .began = now, .now = now, .wait = o->wait };
+    *t = (talk){ .host = h, .port = o->port, .began = now, .now = now, .wait = o->wait };
     const int code = open_log(t, o->log);
 
-    return code ? code : transport_open(&t->line, o->port, o->baud);
+    return code ? code : transport_open(&t->line, h, o->port, o->baud);
 }
 
 void talk_again(talk *t, double seconds)
@@ -254,7 +253,8 @@ void talk_close(talk *t)
         t->line.kind->close(&t->line);
     t->line.kind = NULL;
     if (t->log && (ferror(t->log) | fclose(t->log)) != 0)
-        tool_error(EX_IOERR, "the log is not complete: %s: is the disk full? log elsewhere",
+        host_error(t->host, EX_IOERR, "port.log", (host_place){ .file = NULL },
+                   "is the disk full? log elsewhere", "the log is not complete: %s",
                    strerror(errno));
     t->log = NULL;
 }

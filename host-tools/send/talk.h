@@ -7,12 +7,14 @@
 
 #include "wire/sender.h"    /* loft_sender */
 
+#include "base/host.h"           /* host */
 #include "base/option.h"         /* option */
 #include "send/task.h"           /* task, task_wants */
 #include "send/transport.h"      /* transport */
 #include "send/wire_text.h"      /* wire_text */
 
 typedef struct {
+    host *host;                         /* hears of what is wrong */
     const char *port;
     transport line;
     loft_sender sender;
@@ -40,14 +42,14 @@ typedef struct {
 } talk_options;
 extern const option talk_rows[];        /* all but `log`, which the command names */
 
-/* Open the port. Next the machine is to be greeted. Returns 0, or an exit code after printing one
- * line; call talk_close in any case. */
-int  talk_open(talk *t, const talk_options *o, double now);
+/* Open the port. Next the machine is to be greeted. Returns 0, or an exit code after one
+ * message; call talk_close in any case. */
+int  talk_open(talk *t, host *h, const talk_options *o, double now);
 void talk_close(talk *t);
 
 /* Greet the machine, for so long at most: another session begins, since a session has one job.
  * talk_greet is to be stepped then: TASK_GOES, 0 when it has answered, or an exit code after
- * printing one line; the line is still open. */
+ * one message; the line is still open. */
 void talk_again(talk *t, double seconds);
 int  talk_greet(talk *t, double now, task_wants *w);
 task talk_greets(talk *t);
@@ -59,13 +61,13 @@ bool talk_step(talk *t, double now, task_wants *w);
 /* When to step it again, after something was asked of the sender. */
 void talk_wants(const talk *t, task_wants *w);
 
-/* Print that the port has vanished, and `where` the job is; one that had begun goes on only if the
+/* Tell that the port has vanished, and `where` the job is; one that had begun goes on only if the
  * machine kept its power. Returns the exit code. */
 int  talk_vanished(const talk *t, const char *where);
 
 /* Refuse to draw, or to go to a place, while the position is in doubt: after an emergency stop, or
  * after a restart of the machine in a job. Returns 0, or an exit code
- * after printing one line. */
+ * after one message. */
 int talk_certain(const talk *t);
 
 /* Job `id` of `file`, which stays, is about to begin: when the machine has taken it, and before any

@@ -10,11 +10,11 @@
 #include <strings.h>
 #include <sys/file.h>
 
-#include "base/tool.h"
+#include "base/host.h"
 #include "send/transport.h"
 
 /* A simulated machine looks whether byte 0 is locked: then its sender is there, maybe slow. */
-bool transport_own(int fd, const char *name)
+bool transport_own(host *h, int fd, const char *name)
 {
     struct flock first = { .l_type = F_WRLCK, .l_whence = SEEK_SET, .l_len = 1 };
 
@@ -22,35 +22,36 @@ bool transport_own(int fd, const char *name)
         (void)fcntl(fd, F_OFD_SETLK, &first);
         return true;
     }
-    (void)tool_error(EX_UNAVAILABLE, "%s: another program talks to it: end that one first", name);
+    host_error(h, EX_UNAVAILABLE, "port.owned", (host_place){ .file = name }, "end that one first",
+               "another program talks to it");
     return false;
 }
 
-int transport_refused(const char *name, int error)
+int transport_refused(host *h, const char *name, int error)
 {
     switch (error) {
     case EACCES:
     case EPERM:
-        return tool_error(EX_NOPERM, "%s: %s: join its group (often dialout) and log in again",
-                          name, strerror(error));
+        return host_error(h, EX_NOPERM, "port.no-permission", (host_place){ .file = name },
+                          "join its group (often dialout) and log in again", "%s", strerror(error));
     case EBUSY:
-        return tool_error(EX_UNAVAILABLE, "%s: another program talks to it: end that one first",
-                          name);
+        return host_error(h, EX_UNAVAILABLE, "port.owned", (host_place){ .file = name },
+                          "end that one first", "another program talks to it");
     case ECONNREFUSED:
-        return tool_error(EX_UNAVAILABLE, "%s: %s: start the machine's server first", name,
-                          strerror(error));
+        return host_error(h, EX_UNAVAILABLE, "port.no-server", (host_place){ .file = name },
+                          "start the machine's server first", "%s", strerror(error));
     default:
         if (error == ENOENT && strncasecmp(name, "COM", 3) == 0 && strpbrk(name, "0123456789"))
-            return tool_error(EX_UNAVAILABLE,
-                              "%s: no such port: here they are called /dev/ttyUSB0, /dev/ttyACM0: "
-                              "`loft ports` lists them",
-                              name);
-        return tool_error(EX_UNAVAILABLE, "%s: %s: see `loft ports` for the ports there are", name,
-                          strerror(error));
+            return host_error(
+                h, EX_UNAVAILABLE, "port.missing", (host_place){ .file = name },
+                "here they are called /dev/ttyUSB0, /dev/ttyACM0: `loft ports` lists them",
+                "no such port");
+        return host_error(h, EX_UNAVAILABLE, "port.not-opened", (host_place){ .file = name },
+                          "see `loft ports` for the ports there are", "%s", strerror(error));
     }
 }
 
-int transport_open(transport *t, const char *name, unsigned baud)
+int transport_open(transport *t, host *h, const char *name, unsigned baud)
 {
     char real[PATH_MAX];
     int used = 0;
@@ -58,22 +59,22 @@ int transport_open(transport *t, const char *name, unsigned baud)
 
     *t = (transport){ .in = -1, .out = -1 };
     if (strcmp(name, "-") == 0)
-        return transport_open_standard(t);
+        return transport_open_standard(t, h);
     if (strncmp(name, "unix:", 5) == 0 || strncmp(name, "tcp:", 4) == 0)
-        return transport_open_socket(t, name);
+        return transport_open_socket(t, h, name);
 
     const size_t length = strcspn(name, ":/");
     if (name[length] == ':' && sscanf(name + length, ":%5u%n", &port, &used) == 1 &&
         name[length + (size_t)used] == '\0')
-        return tool_error(EX_UNAVAILABLE, "%s: no such port: a socket is written tcp:%s", name,
-                          name);
+        return host_error(h, EX_UNAVAILABLE, "port.missing", (host_place){ .file = name },
+                          HOST_REMEDY("a socket is written tcp:%s", name), "no such port");
 
     /* libserialport refuses symbolic links; a name without a slash is one of its own names, such as
      * COM3 */
     if (strchr(name, '/') == NULL)
         strncat(strcpy(real, ""), name, sizeof real - 1);
     else if (realpath(name, real) == NULL)
-        return transport_refused(name, errno);
-    const int code = transport_open_serial(t, real, baud);
-    return code == TRANSPORT_OTHER ? transport_open_terminal(t, real, baud) : code;
+        return transport_refused(h, name, errno);
+    const int code = transport_open_serial(t, h, real, baud);
+    return code == TRANSPORT_OTHER ? transport_open_terminal(t, h, real, baud) : code;
 }

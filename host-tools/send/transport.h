@@ -16,6 +16,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "base/host.h"
+
 typedef struct transport transport;
 
 /* The functions of a kind of line. Reads and writes do not wait, and return the count: 0 if there
@@ -34,29 +36,30 @@ struct transport {
     char text[128];             /* "/dev/ttyUSB0 at 115200 baud" */
 };
 
-/* Open by name. Returns 0, or an exit code after printing one line. */
-int transport_open(transport *t, const char *name, unsigned baud);
+/* Open by name. Returns 0, or an exit code after one message. */
+int transport_open(transport *t, host *h, const char *name, unsigned baud);
 
-/* The kinds. `serial` returns TRANSPORT_OTHER and prints nothing if libserialport does not know the
+/* The kinds. `serial` returns TRANSPORT_OTHER and tells nothing if libserialport does not know the
  * device. */
 #define TRANSPORT_OTHER (-1)
-int transport_open_serial(transport *t, const char *name, unsigned baud);
-int transport_open_terminal(transport *t, const char *name, unsigned baud);
-int transport_open_socket(transport *t, const char *name);
-int transport_open_standard(transport *t);
+int transport_open_serial(transport *t, host *h, const char *name, unsigned baud);
+int transport_open_terminal(transport *t, host *h, const char *name, unsigned baud);
+int transport_open_socket(transport *t, host *h, const char *name);
+int transport_open_standard(transport *t, host *h);
 
 /* The serial ports of this computer, one by one; ports that are not USB have an empty `usb`.
- * Returns 0, or an exit code after printing one line. */
+ * Returns 0, or an exit code after one message. */
 typedef struct {
     const char *name, *description;
     const char *usb;            /* "2341:0043 SERIAL" */
 } transport_port;
-int transport_ports(void (*each)(void *context, const transport_port *port), void *context);
+int transport_ports(host *h, void (*each)(void *context, const transport_port *port),
+                    void *context);
 
-/* Refuse a second owner: returns false after printing one line. For the kinds. */
-bool transport_own(int fd, const char *name);
+/* Refuse a second owner: returns false after one message. For the kinds. */
+bool transport_own(host *h, int fd, const char *name);
 
-/* Print why `name` cannot be opened, with the remedy for this errno. Returns the exit code. */
-int transport_refused(const char *name, int error);
+/* Tell why `name` cannot be opened, with the remedy for this errno. Returns the exit code. */
+int transport_refused(host *h, const char *name, int error);
 
 #endif

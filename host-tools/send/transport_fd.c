@@ -16,7 +16,7 @@
 
 #include "host/baud.h"      /* host_baud */
 
-#include "base/tool.h"
+#include "base/host.h"
 #include "send/transport.h"
 
 static bool later(int error) { return error == EAGAIN || error == EWOULDBLOCK || error == EINTR; }
@@ -69,17 +69,17 @@ static int take(transport *t, int in, int out, const char *name)
 
 /* Raw bytes, no modem lines. The lock is advisory: TIOCEXCL would outlive a killed sender on a
  * pty. */
-static int make_raw(int fd, const char *name, unsigned baud)
+static int make_raw(host *h, int fd, const char *name, unsigned baud)
 {
     struct termios mode;
     speed_t speed;
 
     if (!host_baud(baud, &speed))
-        return tool_error(
-            EX_USAGE,
-            "--baud %u: give 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600 ..", baud);
+        return host_error(h, EX_USAGE, "port.baud", (host_place){ .file = NULL },
+                          "give 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600 ..",
+                          "--baud %u", baud);
     if (tcgetattr(fd, &mode) != 0)
-        return transport_refused(name, errno);
+        return transport_refused(h, name, errno);
     cfmakeraw(&mode);
     cfsetispeed(&mode, speed);
     cfsetospeed(&mode, speed);
@@ -87,25 +87,25 @@ static int make_raw(int fd, const char *name, unsigned baud)
     mode.c_cflag &= ~(tcflag_t)(HUPCL | CRTSCTS);
     mode.c_cc[VMIN]  = 1;
     mode.c_cc[VTIME] = 0;
-    return tcsetattr(fd, TCSANOW, &mode) == 0 ? 0 : transport_refused(name, errno);
+    return tcsetattr(fd, TCSANOW, &mode) == 0 ? 0 : transport_refused(h, name, errno);
 }
 
-int transport_open_terminal(transport *t, const char *name, unsigned baud)
+int transport_open_terminal(transport *t, host *h, const char *name, unsigned baud)
 {
     const int fd = open(name, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-    int code     = 0;
+    struct termios mode;
+    int code = 0;
 
     if (fd < 0)
-        return transport_refused(name, errno);
-    if (!isatty(fd))
-        code = tool_error(
-            EX_UNAVAILABLE,
-            "%s: not a serial port: see `loft ports`, or name a pty, unix:PATH or tcp:HOST:PORT",
-            name);
-    else if (!transport_own(fd, name))
+        return transport_refused(h, name, errno);
+    if (tcgetattr(fd, &mode) != 0)
+        code = host_error(h, EX_UNAVAILABLE, "port.not-serial", (host_place){ .file = name },
+                          "see `loft ports`, or name a pty, unix:PATH or tcp:HOST:PORT",
+                          "not a serial port");
+    else if (!transport_own(h, fd, name))
         code = EX_UNAVAILABLE;
     else
-        code = make_raw(fd, name, baud);
+        code = make_raw(h, fd, name, baud);
     if (code != 0) {
         close(fd);
         return code;
@@ -119,21 +119,22 @@ static int connected(transport *t, int fd, const char *name)
     return take(t, fd, fd, name);
 }
 
-static int open_unix(transport *t, const char *name)
+static int open_unix(transport *t, host *h, const char *name)
 {
     struct sockaddr_un address = { .sun_family = AF_UNIX };
     const char *path = name + strlen("unix:");
 
     if (strlen(path) >= sizeof address.sun_path)
-        return tool_error(EX_USAGE, "%s: the path is too long: give at most %zu characters", name,
-                          sizeof address.sun_path - 1);
+        return host_error(h, EX_USAGE, "port.path-too-long", (host_place){ .file = name },
+                          HOST_REMEDY("give at most %zu characters", sizeof address.sun_path - 1),
+                          "the path is too long");
     strcpy(address.sun_path, path);
     const int fd = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
     if (fd < 0 || connect(fd, (const struct sockaddr *)&address, sizeof address) != 0) {
         const int error = errno;
         if (fd >= 0)
             close(fd);
-        return transport_refused(name, error);
+        return transport_refused(h, name, error);
     }
     return connected(t, fd, name);
 }
@@ -158,7 +159,7 @@ static int connect_any(const struct addrinfo *list)
     return -1;
 }
 
-static int open_tcp(transport *t, const char *name)
+static int open_tcp(transport *t, host *h, const char *name)
 {
     const struct addrinfo hints = { .ai_family = AF_UNSPEC, .ai_socktype = SOCK_STREAM };
     const char *colon = strrchr(name, ':');
@@ -168,31 +169,32 @@ static int open_tcp(transport *t, const char *name)
     const size_t length = (size_t)(colon - name) - 3;   /* the text between "tcp" and the last
                                                          * colon */
     if (colon == name + 3 || length > sizeof site || colon[1] == '\0')
-        return tool_error(EX_USAGE, "%s: give tcp:HOST:PORT", name);
+        return host_error(h, EX_USAGE, "port.not-a-socket", (host_place){ .file = NULL },
+                          "give tcp:HOST:PORT", "%s", name);
     const bool bracketed = name[4] == '[' && colon[-1] == ']';      /* an IPv6 address */
     snprintf(site, sizeof site, "%.*s", (int)length - 1 - 2 * bracketed, name + 4 + bracketed);
     const int failed = getaddrinfo(site, colon + 1, &hints, &list);
     if (failed)
-        return tool_error(EX_NOHOST, "%s: %s: look at the name of the host and the port", name,
-                          gai_strerror(failed));
+        return host_error(h, EX_NOHOST, "port.no-host", (host_place){ .file = name },
+                          "look at the name of the host and the port", "%s", gai_strerror(failed));
     const int fd = connect_any(list);
     const int error = errno;
     freeaddrinfo(list);
-    return fd < 0 ? transport_refused(name, error) : connected(t, fd, name);
+    return fd < 0 ? transport_refused(h, name, error) : connected(t, fd, name);
 }
 
-int transport_open_socket(transport *t, const char *name)
+int transport_open_socket(transport *t, host *h, const char *name)
 {
-    return strncmp(name, "unix:", 5) == 0 ? open_unix(t, name) : open_tcp(t, name);
+    return strncmp(name, "unix:", 5) == 0 ? open_unix(t, h, name) : open_tcp(t, h, name);
 }
 
 /* From now on the program prints to standard error: standard output is the line. It stays blocking,
  * since its flags are shared with other programs; poll keeps us from waiting. */
-int transport_open_standard(transport *t)
+int transport_open_standard(transport *t, host *h)
 {
     const int in = dup(STDIN_FILENO), out = dup(STDOUT_FILENO);
 
     if (in < 0 || out < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
-        return transport_refused("standard input and output", errno);
+        return transport_refused(h, "standard input and output", errno);
     return take(t, in, out, "standard input and output");
 }

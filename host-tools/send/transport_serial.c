@@ -16,7 +16,7 @@
 
 #include <libserialport.h>
 
-#include "base/tool.h"
+#include "base/host.h"
 #include "send/transport.h"
 
 static long serial_read(transport *t, void *bytes, size_t max)
@@ -96,21 +96,21 @@ static void keep(int fd)
     }
 }
 
-static int set_up(transport *t, const char *name, unsigned baud)
+static int set_up(transport *t, host *h, const char *name, unsigned baud)
 {
     struct sp_port *port = t->port;
     int fd;
 
     if (sp_get_port_handle(port, &fd) != SP_OK)
-        return transport_refused(name, sp_last_error_code());
-    if (!transport_own(fd, name))
+        return transport_refused(h, name, sp_last_error_code());
+    if (!transport_own(h, fd, name))
         return EX_UNAVAILABLE;
     const bool configured = configure(port, baud);
     const int got         = baud_of(port);
     if (!configured || got != (int)baud)
-        return tool_error(EX_UNAVAILABLE,
-                          "%s: asked for %u baud, the port has %d: give a --baud that it has", name,
-                          baud, got);
+        return host_error(h, EX_UNAVAILABLE, "port.baud-not-taken", (host_place){ .file = name },
+                          "give a --baud that it has", "asked for %u baud, the port has %d", baud,
+                          got);
     keep(fd);
     static const transport_kind kind = { serial_read, serial_write, serial_close };
     t->kind = &kind;
@@ -120,7 +120,7 @@ static int set_up(transport *t, const char *name, unsigned baud)
     return 0;
 }
 
-int transport_open_serial(transport *t, const char *name, unsigned baud)
+int transport_open_serial(transport *t, host *h, const char *name, unsigned baud)
 {
     struct sp_port *port;
 
@@ -129,10 +129,10 @@ int transport_open_serial(transport *t, const char *name, unsigned baud)
     if (sp_open(port, SP_MODE_READ_WRITE) != SP_OK) {
         const int error = sp_last_error_code();
         sp_free_port(port);
-        return error == ENOTTY ? TRANSPORT_OTHER : transport_refused(name, error);
+        return error == ENOTTY ? TRANSPORT_OTHER : transport_refused(h, name, error);
     }
     t->port = port;
-    const int code = set_up(t, name, baud);
+    const int code = set_up(t, h, name, baud);
     if (code != 0)
         serial_close(t);
     return code;
@@ -140,10 +140,11 @@ int transport_open_serial(transport *t, const char *name, unsigned baud)
 
 static const char *or_none(const char *text) { return text ? text : ""; }
 
-int transport_ports(void (*each)(void *context, const transport_port *port), void *context)
+int transport_ports(host *h, void (*each)(void *context, const transport_port *port), void *context)
 {
     struct sp_port **list = NULL;
 
+    (void)h;
     if (sp_list_ports(&list) != SP_OK)
         return 0;               /* a system without /sys/class/tty has no ports */
     for (size_t i = 0; list[i]; i++) {

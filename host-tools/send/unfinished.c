@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/tool.h"
+#include "base/host.h"
 #include "engine/engine.h"       /* ENGINE_AXES */
 #include "send/unfinished.h"
 
@@ -61,20 +61,14 @@ static uint64_t hash_of(const char *text)
 }
 
 /* The folder; it is made where `make`. Returns false, with errno, if there can be none. */
-static bool find_folder(char folder[PATH_MAX], bool make)
+static bool find_folder(const host *h, char folder[PATH_MAX], bool make)
 {
-    const char *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");
-    int length;
+    const size_t length = strlen(h->state);
 
     errno = ENOENT;
-    if (state != NULL && *state == '/')
-        length = snprintf(folder, PATH_MAX, "%s/loft", state);
-    else if (home != NULL && *home == '/')
-        length = snprintf(folder, PATH_MAX, "%s/.local/state/loft", home);
-    else
+    if (length == 0 || length >= PATH_MAX - 32)
         return false;
-    if (length >= PATH_MAX - 32)
-        return false;
+    strcpy(folder, h->state);
     for (char *at = folder + 1; make && *at != '\0'; at++)
         if (*at == '/') {
             *at = '\0';
@@ -87,11 +81,16 @@ static bool find_folder(char folder[PATH_MAX], bool make)
 }
 
 /* Standard input names no machine: nothing is kept of it. */
-static bool find_file(const char *port, bool make, char file[PATH_MAX])
+static bool is_kept(const host *h, const char *port)
+{
+    return h->state != NULL && strcmp(port, "-") != 0;
+}
+
+static bool find_file(const host *h, const char *port, bool make, char file[PATH_MAX])
 {
     char key[PATH_MAX];
 
-    if (strcmp(port, "-") == 0 || !find_folder(file, make))
+    if (!is_kept(h, port) || !find_folder(h, file, make))
         return false;
     name_port(port, key);
     const size_t used = strlen(file);
@@ -117,13 +116,13 @@ static void take_number(const char *line, const char *key, uint32_t *out)
 }
 
 /* Returns false if there is none. One that is damaged has no boot id, job 0 and all axes. */
-static bool read_record(const char *port, record *r)
+static bool read_record(const host *h, const char *port, record *r)
 {
     char file[PATH_MAX], line[256];
     uint32_t axes = 0;
 
     *r = (record){ .axes = ALL };
-    FILE *in = find_file(port, false, file) ? fopen(file, "r") : NULL;
+    FILE *in = find_file(h, port, false, file) ? fopen(file, "r") : NULL;
     if (in == NULL)
         return false;
     while (fgets(line, sizeof line, in) != NULL) {
@@ -141,11 +140,11 @@ static bool read_record(const char *port, record *r)
 }
 
 /* The computer may lose its power with the machine: the file is on the disk when this returns. */
-static void write_record(const char *port, const record *r)
+static void write_record(const host *h, const char *port, const record *r)
 {
     char file[PATH_MAX], fresh[PATH_MAX + 8], key[PATH_MAX];
 
-    if (!find_file(port, true, file))
+    if (!find_file(h, port, true, file))
         return;
     name_port(port, key);
     snprintf(fresh, sizeof fresh, "%s.new", file);
@@ -177,26 +176,29 @@ int unfinished_check(const unfinished_machine *m)
     char folder[PATH_MAX], axes[ENGINE_AXES + 2] = "";
     record r;
 
-    if (strcmp(m->port, "-") != 0 && !find_folder(folder, true))
-        return tool_error(
-            EX_OK,
-            "no record of the job can be kept: %s: if the machine restarts in it, the "
-            "next job does not notice: set XDG_STATE_HOME",
-            strerror(errno));
-    if (!read_record(m->port, &r))
+    if (is_kept(m->host, m->port) && !find_folder(m->host, folder, true)) {
+        const unsigned warned = m->host->warnings;
+        host_warn(m->host, "job.no-record", (host_place){ .file = NULL }, "set XDG_STATE_HOME",
+                  "no record of the job can be kept: %s: if the machine restarts in it, the next "
+                  "job does not notice",
+                  strerror(errno));
+        return host_code(m->host, warned, 0);
+    }
+    if (!read_record(m->host, m->port, &r))
         return 0;
     if (r.boot == m->boot && r.job != 0) {
         if (!m->busy)
-            unfinished_end(m->port);
+            unfinished_end(m->host, m->port);
         return 0;
     }
     for (int i = 0; i < ENGINE_AXES && doubted(&r, m) != ALL; i++)
         if (doubted(&r, m) >> i & 1)
             snprintf(axes + strlen(axes), 3, "%s%c", axes[0] ? "" : " ", "xyz"[i]);
-    return tool_error(EX_UNAVAILABLE,
-                      "%s: the machine was restarted in a job%s%s: its position may be lost: home "
-                      "it, or `loft zero%s --port %s` at 0,0,0; then run this again",
-                      m->port, r.file[0] ? ", " : "", r.file, axes, m->port);
+    return host_error(m->host, EX_UNAVAILABLE, "job.was-cut-off", (host_place){ .file = m->port },
+                      HOST_REMEDY("its position may be lost: home it, or `loft zero%s --port %s` "
+                                  "at 0,0,0; then run this again",
+                                  axes, m->port),
+                      "the machine was restarted in a job%s%s", r.file[0] ? ", " : "", r.file);
 }
 
 void unfinished_begin(const unfinished_machine *m, uint32_t id, const char *file)
@@ -205,14 +207,14 @@ void unfinished_begin(const unfinished_machine *m, uint32_t id, const char *file
 
     for (size_t n = 0; file[n] != '\0' && n + 1 < sizeof r.file; n++)
         r.file[n] = file[n] == '\n' || file[n] == '\r' ? ' ' : file[n];
-    write_record(m->port, &r);
+    write_record(m->host, m->port, &r);
 }
 
-void unfinished_end(const char *port)
+void unfinished_end(const host *h, const char *port)
 {
     char file[PATH_MAX];
 
-    if (find_file(port, false, file))
+    if (find_file(h, port, false, file))
         (void)unlink(file);
 }
 
@@ -220,12 +222,12 @@ void unfinished_placed(const unfinished_machine *m, unsigned axes)
 {
     record r;
 
-    if (!read_record(m->port, &r) || (r.boot == m->boot && r.job != 0))
+    if (!read_record(m->host, m->port, &r) || (r.boot == m->boot && r.job != 0))
         return;
     r.axes  = doubted(&r, m) & ~axes;
     r.since = m->boot;
     if (r.axes == 0)
-        unfinished_end(m->port);
+        unfinished_end(m->host, m->port);
     else
-        write_record(m->port, &r);
+        write_record(m->host, m->port, &r);
 }

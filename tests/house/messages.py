@@ -10,6 +10,8 @@ STRING = r'"(?:[^"\\\n]|\\.)*"'
 # of a message, in the list of its arguments; warnings of SVG are of an enum
 NAME = re.compile(r'"[a-z]+\.[a-z0-9-]+"|SVG_WARN_[A-Z_]+')
 
+PLACE = re.compile(r"\(host_place\)|at$|\*?place$|nowhere\(|port_of\(")
+
 
 def stripped(text):
     """C without its comments; lines stay."""
@@ -61,7 +63,7 @@ def words(argument, before):
 
 
 def tidy(text):
-    text = re.sub(r"%[-+0-9.*]*(?:l|ll|z)?[a-zA-Z]", "..", text)
+    text = re.sub(r"%[-+0-9.*]*(?:ll|l|z)?[a-zA-Z]", "..", text)
     text = text.replace("%%", "%")
     return re.sub(r"\.{3,}", "..", text).replace("|", "\\|") if text else ".."
 
@@ -80,7 +82,7 @@ def messages():
             rest = arguments[place + 1:]
             if not rest:
                 continue
-            if len(rest) > 1 and re.match(r"\(host_place\)|at$|\*?place$", rest[0]):
+            if len(rest) > 1 and PLACE.match(rest[0]):
                 what, remedy = rest[2] if len(rest) > 2 else "", rest[1]
             else:
                 what, remedy = rest[0] if rest else "", rest[1] if len(rest) > 1 else ""

@@ -90,18 +90,20 @@ static void simulated_close(transport *t)
     sim.open = false;
 }
 
-int transport_open(transport *t, const char *name, unsigned baud)
+int transport_open(transport *t, host *h, const char *name, unsigned baud)
 {
     static const transport_kind kind = { simulated_read, simulated_write, simulated_close };
 
+    (void)h;
     *t = (transport){ .kind = &kind, .in = 5, .out = 6, .baud = baud };
     snprintf(t->text, sizeof t->text, "%s", name);
     sim.open = true;
     return 0;
 }
 
-int transport_ports(void (*each)(void *context, const transport_port *port), void *context)
+int transport_ports(host *h, void (*each)(void *context, const transport_port *port), void *context)
 {
+    (void)h;
     (void)each;
     (void)context;
     return 0;

@@ -10,7 +10,6 @@
 #include <string.h>
 #include <sysexits.h>
 
-#include "base/tool.h"
 #include "check.h"
 #include "cmd/waits.h"
 #include "send/grbl.h"
@@ -56,6 +55,8 @@ static void hear_message(void *context, const host_message *m)
     caught_lines++;
     told_at = fmin(told_at, c.clock);
 }
+
+static host hears = { .message = hear_message };
 
 static void hear_line(const char *line)
 {
@@ -187,10 +188,11 @@ static long write_bytes(transport *t, const void *bytes, size_t count)
 
 static void close_line(transport *t) { (void)t; }
 
-int transport_open(transport *t, const char *name, unsigned baud)
+int transport_open(transport *t, host *h, const char *name, unsigned baud)
 {
     static const transport_kind kind = { read_bytes, write_bytes, close_line };
 
+    (void)h;
     (void)baud;
     *t = (transport){ .kind = &kind };
     snprintf(t->text, sizeof t->text, "%s", name);
@@ -238,7 +240,7 @@ static int run(grbl *g, bool draws)
 
 static int open_controller(grbl **g)
 {
-    const int code = grbl_open(g, "p", 115200, 5);
+    const int code = grbl_open(g, &hears, "p", 115200, 5);
 
     return code ? code : run(*g, false);
 }
@@ -404,9 +406,6 @@ static void each_part_is_sent_from_its_first_line(arb *a)
 
 int main(void)
 {
-    static host h = { .message = hear_message };
-
-    tool_use(&h);
     PROPERTY(a_job_is_drawn_as_a_whole, 20);
     PROPERTY(any_error_or_alarm_ends_it, 100);
     PROPERTY(every_state_is_known_or_told, 100);

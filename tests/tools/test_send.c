@@ -64,7 +64,7 @@ static void begin(void)
     hear();
     s.told[0] = '\0';
     simulated_begin(&o);
-    CHECK(talk_open(&s.t, &at_once, sim.clock) == 0);
+    CHECK(talk_open(&s.t, &heard, &at_once, sim.clock) == 0);
     CHECK(run(talk_greets(&s.t), HOURS) == 0);
 }
 
@@ -236,7 +236,7 @@ static void another_job_is_told_of(arb *a)
     plan_lines(a, 30);
     CHECK(run(stream_of(), sim.clock + 2) == TASK_GOES);
     end();
-    CHECK(talk_open(&s.t, &at_once, sim.clock) == 0);
+    CHECK(talk_open(&s.t, &heard, &at_once, sim.clock) == 0);
     CHECK(run(talk_greets(&s.t), HOURS) == 0);
     plan_lines(a, 3);
     pass(arb_below(a, 20));
@@ -253,7 +253,7 @@ static void a_mute_machine_is_asked_for_as_long_as_said(arb *a)
     hear();
     simulated_begin(&o);
     sim.mute = true;
-    CHECK(talk_open(&s.t, &to, sim.clock) == 0);
+    CHECK(talk_open(&s.t, &heard, &to, sim.clock) == 0);
     CHECK(run(talk_greets(&s.t), HOURS) == EX_UNAVAILABLE);
     CHECK(fabs(sim.clock - to.wait) < 0.01 && caught_lines == 1);
     talk_close(&s.t);

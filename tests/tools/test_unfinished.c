@@ -15,6 +15,7 @@
 #define ALL   7u
 
 static char folder[] = "/tmp/loft-unfinished-XXXXXX";
+static char notes[sizeof folder + 8];   /* a folder in it */
 
 /* What is true of a machine. */
 typedef struct {
@@ -64,13 +65,13 @@ static void a_restart_in_a_job_is_not_forgotten(arb *a)
     for (unsigned n = 0; n < PORTS; n++) {
         all[n] = (truth){ .boot = arb_below(a, 1000) };
         spell_port(a, n, port);
-        unfinished_end(port);
+        unfinished_end(&heard, port);
     }
     for (int k = 0; k < 60; k++) {
         const unsigned n = arb_below(a, PORTS), axes = 1 + arb_below(a, ALL);
         truth *t = &all[n];
         spell_port(a, n, port);
-        const unfinished_machine m = { port, t->boot, t->in_job };
+        const unfinished_machine m = { port, t->boot, t->in_job, &heard };
         want_check(&m, t);
         switch (arb_below(a, 4)) {
         case 0:
@@ -81,9 +82,9 @@ static void a_restart_in_a_job_is_not_forgotten(arb *a)
             break;
         case 1:
             if (t->in_job && arb_below(a, 2))
-                unfinished_end(port);
+                unfinished_end(&heard, port);
             t->in_job = false;          /* or it ended while nobody looked */
-            want_check(&(unfinished_machine){ port, t->boot, t->in_job }, t);
+            want_check(&(unfinished_machine){ port, t->boot, t->in_job, &heard }, t);
             break;
         case 2:
             if (!t->in_job) {
@@ -100,7 +101,7 @@ static void a_damaged_record_is_a_doubt(arb *a)
 {
     char port[100], name[400], text[200];
     struct dirent *e;
-    const unfinished_machine m = { port, 5, false };
+    const unfinished_machine m = { port, 5, false, &heard };
 
     spell_port(a, 1, port);
     unfinished_begin(&m, 9, "x.svg");
@@ -127,15 +128,15 @@ static void a_damaged_record_is_a_doubt(arb *a)
 static void without_a_folder_it_says_so(arb *a)
 {
     (void)a;
-    const unfinished_machine m = { "/tmp/m", 5, false }, none = { "-", 5, false };
+    const unfinished_machine m = { "/tmp/m", 5, false, &heard }, none = { "-", 5, false, &heard };
 
-    setenv("XDG_STATE_HOME", "/dev/null", 1);
+    heard.state = "/dev/null/loft";
     CHECK(unfinished_check(&m) == 0 && strstr(caught, "set XDG_STATE_HOME") != NULL);
     caught[0] = '\0';
     unfinished_begin(&m, 1, "x");
-    unfinished_end("/tmp/m");
+    unfinished_end(&heard, "/tmp/m");
     CHECK(unfinished_check(&none) == 0 && caught[0] == '\0');
-    setenv("XDG_STATE_HOME", folder, 1);
+    heard.state = notes;
 }
 
 static void remove_folder(void)
@@ -160,7 +161,8 @@ int main(void)
 {
     if (mkdtemp(folder) == NULL)
         return EX_OSERR;
-    setenv("XDG_STATE_HOME", folder, 1);
+    snprintf(notes, sizeof notes, "%s/loft", folder);
+    heard.state = notes;
     PROPERTY(a_restart_in_a_job_is_not_forgotten, 20);
     PROPERTY(a_damaged_record_is_a_doubt, 10);
     PROPERTY(without_a_folder_it_says_so, 1);
