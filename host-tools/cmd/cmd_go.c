@@ -6,7 +6,9 @@
 #include <string.h>
 
 #include "cmd/commands.h"
-#include "cmd/run_move.h"       /* run_mover, run_go */
+#include "cmd/run.h"            /* run_until */
+#include "cmd/run_move.h"       /* run_mover, run_told */
+#include "send/hand.h"
 #include "base/scan.h"           /* scan_number */
 
 #define FEED_ROW(s)                                                                                \
@@ -51,13 +53,14 @@ static int go(void *options)
     double to[ENGINE_AXES];
     mover v  = { .at = { 0 } };
     int code = take_place(o->place, to);
+    hand m;
 
     if (code == 0)
         code = run_mover(&v, &o->move, false);
-    for (int i = 0; i < ENGINE_AXES; i++)
-        to[i] = isnan(to[i]) ? v.at[i] : to[i] + (o->by ? v.at[i] : 0);
-    if (code == 0)
-        code = run_told(&v, run_to(&v, to, o->feed));
+    if (code == 0) {
+        hand_go(&m, &v, to, o->by, o->feed);
+        code = run_told(&v, run_until(hand_task(&m)));
+    }
     mover_close(&v);
     return code;
 }
@@ -96,22 +99,17 @@ static const option pen_rows[] = { { "way", OPTION_WORD(pen_options, way), .leas
     FEED_ROW(pen_options),
                                    { 0 } };
 
-static int lift_pen(mover *v, double z, double feed)
-{
-    const double to[ENGINE_AXES] = { v->at[0], v->at[1], z };
-
-    return run_to(v, to, feed);
-}
-
 static int run_pen(void *options)
 {
     const pen_options *o = options;
     mover v              = { .at = { 0 } };
     int code             = run_mover(&v, &o->move, false);
-    const double z       = strcmp(o->way, "up") == 0 ? v.p.machine.pen_up : v.p.machine.pen_down;
+    hand m;
 
-    if (code == 0)
-        code = run_told(&v, lift_pen(&v, z, o->feed));
+    if (code == 0) {
+        hand_pen(&m, &v, strcmp(o->way, "up") == 0, o->feed);
+        code = run_told(&v, run_until(hand_task(&m)));
+    }
     mover_close(&v);
     return code;
 }
@@ -126,15 +124,6 @@ const command command_pen = {
     .run = run_pen,
     .talks = true,
 };
-
-static int park(mover *v, double feed)
-{
-    const machine_file *m        = &v->p.machine;
-    const double to[ENGINE_AXES] = { m->park[0], m->park[1], fmax(v->at[2], m->pen_up) };
-    const int code               = lift_pen(v, to[2], feed);
-
-    return code ? code : run_to(v, to, feed);
-}
 
 typedef struct {
     mover_options move;
@@ -153,9 +142,12 @@ static int run_park(void *options)
     const park_options *o = options;
     mover v               = { .at = { 0 } };
     int code              = run_mover(&v, &o->move, false);
+    hand m;
 
-    if (code == 0)
-        code = run_told(&v, park(&v, o->feed));
+    if (code == 0) {
+        hand_park(&m, &v, o->feed);
+        code = run_told(&v, run_until(hand_task(&m)));
+    }
     mover_close(&v);
     return code;
 }

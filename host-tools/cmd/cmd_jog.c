@@ -13,14 +13,14 @@
 #include <unistd.h>
 
 #include "cmd/commands.h"
-#include "cmd/run_move.h"       /* run_mover, run_go */
+#include "cmd/run.h"            /* run_until */
+#include "cmd/run_move.h"       /* run_mover, run_told */
 #include "cmd/keys.h"           /* keys_next */
 #include "base/say.h"
 #include "base/scan.h"           /* scan_number */
-#include "plan/table.h"          /* table_ends */
+#include "send/hand.h"
 
 #define HELD 0.15               /* s between two repetitions of a held key, at most */
-#define FAR  8000.0             /* mm: as far as a held key leads without a table */
 #define LINE 200                /* bytes of a line at most */
 
 static const double sizes[] = { 0.01, 0.1, 1, 10 };
@@ -112,21 +112,12 @@ static bool fatal(int code)
 
 static int move_by_key(jog *g)
 {
-    const int axis = (g->key < 0 ? -g->key : g->key) - 1;
-    mover_move m   = { .feed = g->v.p.feed, .ends = ends_now, .context = g };
-    mover_outcome out;
-    double least, most;
-    int code = run_ready(&g->v);
+    const int axis   = (g->key < 0 ? -g->key : g->key) - 1;
+    const double way = g->run ? HUGE_VAL : sizes[g->size];
+    hand m;
 
-    if (code != 0)
-        return code;
-    table_ends(&g->v.p.machine, axis, &least, &most);
-    memcpy(m.to, g->v.at, sizeof m.to);
-    m.to[axis] += (g->key < 0 ? -1 : 1) * (g->run ? FAR : sizes[g->size]);
-    m.to[axis] = fmax(fmin(m.to[axis], fmax(most, g->v.at[axis])), fmin(least, g->v.at[axis]));
-    m.away     = mover_away(&g->v, g->v.at, m.to);
-    code = mover_free(&g->v, m.to);
-    return code ? code : run_go(&g->v, &m, &out);
+    hand_jog(&m, &g->v, axis, g->key < 0 ? -way : way, g->v.p.feed, ends_now, g);
+    return run_until(hand_task(&m));
 }
 
 /* The key may come again while it moves. */
@@ -194,13 +185,11 @@ static bool take_line(const char *s, double by[ENGINE_AXES])
 
 static int move_by_line(jog *g, const double by[ENGINE_AXES])
 {
-    mover *v = &g->v;
-    double to[ENGINE_AXES];
-    const int code = run_ready(v);
+    hand m;
 
-    for (int i = 0; i < ENGINE_AXES; i++)
-        to[i] = v->at[i] + by[i];
-    return code ? code : run_told(v, run_to(v, to, g->feed));
+    mover_ready(&g->v);
+    hand_go(&m, &g->v, by, true, g->feed);
+    return run_told(&g->v, run_until(hand_task(&m)));
 }
 
 static int jog_by_lines(jog *g)

@@ -2,52 +2,12 @@
  * SPDX-License-Identifier: MIT
  */
 #include <stdio.h>
-#include <string.h>
 
 #include "cmd/commands.h"
-#include "cmd/run_move.h"       /* run_mover, run_place */
-#include "cmd/run_settings.h"
-
-/* Let the machine keep where on its table the zero lies: as much farther as the tool's place
- * changes. */
-static int keep_zero(mover *v, const double was[ENGINE_AXES], const double is[ENGINE_AXES])
-{
-    settings s;
-
-    if (v->p.file != NULL || !settings_kept(&v->t))
-        return tool_error(EX_CONFIG,
-                          v->p.file ? "%s: --keep changes the settings of the machine: give x.zero "
-                                      "in this file"
-                                    : "%s: this machine keeps no settings: give x.zero in a "
-                                      "--machine FILE",
-                          v->p.file ? v->p.file : v->o.line.port);
-    int code = run_settings_read(&s, &v->t);
-    for (int i = 0; i < ENGINE_AXES; i++)
-        s.m.zero[i] += was[i] - is[i];
-    if (code == 0)
-        code = run_settings_write(&s, &v->t, v->o.line.wait);
-    return code ? code : run_ready(v);
-}
-
-static int zero_axes(mover *v, const bool axis[ENGINE_AXES], double at, bool keep)
-{
-    double was[ENGINE_AXES], is[ENGINE_AXES];
-    char before[96], after[96];
-
-    memcpy(was, v->at, sizeof was);
-    unsigned axes = 0;
-    for (int i = 0; i < ENGINE_AXES; i++) {
-        is[i] = axis[i] ? at : was[i];
-        axes |= (unsigned)axis[i] << i;
-    }
-    int code = keep ? keep_zero(v, was, is) : 0;
-    if (code == 0)
-        code = run_place(v, axes, is);
-    if (code == 0)
-        printf("the tool was at %s, and is now at %s\n", mover_text(was, before),
-               mover_text(v->at, after));
-    return code;
-}
+#include "base/tool.h"          /* tool_host */
+#include "cmd/run.h"            /* run_until */
+#include "cmd/run_move.h"       /* run_mover */
+#include "send/hand.h"
 
 typedef struct {
     mover_options move;
@@ -67,17 +27,31 @@ static const option zero_rows[] = {
     { 0 }
 };
 
+static void print_change(const hand *m)
+{
+    char before[96], after[96];
+
+    printf("the tool was at %s, and is now at %s\n", mover_text(m->was, before),
+           mover_text(m->v->at, after));
+}
+
 static int run_zero(void *options)
 {
-    const zero_options *o  = options;
-    bool axis[ENGINE_AXES] = { false };
-    mover v                = { .at = { 0 } };
-    int code               = mover_axes(tool_host(), o->axes, axis);
+    const zero_options *o        = options;
+    const double at[ENGINE_AXES] = { o->at, o->at, o->at };
+    bool axis[ENGINE_AXES]       = { false };
+    mover v                      = { .at = { 0 } };
+    int code                     = mover_axes(tool_host(), o->axes, axis);
+    hand m;
 
     if (code == 0)
         code = run_mover(&v, &o->move, false);
+    if (code == 0) {
+        hand_zero(&m, &v, axis[0] | axis[1] << 1u | axis[2] << 2u, at, o->keep);
+        code = run_until(hand_task(&m));
+    }
     if (code == 0)
-        code = zero_axes(&v, axis, o->at, o->keep);
+        print_change(&m);
     mover_close(&v);
     return code;
 }

@@ -16,32 +16,6 @@ int run_mover(mover *v, const mover_options *o, bool keys)
     return code ? code : run_until(mover_task(v));
 }
 
-int run_ready(mover *v)
-{
-    mover_ready(v);
-    return run_until(mover_task(v));
-}
-
-int run_go(mover *v, const mover_move *m, mover_outcome *out)
-{
-    mover_go(v, m);
-    const int code = run_until(mover_task(v));
-    *out = v->out;
-    return code;
-}
-
-int run_place(mover *v, unsigned axes, const double at[ENGINE_AXES])
-{
-    mover_place(v, axes, at);
-    return run_until(mover_task(v));
-}
-
-int run_to(mover *v, const double to[ENGINE_AXES], double feed)
-{
-    mover_to(v, to, feed);
-    return run_until(mover_task(v));
-}
-
 int run_told(const mover *v, int code)
 {
     char text[96];

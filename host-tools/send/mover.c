@@ -449,6 +449,52 @@ void mover_table(mover *v, int axis, bool counts)
                    : NULL;
 }
 
+static int refuse(mover *v, double now, task_wants *w)
+{
+    (void)now;
+    (void)w;
+    return v->code;
+}
+
+static int greet_after(mover *v, double now, task_wants *w)
+{
+    const int code = settings_step(&v->settings, now, w);
+
+    if (code == 0)
+        mover_ready(v);
+    return code;
+}
+
+static int change_zero(mover *v, double now, task_wants *w)
+{
+    const int code = settings_step(&v->settings, now, w);
+
+    if (code != 0)
+        return code;
+    for (int i = 0; i < ENGINE_AXES; i++)
+        v->kept.m.zero[i] += v->farther[i];
+    settings_write(&v->settings, &v->kept, &v->t, v->o.line.wait);
+    return go_on(v, greet_after);
+}
+
+void mover_keep_zero(mover *v, const double farther[ENGINE_AXES])
+{
+    v->stage = refuse;
+    if (v->p.file != NULL) {
+        v->code = host_error(v->host, EX_CONFIG, "zero.of-a-file",
+                             (host_place){ .file = v->p.file }, "give x.zero in this file",
+                             "--keep changes the settings of the machine");
+    } else if (!settings_kept(&v->t)) {
+        v->code = host_error(v->host, EX_CONFIG, "zero.none-kept",
+                             (host_place){ .file = v->o.line.port },
+                             "give x.zero in a --machine FILE", "this machine keeps no settings");
+    } else {
+        memcpy(v->farther, farther, sizeof v->farther);
+        settings_read(&v->settings, &v->kept, &v->t);
+        v->stage = change_zero;
+    }
+}
+
 uint16_t mover_away(const mover *v, const double from[ENGINE_AXES], const double to[ENGINE_AXES])
 {
     uint16_t away = 0;
@@ -476,13 +522,6 @@ int mover_free(const mover *v, const double to[ENGINE_AXES])
                                   HOST_REMEDY("`loft unlock --port %s` does", v->o.line.port),
                                   "%s is closed, and this does not lead away from it",
                                   talk_inputs(held, text));
-}
-
-static int refuse(mover *v, double now, task_wants *w)
-{
-    (void)now;
-    (void)w;
-    return v->code;
 }
 
 void mover_to(mover *v, const double to[ENGINE_AXES], double feed)

@@ -51,6 +51,8 @@ typedef struct mover {
     int (*then)(struct mover *v, double now, task_wants *w);    /* when the machine is greeted */
     int code;                   /* of something that was refused before it began */
     settings_work settings;
+    settings kept;              /* by the machine, and how much farther its zero is to lie, mm */
+    double farther[ENGINE_AXES];
     mover_move m;
     job_work w;
     int planned;                /* enum loft_status */
@@ -89,6 +91,10 @@ void mover_place(mover *v, unsigned axes, const double at[ENGINE_AXES]);
 /* Tell a machine whose motors are axes where its table begins and ends on this one: it then refuses
  * what leaves it. Without `counts` it has no table any more. One that cannot is not told. */
 void mover_table(mover *v, int axis, bool counts);
+
+/* Let the machine keep, in its settings, that its zero lies farther on its table: by this on each
+ * axis. A machine of a file, and one that keeps no settings, are refused. */
+void mover_keep_zero(mover *v, const double farther[ENGINE_AXES]);
 
 /* Move straight to a place that table and closed switches allow. */
 void mover_to(mover *v, const double to[ENGINE_AXES], double feed);

@@ -3,6 +3,7 @@
  */
 #include "base/spool.h"
 #include "plan/job.h"
+#include "send/hand.h"
 #include "send/home.h"
 #include "send/mover.h"
 #include "send/probe.h"
@@ -336,6 +337,34 @@ static void a_move_in_the_middle_can_be_left(arb *a)
     CHECK(!sim.open);
 }
 
+/* Parking never goes along the table with the pen down; what is placed is there. */
+static void a_hand_parks_lifted_and_keeps_the_zero(arb *a)
+{
+    const struct loft_host_options o = usual();
+    const double low = arb_below(a, 3), to[] = { 3.0 + arb_below(a, 9), NAN, low };
+    const double zero[] = { 0, 0, 0 };
+    hand m;
+
+    open_mover(&o);
+    CHECK(machine_text(&heard, &v.p.machine, "test", "pen_up = 2\nx.park = 1\ny.park = 2\n") == 0);
+    hand_go(&m, &v, to, false, 30);
+    CHECK(run(hand_task(&m), HOURS) == 0 && v.at[0] == to[0] && v.at[1] == 0 && v.at[2] == low);
+    hand_park(&m, &v, 30);
+    while (run(hand_task(&m), sim.clock) == TASK_GOES && fabs(v.at[2] - 2) > 0.1)
+        CHECK(fabs(sim.world.at[0] - to[0]) < 0.2);
+    CHECK(run(hand_task(&m), HOURS) == 0);
+    CHECK(v.at[2] == fmax(low, 2) && v.at[0] == 1 && v.at[1] == 2);
+    hand_jog(&m, &v, 0, arb_below(a, 2) ? 4 : -4, 30, NULL, NULL);
+    CHECK(run(hand_task(&m), HOURS) == 0 && fabs(v.at[0] - 1) == 4);
+    hand_pen(&m, &v, false, 30);
+    CHECK(run(hand_task(&m), HOURS) == 0 && v.at[2] == 0);
+    const double before = v.at[0];
+    hand_zero(&m, &v, 1, zero, true);
+    CHECK(run(hand_task(&m), HOURS) == 0 && v.at[0] == 0 && v.at[1] == 2 && m.was[0] == before);
+    CHECK(fabs(v.kept.m.zero[0] - before) < 1e-9 && v.kept.m.zero[1] == 0 && caught_lines == 0);
+    mover_close(&v);
+}
+
 /* x has a switch at its low end, y one at its high end, somewhere. */
 static void homing_tells_where_the_tool_is(arb *a)
 {
@@ -442,6 +471,7 @@ int main(void)
     PROPERTY(moves_arrive, 10);
     PROPERTY(a_move_that_is_ended_stops_on_its_path, 5);
     PROPERTY(a_move_in_the_middle_can_be_left, 10);
+    PROPERTY(a_hand_parks_lifted_and_keeps_the_zero, 5);
     PROPERTY(homing_tells_where_the_tool_is, 4);
     PROPERTY(homing_ends_where_it_is_asked_to, 5);
     PROPERTY(a_probe_says_where_it_touches, 5);
