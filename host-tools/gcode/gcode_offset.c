@@ -128,6 +128,20 @@ static void tie_axis(gcode_program *g, int axis)
     g->tied = (unsigned char)((g->tied & ~(1 << axis)) | (g->loose & 1 << axis));
 }
 
+/* The coordinates of a place of the machine in a system, with the shift. */
+static void place_in_system(const gcode_program *g, const double system[], const double machine[3],
+                            double out[3])
+{
+    const double c = cos(system[9] * RADIANS), s = sin(system[9] * RADIANS);
+    double away[3];
+
+    for (int i = 0; i < 3; i++)
+        away[i] = machine[i] - (system[i] + g->tool[i]) / g->frame.unit;
+    out[0] = c * away[0] + s * away[1];
+    out[1] = c * away[1] - s * away[0];
+    out[2] = away[2];
+}
+
 /* G10 L2 sets the origin of a system, L20 so that the machine stands at the given numbers. */
 static int set_system(gcode_program *g)
 {
@@ -148,9 +162,11 @@ static int set_system(gcode_program *g)
         system[9] = gcode_value(b, 'R');
     const double c = cos(system[9] * RADIANS), s = sin(system[9] * RADIANS);
     double want[3];
+    place_in_system(g, system, machine, want);
     for (int i = 0; i < 3; i++)
-        want[i] = (gcode_has(b, (char)('X' + i)) ? gcode_value(b, (char)('X' + i)) : g->at[i]) +
-                  g->frame.shift[i];
+        want[i] = gcode_has(b, (char)('X' + i))
+                      ? gcode_value(b, (char)('X' + i)) + g->frame.shift[i]
+                      : want[i];
     const double turned[3] = { c * want[0] - s * want[1], s * want[0] + c * want[1], want[2] };
     for (int i = 0; i < 3; i++)
         if (gcode_has(b, (char)('X' + i)) && l > 3)

@@ -259,7 +259,8 @@ class Maker:
             back = state['plane']
             return self.drill() + [back]
         if kind < 0.975:
-            return ['F%.1f' % self.r.uniform(1, 2000), 'M70']
+            # this rs274 saves that there is a tool's length, and brings it back as that of the tool
+            return ['F%.1f' % self.r.uniform(1, 2000), 'G49', 'M70']
         if kind < 0.98:
             return ['M72', state['plane']]
         if kind < 0.985:
@@ -342,10 +343,10 @@ class Maker:
         o, n = self.label(), 100 + self.labels
         head, most = '#%d = 0' % n, self.r.randint(0, 4)
         kind = self.r.choice((0, 2) if self.breaks else (0, 1, 2))
-        # rs274 knows no break of a repeat, and a return leaves its count behind; where a program
-        # has breaks, it counts `do` wrongly
+        # rs274 knows no break of a repeat, and a return or a break of a loop around it leaves its
+        # count behind; where a program has breaks, it counts `do` wrongly
         outside, self.inside = self.inside, None if kind == 2 else self.inside
-        inner = ['#%d = [#%d + 1]' % (n, n)] + self.steps(depth, loops + [o] * (kind < 2))
+        inner = ['#%d = [#%d + 1]' % (n, n)] + self.steps(depth, loops + [o] if kind < 2 else [])
         self.inside = outside
         if kind == 0:
             return [head, '%s while [#%d LT %d]' % (o, n, most)] + inner + [o + ' endwhile']

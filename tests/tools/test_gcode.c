@@ -222,6 +222,8 @@ static void places_on_the_machine(arb *a)
     ENDS_AT("G10 L2 P2 X10 Y20 Z30\nG55 G1 X1 Y1 Z1 F5\n", 11, 21, 31, 5);
     ENDS_AT("G0 X5 Y5\nG10 L20 P1 X0 Y0\nG1 X1 F5\n", 6, 5, 0, 5);
     ENDS_AT("G10 L2 P1 R90\nG0 X5 Y0\nG10 L20 P1 Y7\nG1 Y8 F5\n", -1, 5, 0, 5);
+    /* a system that is not in force, and turned otherwise: its own other coordinate stays */
+    ENDS_AT("G10 L2 P1 R90\nG55\nG0 Y5\nG10 L20 P1 Y7\nG54\nG1 X0 Y0 F5\n", 7, 0, 0, 5);
     ENDS_AT("G0 X5\nG92 X0\nG1 X1 F5\n", 6, 0, 0, 5);
     ENDS_AT("G0 X5\nG92 X0\nG92.1 G1 X1 F5\n", 1, 0, 0, 5);
     ENDS_AT("G52 X2\nG1 X1 F5\n", 3, 0, 0, 5);
