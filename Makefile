@@ -67,8 +67,8 @@ lib/names.h: build/names.stamp
 host-tools/MESSAGES.md: tests/house/messages.py $(wildcard host-tools/*/*.c)
 	$(SAY) "  GEN $@"
 	$(Q)python3 $< > $@.new && mv $@.new $@
-lib/ERRORS.md: $(LIB_HDR) tests/house/errors.sh
-	@sh tests/house/errors.sh > $@.new && mv $@.new $@
+lib/ERRORS.md: $(LIB_HDR) tests/house/errors.py tests/house/headers.py
+	@python3 tests/house/errors.py > $@.new && mv $@.new $@
 
 # --- the libraries: build/<num>x<axes>/libloft.a and libloft-surfaces.a, once per number type -----
 define library
@@ -301,7 +301,7 @@ size: lib/names.h
 
 # check-target: each port and each test of a chip adds its stages; what measures no time runs side
 # by side
-TARGET_BESIDE := check-sums check-calls check-footprint bench-polygon check-hosts
+TARGET_BESIDE := check-sums check-calls check-footprint check-stack bench-polygon check-hosts
 TARGET_STAGES  = $(subst $() $(),+,$(TARGET_BESIDE)) check-boards check-units
 
 include tests/tests.mk tests/bench/bench.mk

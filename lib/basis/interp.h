@@ -13,9 +13,11 @@
 LOFT_BEGIN_C
 
 
-/* The parabola through three values --------------------------------- Everything is a quotient of
- * integers (num/exact.h) that is rounded once, for any spacing of the places. Not for an ISR; up to
- * 2.5 kB of stack in q16, more than an ATmega328P has.
+/* The parabola through three values
+ * ---------------------------------
+ *
+ * Everything is a quotient of integers (num/exact.h) that is rounded once, for any spacing of the
+ * places. Not for an ISR; up to 2.5 kB of stack in q16, more than an ATmega328P has.
  *
  *     loft_parabola p;
  *     if (loft_parabola_init(&p, t, f) == LOFT_OK &&
@@ -68,11 +70,13 @@ enum loft_status loft_parabola_power(const loft_parabola *p, loft_real a[3]) LOF
 enum loft_status loft_parabola_bernstein(const loft_parabola *p, loft_real from, loft_real to,
                                          loft_real c[3]) LOFT_CHECKED;
 
-/* Values and derivatives at both ends of 0..1 ------------------------------------------- Cubic:
- * e[4] = { p(0), p(1), p'(0), p'(1) }; the quintic adds p''(0), p''(1) in e[4], e[5]. Range in q16:
- * |e| <= 2^21 for the cubic, 2^16 for the quintic. For t in 0..1 the limits are larger. The slopes
- * of a cubic may be up to 2^26 and p(1) - p(0) up to 2^25. Up to the first derivative, e of a
- * quintic may be up to 2^24, and p''(0) and p''(1) up to 2^27. */
+/* Values and derivatives at both ends of 0..1
+ * -------------------------------------------
+ *
+ * Cubic: e[4] = { p(0), p(1), p'(0), p'(1) }; the quintic adds p''(0), p''(1) in e[4], e[5]. Range
+ * in q16: |e| <= 2^21 for the cubic, 2^16 for the quintic. For t in 0..1 the limits are larger. The
+ * slopes of a cubic may be up to 2^26 and p(1) - p(0) up to 2^25. Up to the first derivative, e of
+ * a quintic may be up to 2^24, and p''(0) and p''(1) up to 2^27. */
 
 /* The Bernstein coefficients.
  *

@@ -50,7 +50,8 @@ enum loft_status loft_bspline_init(loft_bspline *b, const loft_vec p[], unsigned
  *           curve jumps (degree + 1 times) the piece to the right is used, at the end of the domain
  *           the last one
  *   error   q16: 1/2 LSB + degree * 2^-17 LSB   f32: 1 ulp   f64: 5 * degree + 1 ulp
- *   cost    degree * (degree + 1) / 2 times loft_acc_lerp_in per axis; 80 bytes of stack
+ *   cost    degree * (degree + 1) / 2 times loft_acc_lerp_in per axis
+ *   stack   Cortex-M4 280   Cortex-M0+ 348   ATmega328P 260
  *   see     de Boor (1972); Piegl and Tiller, The NURBS Book, ch. 3
  */
 loft_vec loft_bspline_eval(const loft_bspline *b, loft_real u);
@@ -75,8 +76,8 @@ enum loft_status loft_bspline_deriv(const loft_bspline *b, unsigned k, loft_real
  *
  *   error   per control point as eval; where two spans meet without a jump they have the same
  *           control point to 1 LSB
- *   cost    degree * (degree + 1) * (degree + 5) / 6 times loft_acc_lerp_in per axis; 240 bytes of
- *           stack
+ *   cost    degree * (degree + 1) * (degree + 5) / 6 times loft_acc_lerp_in per axis
+ *   stack   Cortex-M4 464   Cortex-M0+ 540   ATmega328P 418
  *   see     Ramshaw, blossoming; Boehm, CAD 12 (1980)
  */
 bool loft_bspline_next(const loft_bspline *b, unsigned *span, loft_vec out[]) LOFT_CHECKED;

@@ -34,8 +34,8 @@ typedef struct {
  *           LOFT_ERR_ARG; f32, f64: numbers that pass loft_exact_valid, otherwise LOFT_ERR_RANGE.
  *           That is also the answer for two places closer than 2^-52
  *   error   number and multiplicities: none; t: q16: 2^-25 + 2^-32   f32: 2^-25   f64: 2^-51
- *   cost    loft_whole_roots of the degree 2 n - 4, with weights 3 n - 6; q16: 7 kB of stack
- *           f32, f64: 11 kB; not for small chips
+ *   cost    loft_whole_roots of the degree 2 n - 4, with weights 3 n - 6; not for small chips
+ *   stack   Cortex-M4 10,856   Cortex-M0+ 10,884   ATmega328P 10,617
  *   see     Chang, Mathematics of Surfaces, 3.6; with weights the Wronskian of x w, y w, w
  */
 enum loft_status loft_bezier_inflections(const loft_bezier *b, loft_flat out[],

@@ -44,7 +44,8 @@ typedef struct {
  *           alpha, eta: q16 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp
  *           f64: 1 ulp
  *   cost    about 100 exact products in three axes (num/exact.h) and, for tol > 0, 15 quotients;
- *           2.5 KB of stack in q16 with three axes, 6 KB in floats; not for an ISR
+ *           not for an ISR
+ *   stack   Cortex-M4 3,008   Cortex-M0+ 3,000   ATmega328P 3,962
  *   see     Farin, Curves and Surfaces for CAGD, ch. 5 (C) and ch. 11 (G)
  */
 enum loft_status loft_join_init(loft_join *j, const loft_bezier *p, const loft_bezier *q,

@@ -36,7 +36,8 @@ typedef struct {
  *           are none (f32, f64), and where the points rise or fall by more than 2^22 per unit
  *   error   of the slopes, q16: 2^-30   f32, f64: 32 ulp of double of the larger secant
  *   cost    O(count): per point 3 long divisions (num/muldiv.h), and a length where points bend
- *           much; q16: 0.4 kB of stack
+ *           much
+ *   stack   Cortex-M4 160   Cortex-M0+ 324   ATmega328P 239
  *   see     Fritsch, Carlson: Monotone piecewise cubic interpolation, SIAM J. Numer. Anal. 17, 1980
  */
 enum loft_status loft_monotone_init(loft_monotone *f, const loft_real x[], const loft_real y[],
@@ -47,6 +48,7 @@ enum loft_status loft_monotone_init(loft_monotone *f, const loft_real x[], const
  *   shape   y[i] at x[i]; between two points between their y, but for the error
  *   error   q16: 1/2 LSB + h 2^-15 LSB   f32: 1/2 ulp   f64: 64 ulp of the largest |y|
  *   cost    log2(count) comparisons, 2 long divisions, 6 lerps of 2 divisions
+ *   stack   Cortex-M4 232   Cortex-M0+ 292   ATmega328P 246
  */
 loft_real loft_monotone_eval(const loft_monotone *f, loft_real x);
 

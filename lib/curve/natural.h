@@ -51,8 +51,8 @@ typedef struct {
  *   error   of the slopes: uniform q16: 2^-30   f32, f64: 16 ulp of double
  *           chord (a slope is at most 3) q16: 2^-49   f32, f64: 2^-44
  *   cost    O(count): per point 3 + 3 LOFT_AXES long divisions (num/muldiv.h), with chord knots 3 +
- *           4 LOFT_AXES and two lengths; memory of 33 bytes per point on AVR, 40 elsewhere (3
- *           axes); stack 0.4 kB
+ *           4 LOFT_AXES and two lengths; memory of 33 bytes per point on AVR, 40 elsewhere (3 axes)
+ *   stack   Cortex-M4 336   Cortex-M0+ 460   ATmega328P 425
  *   see     de Boor, A Practical Guide to Splines, ch. 4; Farin, Curves and Surfaces for CAGD, ch.
  *           9
  */

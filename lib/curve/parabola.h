@@ -15,7 +15,8 @@ LOFT_BEGIN_C
  *           f32, f64: numbers that pass loft_exact_valid, otherwise LOFT_ERR_RANGE. out is
  *           undefined after an error
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.52 ulp, f64: 1 ulp of the result
- *   cost    as 3 loft_parabola_eval per axis; stack in q16 2.5 kB; not for an ISR
+ *   cost    as 3 loft_parabola_eval per axis; not for an ISR
+ *   stack   Cortex-M4 2,400   Cortex-M0+ 2,392   ATmega328P 2,735
  *   see     basis/interp.h
  */
 enum loft_status loft_bezier_from_parabola(const loft_real t[3], const loft_vec p[3],

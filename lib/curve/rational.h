@@ -76,7 +76,8 @@ enum loft_status loft_rational_init(loft_rational *r, const loft_weighted p[],
  *   error   q16: 1/2 LSB + degree * R * 2^-30 LSB, below 0.501 LSB; exact at 0 and 1
  *           f32: 1 ulp, exact at 0 and 1   f64: 6 * degree + 4 ulp, 1 ulp at 0 and 1
  *   cost    degree * (degree + 1) / 2 wide lerps per axis and for the weights, a quotient per axis;
- *           80 bytes of stack; safe in an ISR
+ *           safe in an ISR
+ *   stack   Cortex-M4 152   Cortex-M0+ 228   ATmega328P 174
  *   see     Farin, Curves and Surfaces for CAGD, ch. 13: rational Bezier curves
  */
 loft_vec loft_rational_eval(const loft_rational *r, loft_unit t);
@@ -95,7 +96,8 @@ loft_vec loft_rational_eval(const loft_rational *r, loft_unit t);
  *           double, of the largest of control values and result   f64: 4 * (degree + 2) * K ulp of
  *           that
  *   cost    degree * (degree + 1) / 2 lerps of loft_acc128 per axis and for the weights, a quotient
- *           of 128 bits per axis; 500 bytes of stack
+ *           of 128 bits per axis
+ *   stack   Cortex-M4 560   Cortex-M0+ 572   ATmega328P 556
  */
 enum loft_status loft_rational_extrapolate(const loft_rational *r, loft_unit t,
                                            loft_vec *out) LOFT_CHECKED;
@@ -109,7 +111,8 @@ enum loft_status loft_rational_extrapolate(const loft_rational *r, loft_unit t,
  *           double (24 * degree * w0 w1 / w^2)
  *           outside: q16: 0.51 LSB + 2^-24 K LSB   f32, f64: 1/2 ulp of the result + 24 * degree^2
  *           * K^2 ulp of double, of the largest of control values and point
- *   cost    twice extrapolate; 3 long quotients per axis; 900 bytes of stack in q16
+ *   cost    twice extrapolate; 3 long quotients per axis
+ *   stack   Cortex-M4 1,008   Cortex-M0+ 1,012   ATmega328P 1,001
  *   see     Floater, Derivatives of rational Bezier curves, CAGD 9 (1992)
  */
 enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t,
@@ -127,7 +130,8 @@ enum loft_status loft_rational_deriv(const loft_rational *r, loft_unit t,
  *   error   points as extrapolate, where w(t) is the weight of the point; weights q16: 1/2 LSB +
  *           2^-15 LSB   f32: 1 ulp
  *           f64: 3 * degree ulp, outside 0..1 of L^degree W
- *   cost    as extrapolate, with degree + 1 quotients per axis and piece; q16: 900 bytes of stack
+ *   cost    as extrapolate, with degree + 1 quotients per axis and piece
+ *   stack   Cortex-M4 992   Cortex-M0+ 1,004   ATmega328P 986
  */
 enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_weighted left[],
                                      loft_weighted right[]) LOFT_CHECKED;
@@ -141,7 +145,8 @@ enum loft_status loft_rational_split(const loft_rational *r, loft_unit t, loft_w
  *           fit, if a weight is below 2^-20 W, or if a scaled weight is below 1/256
  *   error   points as extrapolate with the larger L, where w(t) is the weight of the point
  *   cost    degree * (degree + 1) * (degree + 5) / 6 lerps of loft_acc128 per axis and for the
- *           weights, degree + 1 quotients per axis; q16: 1.1 kB of stack
+ *           weights, degree + 1 quotients per axis
+ *   stack   Cortex-M4 1,152   Cortex-M0+ 1,156   ATmega328P 1,118
  *   see     Ramshaw, blossoming, for numerator and denominator
  */
 enum loft_status loft_rational_sub(const loft_rational *r, loft_unit from, loft_unit to,
@@ -162,8 +167,8 @@ void loft_rational_weights(const loft_acc w[], unsigned degree, loft_weighted ou
  *   range   degree + times <= LOFT_ELEVATE_MAX, otherwise LOFT_ERR_ARG
  *   error   points: as eval with times in place of degree; weights q16: 1/2 LSB + times * 2^-17 LSB
  *           f32: 1 ulp   f64: 4 * times ulp
- *   cost    times * (degree + times) wide lerps with two divisions per axis and for the weights;
- *           304 bytes of stack
+ *   cost    times * (degree + times) wide lerps with two divisions per axis and for the weights
+ *   stack   Cortex-M4 464   Cortex-M0+ 548   ATmega328P 430
  *   see     Farin, ch. 13: degree elevation
  */
 enum loft_status loft_rational_elevate(const loft_rational *r, unsigned times,

@@ -81,7 +81,8 @@ enum loft_status loft_rational_to_cubics_init(loft_to_cubics *s, const loft_rati
  *           their number. A cubic takes one or two trials, each degree * (degree + 1) / 2 averages
  *           per axis and level, up to 4 * (degree + 1) products, 3 quotients, 2 long divisions and
  *           4 small ones per axis, and degree + 4 square roots; weights count as one more axis in
- *           the averages. q16: 450 bytes of stack; not for an interrupt
+ *           the averages; not for an interrupt
+ *   stack   Cortex-M4 336   Cortex-M0+ 444   ATmega328P 427
  *   see     Farin, Curves and Surfaces for CAGD, ch. 5 and 6: products, degree elevation, Hermite
  *           form
  */

@@ -66,7 +66,8 @@ typedef struct {
  *   error   q16: radius 1/2 LSB, angle 1/2 LSB + turn 2^-17 LSB
  *           f32: 0.51 ulp; for the angle, ulp is that of half a turn
  *           f64: radius 2 ulp, angle 2^-49 of a turn
- *   cost    a 64-bit square root, an angle (num/angle.h), a division */
+ *   cost    a 64-bit square root, an angle (num/angle.h), a division
+ *   stack   Cortex-M4 176   Cortex-M0+ 292   ATmega328P 250 */
 loft_vec loft_polar_motors(const void *geometry, loft_vec tool);
 
 /* The same position with the number of whole turns that brings the angle nearest to that of
@@ -102,6 +103,7 @@ typedef struct {
  *   error   q16: that of the square root, 1/2 LSB   f32, f64: 2 ulp of the largest of tower, tool
  *           and arm, if the arm is steep
  *   cost    per tower three products, a 64-bit square root
+ *   stack   Cortex-M4 76   Cortex-M0+ 132   ATmega328P 77
  *   see     Johann Rocholl's Rostock printer; RepRap wiki, Delta geometry */
 loft_vec loft_delta_motors(const void *geometry, loft_vec tool);
 
@@ -116,6 +118,7 @@ loft_vec loft_delta_motors(const void *geometry, loft_vec tool);
  *           2.5 LSB (2.5 ulp of the largest) within half of the towers' radius from the middle, if
  *           that radius is 0.3 to 0.6 of the arm
  *   cost    q16: 60 operations of num/sci.h, five of them divisions or roots: not for an ISR
+ *   stack   Cortex-M4 980   Cortex-M0+ 1,024   ATmega328P 756
  *   see     the centre of the circle through a triangle; the tool is below it at the distance that
  *           Pythagoras' theorem gives */
 bool loft_delta_tool(const void *geometry, loft_vec motors, loft_vec *tool);

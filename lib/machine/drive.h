@@ -111,7 +111,8 @@ static inline loft_real loft_drive_gear(const loft_drive *d, int axis)
 /* Prepare, idle.
  *
  *   range   steps_per_mm > 0, |position| <= LOFT_STEP_REACH, cells as in loft_queue_init, slots and
- *           ramp as in loft_pace_init; otherwise LOFT_ERR_RANGE */
+ *           ramp as in loft_pace_init; otherwise LOFT_ERR_RANGE
+ *   stack   Cortex-M4 48   Cortex-M0+ 64   ATmega328P 38 */
 enum loft_status loft_drive_init(loft_drive *d, const loft_drive_config *config) LOFT_CHECKED;
 
 
@@ -218,10 +219,13 @@ static inline uint16_t loft_drive_output(const loft_drive *d, int output)
 
 /* Give the pins of this slot.
  *
- *   cost    loft_step_next and a 16-bit count */
+ *   cost    loft_step_next and a 16-bit count
+ *   stack   Cortex-M4 88   Cortex-M0+ 148   ATmega328P 55 */
 loft_pins loft_drive_slot(loft_drive *d);
 
-/* Take the next slots, for loft_step_give: see loft_step_take. */
+/* Take the next slots, for loft_step_give: see loft_step_take.
+ *
+ *   stack   Cortex-M4 88   Cortex-M0+ 148   ATmega328P 55 */
 loft_step_tick *loft_drive_take(loft_drive *d, uint8_t *count, uint8_t *dir);
 
 LOFT_END_C

@@ -69,7 +69,8 @@ static inline void loft_pace_stop(loft_pace *p)     { p->level = p->aim = p->roo
  *   error   1 slot and 0.3 % of the law above; fractions are carried to the next tick; at pace 1
  *           none; never below 1 slot
  *   cost    none at a steady pace of 0 or 1; otherwise one 32-bit division and one 32-bit square
- *           root: at most 1,500 cycles of an ATmega328P, 170 instructions of a Cortex-M4 */
+ *           root: at most 1,500 cycles of an ATmega328P, 170 instructions of a Cortex-M4
+ *   stack   Cortex-M4 16   Cortex-M0+ 24   ATmega328P 16 */
 uint16_t loft_pace_next(loft_pace *p);
 
 /* The exact number of ticks of the plan until time stops if the aim is 0 from now on. */

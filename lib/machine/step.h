@@ -81,7 +81,8 @@ void loft_step_halt(loft_step *s, const int32_t position[LOFT_AXES]);
  *           moves more than LOFT_STEP_SLOTS_MAX steps
  *   error   within 1/2 step of the straight line from the last target to this one, after every slot
  *   cost    a multiplication per axis, and a division where `slots` differs from that of the
- *           tick before; called from one context only */
+ *           tick before; called from one context only
+ *   stack   Cortex-M4 36   Cortex-M0+ 56   ATmega328P 39 */
 uint16_t loft_step_load(loft_step *s, const int32_t target[LOFT_AXES], uint16_t slots);
 
 /* True if a tick may be prepared. */
@@ -93,7 +94,8 @@ static inline bool loft_step_done(const loft_step *s)       { return !s->full &&
 /* Give the pins of the next slot.
  *
  *   cost    per axis an addition and, with a pulse, a subtraction; no division, no multiplication;
- *           meant for the timer interrupt */
+ *           meant for the timer interrupt
+ *   stack   Cortex-M4 40   Cortex-M0+ 56   ATmega328P 9 */
 loft_pins loft_step_next(loft_step *s);
 
 /* Take the next *count slots at once, or fewer, up to the end of a tick: *count becomes their

@@ -75,6 +75,7 @@ enum loft_plan_state {
  *   units   mm, mm/s, mm/s^2, mm/s^3
  *   range   as loft_limits_check; LOFT_ERR_SPACE for no move or less than LOFT_PLAN_KNOTS_MIN
  *           knots
+ *   stack   Cortex-M4 160   Cortex-M0+ 244   ATmega328P 191
  */
 enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft_move moves[],
                                 uint16_t move_room, loft_knot knots[],
@@ -85,6 +86,7 @@ enum loft_status loft_plan_init(loft_plan *plan, const loft_limits *limits, loft
  *   range   LOFT_ERR_ARG if it does not begin where the last one ended, or for a feed that is not
  *           positive; LOFT_ERR_RANGE for coordinates beyond LOFT_PLAN_REACH and feeds beyond those
  *           of limits.h; LOFT_ERR_SPACE while there is no room: take spans, then push again
+ *   stack   Cortex-M4 500   Cortex-M0+ 560   ATmega328P 437
  */
 enum loft_status loft_plan_push(loft_plan *plan, const loft_move *move) LOFT_CHECKED;
 
@@ -101,6 +103,7 @@ void loft_plan_end(loft_plan *plan);
  *   error   speed, acceleration and jerk of each axis: the limits, exactly (f32: but for rounding);
  *           the path is within limits.tol; a feed of less than 6144 grains of 2^-16 mm in a span is
  *           exceeded by up to 6 of them, less a 1024th of it
+ *   stack   Cortex-M4 1,888   Cortex-M0+ 2,300   ATmega328P 1,669
  */
 enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out);
 
@@ -109,6 +112,7 @@ enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out);
  *
  *   error   as loft_plan_next
  *   cost    effort 1, 112 knots: Cortex-M4 0.9 million instructions at most, M0 1.9 million
+ *   stack   Cortex-M4 1,872   Cortex-M0+ 2,284   ATmega328P 1,663
  */
 enum loft_plan_state loft_plan_part(loft_plan *plan, loft_span *out);
 

@@ -63,6 +63,7 @@ typedef struct {
  *           accepts
  *   error   that of loft_forward_next for a cubic: q16: 0.521 LSB
  *   cost    one loft_forward_init of degree 3
+ *   stack   Cortex-M4 364   Cortex-M0+ 484   ATmega328P 243
  */
 enum loft_status loft_span_walk(loft_forward *w, const loft_span *s) LOFT_CHECKED;
 

@@ -50,8 +50,8 @@ bool loft_walk2_valid(loft_real a);
  *   error   q16: 2^-33 + 2^-44 LSB in each difference; none where rows^p columns^q (triangle:
  *           rows^p; blend: both rows^p columns and rows columns^q) divides 2^32
  *           f32, f64: 2^(p + q + 3) ulp of double of the largest value
- *   cost    q16: (p + 1) (q + 1) (p + q) / 2 divisions of 128 by 32 bits, shifts for powers of two;
- *           400 bytes of stack
+ *   cost    q16: (p + 1) (q + 1) (p + q) / 2 divisions of 128 by 32 bits, shifts for powers of two
+ *   stack   Cortex-M4 476   Cortex-M0+ 572   ATmega328P 467
  */
 void loft_walk2_init(loft_state d[], const loft_walk2 *s, const loft_real net[], size_t stride);
 

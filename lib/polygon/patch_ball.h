@@ -34,7 +34,8 @@ bool loft_wachspress_ball(const loft_domain *d, const loft_jet_ball area[],
  *
  *   error   as above
  *   cost    per control point the number of its factors in products, and one loft_jet_ball_sum_add;
- *           9 products per factor before; 16 kB of stack in q16
+ *           9 products per factor before
+ *   stack   Cortex-M4 19,084   Cortex-M0+ 19,096   ATmega328P 13,046
  */
 bool loft_spatch_ball(const loft_spatch *s, const loft_jet_ball phi[],
                       loft_jet_ball_sum *out) LOFT_CHECKED;
@@ -49,7 +50,8 @@ bool loft_basepoint_ball(const loft_basepoint *b, unsigned corner, const loft_je
  *   shape   area, phi: of loft_wachspress_ball
  *   error   as above
  *   cost    per control point a product and one loft_jet_ball_sum_add; per side 3 degree + 30
- *           products and 4 quotients; 16 kB of stack in q16
+ *           products and 4 quotients
+ *   stack   Cortex-M4 14,636   Cortex-M0+ 14,648   ATmega328P 10,509
  */
 bool loft_gb_ball(const loft_gb *g, const loft_domain *d, const loft_jet_ball area[],
                   const loft_jet_ball phi[], bool point, loft_jet_ball_sum *out) LOFT_CHECKED;
@@ -69,7 +71,8 @@ bool loft_zheng_ball_params_ball(unsigned sides, const loft_jet_ball *u1, const 
  *
  *   error   as above
  *   cost    per control point about 4 products and one loft_jet_ball_sum_add; 6 degree products
- *           before; 16 kB of stack in q16
+ *           before
+ *   stack   Cortex-M4 13,788   Cortex-M0+ 13,848   ATmega328P 9,638
  */
 void loft_zheng_ball_range(const loft_zheng_ball *r, const loft_jet_ball u[],
                            loft_jet_ball_sum *out);

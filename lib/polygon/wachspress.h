@@ -33,8 +33,8 @@ enum loft_status loft_wachspress_eval(const loft_domain *d, loft_spot p,
  *   range   as loft_wachspress_eval
  *   error   with P and Q the largest first and second derivative: first derivatives q16: P 2^-48
  *           f32, f64: P 2^-40; second: the same with P^2 + Q in place of P
- *   cost    15 n (n - 2) + 22 n products, n cross products, 9 n divisions; no table; q16: 1.8 kB of
- *           stack
+ *   cost    15 n (n - 2) + 22 n products, n cross products, 9 n divisions; no table
+ *   stack   Cortex-M4 2,036   Cortex-M0+ 2,064   ATmega328P 1,552
  */
 enum loft_status loft_wachspress_jet(const loft_domain *d, loft_spot p,
                                      loft_jet phi[]) LOFT_CHECKED;

@@ -48,10 +48,10 @@ typedef struct {
  *           the numerator over the weight, plus 2 R degree widths. rows = m + n; triangle: degree;
  *           rational patches: 2 R (m + n + 2), 2 R (degree + 2), R as in tensor_rational.h; Coons
  *           patches: 16
- *   cost    five times de Casteljau's algorithm per axis, in numbers of num/sci.h; rational
- *           patches once more for the weights; q16: 2.5 kB of stack. Coons patches: per axis 4
- *           orders (orders + 3) evaluations of curves and 5 (2 orders + 1)^2 products; q16: 4 kB of
- *           stack
+ *   cost    five times de Casteljau's algorithm per axis, in numbers of num/sci.h; rational patches
+ *           once more for the weights. Coons patches: per axis 4 orders (orders + 3) evaluations of
+ *           curves and 5 (2 orders + 1)^2 products
+ *   stack   Cortex-M4 4,636   Cortex-M0+ 4,664   ATmega328P 3,409
  */
 enum loft_status loft_tensor_differential(const loft_tensor *s, loft_unit u, loft_unit v,
                                           loft_differential *out) LOFT_CHECKED;

@@ -48,8 +48,8 @@ typedef struct {
  *   range   three axes or more but for LOFT_NET_NORMAL
  *   error   about m n roundings of num/sci.h of the largest product of two steps of the net and,
  *           but for LOFT_NET_NORMAL, a distance from the apex (twice that distance: a moment)
- *   cost    up to m^3 n^3 products of num/sci.h; LOFT_NET_MOMENT 27 m^2 n^2 more; 7.5 kB of stack
- *           in q16
+ *   cost    up to m^3 n^3 products of num/sci.h; LOFT_NET_MOMENT 27 m^2 n^2 more
+ *   stack   Cortex-M4 8,012   Cortex-M0+ 8,040   ATmega328P 5,636
  */
 void loft_net_field_load(loft_net s, loft_vec apex, enum loft_net_field_of of, loft_sci memory[],
                          loft_net_field *out);

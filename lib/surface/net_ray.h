@@ -37,8 +37,8 @@ typedef struct {
  *           size behind `from`, where t is 0
  *           t, u, v: 2^-42 over the sine of the angle, of the size of the patch in their
  *           units, and q16: 2^-25   f32: 2^-25
- *   cost    some 5 to 100 parts per hit, each twice loft_sci_net_sub; q16: 23 kB of stack; not for
- *           small chips
+ *   cost    some 5 to 100 parts per hit, each twice loft_sci_net_sub; not for small chips
+ *   stack   Cortex-M4 22,476   Cortex-M0+ 22,416   ATmega328P 15,549
  *   see     Nishita, Sederberg and Kakimoto, Ray tracing trimmed rational surface patches (1990);
  *           Kearfott, Rigorous Global Search, ch. 1: roots that are unique
  */

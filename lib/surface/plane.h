@@ -43,7 +43,8 @@ enum loft_status loft_facet_eval(const loft_facet *f, loft_unit s, loft_unit t,
  * + b y0), and a x + b y + c z + d = 0 with (a, b, c) = (p1 - p0) x (p2 - p0), d = -(a, b, c) p0.
  *
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp   f64: 1 ulp
- *   cost    3 or 9 exact products, 3 or 4 quotients; 1.3 kB of stack in q16; not for an ISR
+ *   cost    3 or 9 exact products, 3 or 4 quotients; not for an ISR
+ *   stack   Cortex-M4 1,712   Cortex-M0+ 1,712   ATmega328P 2,075
  */
 enum loft_status loft_line_equation(const loft_line *l, loft_real abc[3]) LOFT_CHECKED;
 enum loft_status loft_facet_equation(const loft_facet *f, loft_real abcd[4]) LOFT_CHECKED;

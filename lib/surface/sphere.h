@@ -61,7 +61,8 @@ enum loft_status loft_sphere_differential(const loft_sphere *s, loft_real theta,
  *           floats, loft_exact_valid refuses a number; *out is then untouched
  *   error   q16: 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp   f64: distance 1 ulp of the radius, value 1
  *           ulp
- *   cost    4 exact products, one exact root, one quotient; 1.2 kB of stack in q16; not for an ISR
+ *   cost    4 exact products, one exact root, one quotient; not for an ISR
+ *   stack   Cortex-M4 1,824   Cortex-M0+ 1,816   ATmega328P 2,193
  */
 enum loft_status loft_sphere_distance(const loft_sphere *s, loft_vec x,
                                       loft_real *out) LOFT_CHECKED;

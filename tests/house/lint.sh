@@ -79,7 +79,8 @@ sh tests/house/reach.sh --check |
 
 # 3. names.h agrees with the headers
 sh tests/house/names.sh | diff - lib/names.h | rule "names.h is fresh: make lib/names.h"
-sh tests/house/errors.sh | diff - lib/ERRORS.md | rule "ERRORS.md is fresh: make lib/ERRORS.md"
+python3 tests/house/errors.py | diff - lib/ERRORS.md | rule "ERRORS.md is fresh: make lib/ERRORS.md"
+python3 tests/house/stack.py names | rule "STACK.md has a row for each function: make stack"
 python3 tests/house/messages.py | diff - host-tools/MESSAGES.md |
     rule "MESSAGES.md is fresh: make host-tools/MESSAGES.md"
 

@@ -21,6 +21,16 @@ check-footprint: lib/names.h
 footprint: lib/names.h
 	@bash tests/house/footprint.sh write
 
+## Compare the stack of each function, per chip, with lib/STACK.md and the headers: what grew
+.PHONY: check-stack
+check-stack: lib/names.h
+	@python3 tests/house/stack.py
+
+## Write that page, and the `stack` lines of the headers
+.PHONY: stack
+stack: lib/names.h
+	@python3 tests/house/stack.py write
+
 ## Check the cost of the calls of lib/motion/span.h on an emulated ATmega328P, Cortex-M0 and M4
 .PHONY: check-calls
 check-calls: lib/names.h

@@ -74,7 +74,8 @@ typedef struct {
  *           floats also when loft_exact_valid refuses a coordinate: all is then false and 0. *j is
  *           always written
  *   error   none in the flags; lambda q16: 1/2 LSB + 2^-16 LSB   f32: 0.5001 ulp   f64: 1 ulp
- *   cost    8 exact products per axis and one quotient; 1 kB of stack in q16; not for an ISR
+ *   cost    8 exact products per axis and one quotient; not for an ISR
+ *   stack   Cortex-M4 1,800   Cortex-M0+ 1,800   ATmega328P 2,173
  *   see     Chang, Mathematics of Surfaces, ch. 9
  */
 enum loft_status loft_bicubic_join_init(loft_bicubic_join *j, const loft_bicubic *c,

@@ -65,7 +65,8 @@ enum loft_status loft_gregory_from_coons(const loft_coons_bezier *c,
  *           result does not fit; *out is untouched after an error
  *   error   with f = 1, 12, 90 for j + k = 0, 1, 2: q16: 1/2 LSB + f 2^-20 LSB   f32: 1/2 ulp of
  *           the result + f 2^-16 ulp   f64: 32 f ulp, of the largest coordinate
- *   cost    20 products of num/sci.h per axis, and 100 for the weights; q16: 1 kB of stack
+ *   cost    20 products of num/sci.h per axis, and 100 for the weights
+ *   stack   Cortex-M4 1,652   Cortex-M0+ 1,616   ATmega328P 1,260
  *   see     Chiyokura and Kimura, Design of solids with free-form surfaces (1983)
  */
 enum loft_status loft_gregory_deriv(const loft_gregory *g, unsigned j, unsigned k, loft_unit u,

@@ -66,7 +66,8 @@ typedef struct {
  *           >= LOFT_GRID_STATES(m, n), otherwise LOFT_ERR_SPACE. *g is then untouched. The control
  *           points of the last row and the memory must outlive the walk
  *   error   that of loft_grid_next
- *   cost    that of num/walk2.h per axis; 500 bytes of stack
+ *   cost    that of num/walk2.h per axis
+ *   stack   Cortex-M4 716   Cortex-M0+ 828   ATmega328P 671
  */
 enum loft_status loft_grid_init(loft_grid *g, const loft_tensor *s, uint32_t rows, uint32_t columns,
                                 loft_state memory[], size_t count) LOFT_CHECKED;
@@ -88,7 +89,8 @@ enum loft_status loft_grid_triangle_init(loft_grid *g, const loft_triangle *t, u
  *           meet exactly, otherwise LOFT_ERR_ARG; LOFT_ERR_RANGE also when a control point of
  *           loft_tensor_from_coons does not fit
  *   error   that of loft_grid_next
- *   cost    as above, plus loft_tensor_from_coons; 1 kB of stack
+ *   cost    as above, plus loft_tensor_from_coons
+ *   stack   Cortex-M4 1,188   Cortex-M0+ 1,308   ATmega328P 1,141
  */
 enum loft_status loft_grid_coons_init(loft_grid *g, const loft_coons_bezier *c, uint32_t rows,
                                       uint32_t columns, loft_state memory[],

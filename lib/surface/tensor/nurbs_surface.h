@@ -63,7 +63,8 @@ void loft_nurbs_surface_at(const loft_nurbs_surface *f, loft_unit s, loft_unit t
  *           two control points: q16: 1/2 LSB + 2^-16 LSB + 2^-54 E   f32: 1/2 ulp of the result +
  *           2^-46 E   f64: 1/2 ulp of the result + 2^-46 E; for the point 64 ulp
  *   cost    the B-splines with their derivatives (basis/knots_basis.h), and two products of
- *           num/sci.h per control point and axis; q16: 1.3 kB of stack
+ *           num/sci.h per control point and axis
+ *   stack   Cortex-M4 2,292   Cortex-M0+ 2,312   ATmega328P 1,652
  *   see     The NURBS Book, ch. 3.4 and 4.4
  */
 enum loft_status loft_nurbs_surface_deriv(const loft_nurbs_surface *s, unsigned j, unsigned k,
@@ -98,7 +99,8 @@ enum loft_status loft_nurbs_surface_differential(const loft_nurbs_surface *s, lo
  *           R the largest weight over the smallest; weights q16: 1/2 LSB, which may move the patch
  *           by more   f32: 1 ulp   f64: 8 (degree_u + degree_v) ulp
  *   cost    per coordinate, and for the weights, degree^2 (degree + 1) / 2 lerps and quotients of
- *           num/sci.h for each row and column; q16: 4 kB of stack
+ *           num/sci.h for each row and column
+ *   stack   Cortex-M4 4,252   Cortex-M0+ 4,264   ATmega328P 2,934
  *   see     Piegl and Tiller, The NURBS Book, ch. 5: decomposition of a surface
  */
 bool loft_nurbs_surface_next(const loft_nurbs_surface *s, unsigned span[2],

@@ -47,7 +47,8 @@ enum loft_status loft_triangle_init(loft_triangle *t, const loft_vec p[],
  *   range   u is clamped to the triangle: cannot fail
  *   error   q16: 1/2 LSB + degree * 2^-17 LSB   f32: 1 ulp   f64: 3 * degree ulp;  exact at the
  *           corners
- *   cost    degree (degree + 1) (degree + 2) / 3 wide products per axis; 450 bytes of stack
+ *   cost    degree (degree + 1) (degree + 2) / 3 wide products per axis
+ *   stack   Cortex-M4 608   Cortex-M0+ 660   ATmega328P 645
  *   see     Farin, Curves and Surfaces for CAGD, ch. 17
  */
 loft_vec loft_triangle_eval(const loft_triangle *t, loft_bary u);
@@ -119,7 +120,8 @@ enum loft_status loft_triangle_polar(const loft_triangle *t, unsigned times, lof
  *
  *   range   as extrapolate; `out` is undefined after an error
  *   error   as extrapolate with the larger L, per control point
- *   cost    degree + 1 times up to that of eval; 1 kB of stack
+ *   cost    degree + 1 times up to that of eval
+ *   stack   Cortex-M4 1,152   Cortex-M0+ 1,196   ATmega328P 1,173
  *   see     Ramshaw: out[k] = b[from^(degree-k), to^k]
  */
 enum loft_status loft_triangle_line(const loft_triangle *t, loft_bary from, loft_bary to,

@@ -19,7 +19,8 @@ LOFT_BEGIN_C
  *   range   LOFT_ERR_RANGE when a control point does not fit or the law of growth of triangle.h
  *           fails
  *   error   as loft_triangle_extrapolate
- *   cost    as loft_triangle_eval; 500 bytes of stack
+ *   cost    as loft_triangle_eval
+ *   stack   Cortex-M4 624   Cortex-M0+ 676   ATmega328P 629
  *   see     Farin, Curves and Surfaces for CAGD, ch. 17: subdivision at a point
  */
 enum loft_status loft_triangle_split(const loft_triangle *t, loft_bary u, loft_vec a[],
@@ -33,7 +34,8 @@ enum loft_status loft_triangle_split(const loft_triangle *t, loft_bary u, loft_v
  *   range   part 0..3, otherwise LOFT_ERR_ARG
  *   error   q16: 1/2 LSB   f32: 1/2 ulp   f64: degree / 2 ulp
  *   cost    (degree + 1) (degree + 2) (degree + 3) (degree + 8) / 24 sums and halves at most, no
- *           product; 1.4 kB of stack
+ *           product
+ *   stack   Cortex-M4 1,452   Cortex-M0+ 1,528   ATmega328P 1,424
  *   see     Farin, ch. 17; Goldman, Subdivision algorithms for Bezier triangles (1983)
  */
 enum loft_status loft_triangle_quarter(const loft_triangle *t, unsigned part,
@@ -44,8 +46,8 @@ enum loft_status loft_triangle_quarter(const loft_triangle *t, unsigned part,
  *   range   LOFT_ERR_RANGE when a control point does not fit or the law of growth of triangle.h
  *           fails
  *   error   as loft_triangle_extrapolate with the largest L
- *   cost    (degree + 1) (degree + 2) (degree + 3) (degree + 8) / 24 weighted sums at most; 1.4 kB
- *           of stack
+ *   cost    (degree + 1) (degree + 2) (degree + 3) (degree + 8) / 24 weighted sums at most
+ *   stack   Cortex-M4 1,484   Cortex-M0+ 1,628   ATmega328P 1,556
  *   see     Ramshaw, blossoming
  */
 enum loft_status loft_triangle_sub(const loft_triangle *t, const loft_bary corner[3],
@@ -59,7 +61,8 @@ enum loft_status loft_triangle_sub(const loft_triangle *t, const loft_bary corne
  *           beyond degree 18, q16: 1/2 LSB + degree * 2^-17 LSB   f64: 2 degree + 3 ulp
  *   cost    per control point of the result: at most one small product per point of the net, and
  *           one division; beyond degree 18 degree (degree + 1) (degree + 2) / 6 times three small
- *           products and a division; 1 kB of stack
+ *           products and a division
+ *   stack   Cortex-M4 1,024   Cortex-M0+ 1,132   ATmega328P 981
  *   see     Farin, ch. 17: degree elevation
  */
 enum loft_status loft_triangle_elevate(const loft_triangle *t, unsigned times,
