@@ -94,6 +94,10 @@ static inline bool check_sampled(void)
 
 #define PROPERTY(name, times) check_property(#name, name, (times))
 
+/* A property that gives a function the extremes of its types (support/extremes.h). `make lint` asks
+ * for one of each function whose `range` says "any". */
+#define EXTREMES(function, name, times) PROPERTY(name, times)
+
 /* For properties that take seconds per seed: skipped, with a message, in a share of the seeds. */
 #define PROPERTY_LONG(name, times)                                                                 \
     (check_one_of() > 1 ? check_left(#name, name) : PROPERTY(name, times))

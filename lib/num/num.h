@@ -108,7 +108,7 @@ loft_real loft_acc_quot(loft_acc x, loft_acc y);
 /* The value that is x at a = lo, y at a = hi, and linear in a between them: no parameter is
  * rounded.
  *
- *   range   lo <= a <= hi, lo < hi, any size; q16: |x|, |y| < 2^30
+ *   range   lo <= a <= hi, lo < hi; f64: these below 2^1000; q16: |x|, |y| < 2^30
  *   error   q16: 2^-33   f32, f64: 5 ulp of double of the larger of |x|, |y|, and 5 ulp of the
  *           result when both are positive; none at lo and hi
  *   cost    q16: two 64-bit divisions with remainder; floats: two divisions

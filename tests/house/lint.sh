@@ -190,6 +190,7 @@ without_test | rule "each header has a test of its name, or tests/README.md name
 
 # ... and each loop that a header prints stands in a test, word for word
 python3 tests/house/loops.py 2>&1 | rule "loops of headers are run by tests"
+python3 tests/house/extremes.py 2>&1 | rule "what takes any number is tested with extremes"
 python3 tests/house/tour.py 2>&1 | rule "host-tools/README.md makes each file first"
 
 # ... and no line has more than 100 columns (characters). Excepted: tables of pages, a line with a

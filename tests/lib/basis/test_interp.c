@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "support/exact_spline.h"       /* exact_parabola, quad_of; CHECK, PROPERTY, BY_NUM */
+#include "support/extremes.h"           /* extreme_int */
 #include "basis/bernstein.h"
 #include "basis/interp.h"
 #include "curve/bezier.h"
@@ -59,6 +60,37 @@ static void a_parabola_is_rounded_once(arb *a)
     const enum loft_status value = loft_parabola_eval(&p, s.at, &y);
     check_value(value, y, exact_parabola_blossom(&s.own, quad_of(s.at), quad_of(s.at)));
     const enum loft_status first = loft_parabola_deriv(&p, s.at, &slope);
+    check_value(first, slope, exact_parabola_deriv(&s.own, quad_of(s.at)));
+}
+
+/* The ends of the type; in floats what loft_exact_valid takes, apart by 2^-16 or more. */
+static loft_real extreme_place(arb *a)
+{
+    const int32_t ends[] = { 1048575, -1048575, 1048574, 0, 1, -1 }, i = ends[arb_below(a, 6)];
+    (void)i;
+    return BY_NUM((loft_real)extreme_int(a), arb_below(a, 2) ? (loft_real)i : arb_real(a, 1),
+                  arb_below(a, 2) ? (loft_real)i : arb_real(a, 1));
+}
+
+static void places_and_values_may_be_any(arb *a)
+{
+    sample s;
+    loft_parabola p;
+    loft_real y = 0, slope = 0;
+
+    for (int i = 0; i < 3; i++) {
+        s.t[i] = extreme_place(a);
+        s.f[i] = extreme_place(a);
+    }
+    s.at = extreme_place(a);
+    const bool two = same(s.t[0], s.t[1]) || same(s.t[1], s.t[2]) || same(s.t[2], s.t[0]);
+    CHECK(loft_parabola_init(&p, s.t, s.f) == (two ? LOFT_SINGULAR : LOFT_OK));
+    if (two)
+        return;
+    s.own = exact_parabola_of(s.t, s.f);
+    const enum loft_status value = loft_parabola_eval(&p, s.at, &y),
+                           first = loft_parabola_deriv(&p, s.at, &slope);
+    check_value(value, y, exact_parabola_blossom(&s.own, quad_of(s.at), quad_of(s.at)));
     check_value(first, slope, exact_parabola_deriv(&s.own, quad_of(s.at)));
 }
 
@@ -238,6 +270,8 @@ static void derivatives_are_within_their_bound(arb *a)
 int main(void)
 {
     PROPERTY(a_parabola_is_rounded_once,               1500);
+    EXTREMES(loft_parabola_init, places_and_values_may_be_any, 1500);
+    EXTREMES(loft_parabola_eval, places_and_values_may_be_any,    1);
     PROPERTY(its_coefficients_are_rounded_once,        1500);
     PROPERTY(it_goes_through_its_values,                500);
     PROPERTY(the_order_of_its_places_does_not_matter,   500);

@@ -820,6 +820,6 @@ int main(void)
     PROPERTY(a_button_that_stays_closed_counts_once,                              5);
     PROPERTY(a_job_that_starts_elsewhere_is_refused,                             10);
     PROPERTY(an_item_that_is_too_fast_ends_the_job_on_the_path,                  20);
-    PROPERTY(nonsense_on_the_line_moves_nothing,                                 50);
+    EXTREMES(loft_machine_push, nonsense_on_the_line_moves_nothing,              50);
     return check_failures();
 }

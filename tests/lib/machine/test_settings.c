@@ -339,6 +339,25 @@ static void any_write_stays_within_the_spare_copy(arb *a)
     CHECK(same(&now, &b));
 }
 
+/* Any bytes in the memory, also with right heads: one of the copies, or the firmware's values. */
+static void any_memory_gives_settings(arb *a)
+{
+    fresh_memory(a, 0xFF);
+    loft_settings s = start();
+    block b = read_all(&s);
+
+    b = next_block(a, &b);
+    CHECK(write_block(a, &s, &b));
+    const unsigned from = arb_below(a, 2) ? 0 : arb_below(a, 2 * ROOM);
+    for (unsigned at = from; at < 2 * ROOM; at++)
+        memory.byte[at] = (uint8_t)(arb_below(a, 4) ? arb_next(a) : arb_below(a, 2) ? 0 : 0xFF);
+    s = start();
+    for (int i = 0; i < LOFT_AXES; i++)
+        CHECK(axis[i].steps_per_mm > 0);
+    const block now = read_all(&s);
+    CHECK(loft_settings_origin_of(&s) == LOFT_SETTINGS_KEPT ? same(&now, &b) : has_usual(&s));
+}
+
 int main(void)
 {
     PROPERTY(a_fresh_machine_has_its_usual_settings, 4);
@@ -347,6 +366,7 @@ int main(void)
     PROPERTY(a_head_alone_brings_the_usual_settings, 200);
     PROPERTY(damage_is_found, 2000);
     PROPERTY(impossible_settings_are_refused, 2000);
+    EXTREMES(loft_settings_init, any_memory_gives_settings, 2000);
     PROPERTY(any_write_stays_within_the_spare_copy, 500);
     return check_failures();
 }

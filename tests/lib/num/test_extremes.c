@@ -1,44 +1,12 @@
 /* tests/lib/num/test_extremes.c -- functions that take any number take the most negative one too
  * SPDX-License-Identifier: MIT
  */
-#include "support/exact.h"              /* exact_acc, CHECK_EXACT */
+#include "support/extremes.h"           /* extreme_acc; exact_acc, CHECK_EXACT */
 #include "num/acc128.h"
 #include "num/angle.h"
 #include "num/exact.h"
 #include "num/explog.h"
 #include "num/muldiv.h"
-
-/* The ends of a type, numbers beside them, powers of two, anything. */
-#if LOFT_NUM == LOFT_Q16
-static loft_acc extreme_acc(arb *a)
-{
-    const loft_acc ends[] = { INT64_MIN, INT64_MAX, INT64_MIN + 1, 0, 1, -1, INT64_MAX - 1 };
-    const uint32_t kind = arb_below(a, 10);
-    return kind < 7 ? ends[kind] : (loft_acc)arb_next(a) >> arb_below(a, 63);
-}
-static loft_real extreme_real(arb *a)
-{
-    const loft_real ends[] = { INT32_MIN, INT32_MAX, INT32_MIN + 1, 0, 1, -1, 65536, -65536 };
-    const uint32_t kind = arb_below(a, 10);
-    return kind < 8 ? ends[kind] : (loft_real)(uint32_t)arb_next(a) >> arb_below(a, 31);
-}
-#else
-static double extreme_double(arb *a, int least, int most)
-{
-    const int e = arb_below(a, 3) ? least + (int)arb_below(a, (uint32_t)(most - least) + 1)
-                                  : (arb_below(a, 2) ? most : least);
-    const double size = ldexp(1 + (double)(arb_next(a) >> 12) * 0x1p-52, e - 1);
-    return arb_below(a, 8) == 0 ? 0 : arb_below(a, 2) ? size : -size;
-}
-static loft_acc extreme_acc(arb *a) { return extreme_double(a, -499, 1000); }
-static loft_real extreme_real(arb *a)
-{
-    const loft_real largest = BY_NUM(0, FLT_MAX, (loft_real)DBL_MAX);
-    return arb_below(a, 4) ? (loft_real)extreme_double(a, -100, 127)
-           : arb_below(a, 2) ? largest
-                             : -largest;
-}
-#endif
 
 static void the_angle_of_any_vector_is_within_its_bound(arb *a)
 {
@@ -123,7 +91,7 @@ static void exponentials_vanish_below_the_stated_power_of_two(arb *a)
 
 int main(void)
 {
-    PROPERTY(the_angle_of_any_vector_is_within_its_bound,       5000);
+    EXTREMES(loft_fine_atan2, the_angle_of_any_vector_is_within_its_bound, 5000);
     PROPERTY(quotients_of_any_numbers_are_within_their_bounds,  5000);
     PROPERTY(any_number_times_a_fraction_is_within_its_bound,   2000);
     PROPERTY(any_coordinate_is_taken_or_refused,                5000);

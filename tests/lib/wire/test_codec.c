@@ -607,7 +607,7 @@ static void spans_out_of_range_become_no_items(arb *a)
 
 int main(void)
 {
-    PROPERTY(any_items_come_out_as_they_went_in, 3000);
+    EXTREMES(loft_packer_push, any_items_come_out_as_they_went_in, 3000);
     PROPERTY(three_items_are_memory_enough, 1000);
     PROPERTY(no_room_changes_nothing, 3000);
     PROPERTY(no_frame_holds_more_than_255_items, 10);
