@@ -70,6 +70,16 @@ host-tools/MESSAGES.md: tests/house/messages.py $(wildcard host-tools/*/*.c)
 lib/ERRORS.md: $(LIB_HDR) tests/house/errors.py tests/house/headers.py
 	@python3 tests/house/errors.py > $@.new && mv $@.new $@
 
+## Write the reference, offline: build/docs/index.html, and build/docs/man/man3
+.PHONY: docs
+docs:
+	@python3 tests/house/reference.py build/docs && echo "build/docs/index.html"
+
+## Check the reference: no dead link, each function with all that its header says
+.PHONY: check-docs
+check-docs: docs
+	@python3 tests/house/check_reference.py build/docs
+
 # --- the libraries: build/<num>x<axes>/libloft.a and libloft-surfaces.a, once per number type -----
 define library
 build/$(1)x$(AXES)/%.o: %.c | lib/names.h
@@ -248,7 +258,7 @@ deps-target:
 
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them --------------
 CHECK_STAGES := lint test test-axes test-effort test-tools check-vectors-all \
-                test-mixed+test-cplusplus+test-packages+test-readme+test-examples \
+                test-mixed+test-cplusplus+test-packages+test-readme+test-examples+check-docs \
                 test-peer+test-model test-e2e
 
 ## Check everything: rules of the house, all tests under sanitizers, vectors, README, whole jobs

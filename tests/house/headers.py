@@ -124,10 +124,10 @@ class Header:
         first, line = number, self.lines[number]
         if line.startswith("#"):
             text = line
-            while text.endswith("\\"):
+            while text.endswith("\\") or text.count("/*") > text.count("*/"):
                 number += 1
                 text += "\n" + self.lines[number]
-            found = re.match(r"#define (LOFT_\w+)", text)
+            found = re.match(r"# *define (LOFT_\w+)", text)
             guard = found and found[1].endswith("_H") and found[1] == text.split()[-1]
             return (Declaration("macro", found[1], text, first + 1)
                     if found and not guard else None), number + 1
