@@ -134,7 +134,7 @@ test-axes: $(AXES_EACH)
 
 # --- the planner with the effort of a chip: its bounds on times are wider ------------------------
 CHIP_FLAGS := -DLOFT_NUM=LOFT_Q16 -DLOFT_PLAN_EFFORT=1
-CHIP_TESTS := path plan planner timing any
+CHIP_TESTS := path corner tube plan planner timing any
 CHIP_ROOMS := num geom basis curve kinematics path motion wire machine
 CHIP_SRC   := $(foreach r,$(CHIP_ROOMS),$(sort $(wildcard lib/$(r)/*.c)))
 build/effort/lib/%.o: lib/%.c | lib/names.h

@@ -40,7 +40,7 @@ ALL_SECONDS = 8                 # a test that takes longer runs a share of its s
 MEMORY = 4 << 30                # of a test that is not sanitized
 ROOMS = ["num", "geom", "basis", "curve", "kinematics", "path", "motion", "wire", "machine",
          "surface", "polygon", "toolpath"]
-EFFORT_TESTS = {"path": ["path"], "motion": ["plan", "timing", "any"], "machine": ["planner"]}
+EFFORT_TESTS = {"path": ["path", "corner", "tube"], "motion": ["plan", "timing", "any"], "machine": ["planner"]}
 CC = [word for word in os.environ.get("CC", "cc").split() if "ccache" not in word]
 CACHED_CC = os.environ.get("CC", "cc").split()
 SANITIZE = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
