@@ -184,13 +184,13 @@ $(TOOL_OUT)/loft: $(TOOL_OBJ) $(TOOL_LIBS)
 tools:
 	+@$(PARALLEL) $(TOOL_OUT)/loft
 
-# --- libloft-host: the rooms below cmd/, and of send/ what needs no terminal ----------------------
+# --- libloft-host: the rooms below cmd/ that it calls ---------------------------------------------
 # One object, of which only the functions of library/host.h can be seen: what it is made of may have
 # any name. It needs the packages of HOST_PKG.
-HOST_ROOMS := base engine geometry read svg gcode fit arrange plan
-HOST_PKG   := $(filter-out libserialport ncurses,$(TOOL_PKG))
-HOST_SRC   := $(filter $(foreach r,$(HOST_ROOMS),host-tools/$(r)/%) host-tools/readers.c \
-                  host-tools/send/greeted.c,$(TOOL_SRC))
+HOST_ROOMS := base engine geometry read svg gcode fit arrange plan send
+HOST_PKG   := $(filter-out ncurses,$(TOOL_PKG))
+HOST_SRC   := $(filter $(foreach r,$(HOST_ROOMS),host-tools/$(r)/%) host-tools/readers.c, \
+                  $(TOOL_SRC))
 HOST_OBJ   := $(HOST_SRC:%.c=$(TOOL_OUT)/tools/%.o) $(foreach n,$(NUMS),$(patsubst \
                   %.c,$(TOOL_OUT)/tools/$(n)/%.o,$(filter host-tools/engine/%,$(TOOL_ENGINE))))
 OBJCOPY    ?= objcopy

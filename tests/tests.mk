@@ -241,10 +241,11 @@ build/test/tools/option: tests/tools/test_option.c $(addprefix build/test/tools/
 	    $(shell $(PKG_CONFIG) --libs $(TOOL_PKG)) -lm -o $@
 # Conversations with a machine in this program; they are sanitized, and have no line and no clock.
 SEND_SRC := $(filter-out %/without_serial.c $(wildcard host-tools/send/transport*.c), \
-              $(sort $(wildcard host-tools/send/*.c)))
-build/test/tools/send: tests/tools/test_send.c $(SEND_SRC:%.c=build/test/tools/%.o) \
-        $(filter-out %/host-tools/loft.o %/base/clock.o $(TOOL_OUT)/tools/host-tools/send/%, \
-            $(TOOL_OBJ)) $(TOOL_LIBS)
+              $(sort $(wildcard host-tools/send/*.c host-tools/library/*.c)))
+SEND_TESTS := build/test/tools/send build/test/tools/library
+$(SEND_TESTS): build/test/tools/%: tests/tools/test_%.c $(SEND_SRC:%.c=build/test/tools/%.o) \
+        $(filter-out %/host-tools/loft.o %/base/clock.o $(TOOL_OUT)/tools/host-tools/send/% \
+            $(TOOL_OUT)/tools/host-tools/library/%,$(TOOL_OBJ)) $(TOOL_LIBS)
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -Itests -MF $@.d -MT $@ $(filter %.c %.o %.a,$^) \
 	    $(shell $(PKG_CONFIG) --libs $(TOOL_PKG)) -lm -o $@

@@ -116,6 +116,7 @@ static int move_by_key(jog *g)
     const double way = g->run ? HUGE_VAL : sizes[g->size];
     hand m;
 
+    mover_ready(&g->v);
     hand_jog(&m, &g->v, axis, g->key < 0 ? -way : way, g->v.p.feed, ends_now, g);
     return run_until(hand_task(&m));
 }

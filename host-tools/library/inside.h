@@ -6,7 +6,6 @@
 
 #include "base/host.h"
 #include "library/host.h"
-#include "plan/job.h"           /* job_work */
 #include "plan/planning.h"      /* planning */
 #include "read/drawing.h"       /* drawing */
 
@@ -20,21 +19,7 @@ struct loft_host_drawing {
     char *file;
 };
 
-/* A drawing, prepared for planning with its options, and the job that is planned of it. */
-typedef struct {
-    planning p;
-    const char *file;
-    drawing smooth;
-    job_work w;
-} host_plan;
-
-/* Read the machine and smooth the drawing. Call host_plan_free in any case; *k must not move. */
-int  host_plan_start(loft_host *h, host_plan *k, loft_host_drawing *d,
-                    const loft_host_plan_options *o);
-void host_plan_free(host_plan *k);
-
-/* Plan the first portion of a job from there; `as` has the limits of the motors, the steps and what
- * the machine does. */
-int host_plan_job(loft_host *h, host_plan *k, const double start[ENGINE_AXES], job_options *as);
+/* The options of planning. Returns 0, or an exit code after one message. */
+int host_planning(loft_host *h, planning *p, const loft_host_plan_options *o);
 
 #endif

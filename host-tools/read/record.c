@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "geometry/nearest_piece.h"
 #include "read/record.h"
@@ -145,7 +146,7 @@ int record_read(host *h, record *r, const char *file, uint32_t job)
 {
     const bool piped = strcmp(file, "-") == 0;
     const char *name = piped ? "standard input" : file;
-    FILE *stream = piped ? stdin : fopen(file, "r");
+    FILE *stream = piped ? fdopen(dup(STDIN_FILENO), "r") : fopen(file, "r");
 
     if (stream == NULL)
         return host_error(h, EX_NOINPUT, "file.not-opened", (host_place){ name, 0 }, NULL,
@@ -153,8 +154,7 @@ int record_read(host *h, record *r, const char *file, uint32_t job)
     r->machine = machine_usual();
     r->wanted  = job;
     const int code = read_lines(h, r, name, stream);
-    if (!piped)
-        fclose(stream);
+    fclose(stream);
 
     double least = HUGE_VAL, greatest = -HUGE_VAL;
     for (size_t i = 0; i < r->count; i++) {

@@ -96,12 +96,6 @@ void hand_park(hand *m, mover *v, double feed)
 // Along an axis
 // -------------
 
-static int greet_again(void *context)
-{
-    mover_ready(((hand *)context)->v);
-    return 0;
-}
-
 static int jog(void *context)
 {
     const hand *m  = context;
@@ -128,7 +122,7 @@ void hand_jog(hand *m, mover *v, int axis, double way, double feed, bool (*ends)
     m->way     = way;
     m->ends    = ends;
     m->context = context;
-    sequence_add(&m->q, greet_again, NULL);
+    sequence_add(&m->q, greet, NULL);
     sequence_add(&m->q, jog, NULL);
 }
 

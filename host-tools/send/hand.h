@@ -23,8 +23,8 @@ typedef struct {
     double was[ENGINE_AXES];    /* mm: where the tool was before */
 } hand;
 
-/* Straight to a place. A machine that is not greeted is greeted first, and refuses what the table
- * and closed switches do not allow. */
+/* A machine that is not greeted is greeted first; mover_ready before has it greeted in any case.
+ * Straight to a place, if table and closed switches allow it. */
 void hand_go(hand *m, mover *v, const double to[ENGINE_AXES], bool by, double feed);
 
 /* z to pen_up or pen_down; first z to pen_up, if it is below, then to x.park and y.park. */
@@ -32,7 +32,7 @@ void hand_pen(hand *m, mover *v, bool up, double feed);
 void hand_park(hand *m, mover *v, double feed);
 
 /* Along an axis by `way` mm, or to the end of the table before; infinite: as far as that. `ends` is
- * asked in each step, and may be NULL. The machine is greeted before. */
+ * asked in each step, and may be NULL. */
 void hand_jog(hand *m, mover *v, int axis, double way, double feed, bool (*ends)(void *context),
               void *context);
 

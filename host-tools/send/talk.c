@@ -233,6 +233,14 @@ const option talk_rows[] = {
     { 0 }
 };
 
+int talk_take(talk *t, host *h, const talk_options *o, const transport *line, double now)
+{
+    *t = (talk){
+        .host = h, .port = o->port, .line = *line, .began = now, .now = now, .wait = o->wait
+    };
+    return open_log(t, o->log);
+}
+
 int talk_open(talk *t, host *h, const talk_options *o, double now)
 {
     *t = (talk){ .host = h, .port = o->port, .began = now, .now = now, .wait = o->wait };

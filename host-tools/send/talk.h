@@ -47,6 +47,9 @@ extern const option talk_rows[];        /* all but `log`, which the command name
 int  talk_open(talk *t, host *h, const talk_options *o, double now);
 void talk_close(talk *t);
 
+/* The same with a line that is open already, which is closed with the session. */
+int  talk_take(talk *t, host *h, const talk_options *o, const transport *line, double now);
+
 /* Greet the machine, for so long at most: another session begins, since a session has one job.
  * talk_greet is to be stepped then: TASK_GOES, 0 when it has answered, or an exit code after
  * one message; the line is still open. */

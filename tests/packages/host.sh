@@ -16,13 +16,13 @@ verdict "make install-lib LIBRARIES=loft-host" installed
 seen() {
     nm "$work/root/lib/libloft-host.a" 2>/dev/null > "$work/names"
     ! grep ' [TDBRW] ' "$work/names" | grep -v ' T loft_host_' &&
-        [ "$(grep -c ' T loft_host_' "$work/names")" -gt 15 ]
+        [ "$(grep -c ' T loft_host_' "$work/names")" -gt 30 ]
 }
 verdict "libloft-host.a shows its own functions and nothing else" seen
 left() {
     local ends='_?exit|_Exit|abort|atexit' prints='stdin|stdout|stderr|v?printf|puts|putchar|perror'
-    ! grep -wE " U ($ends|$prints|signal|sigaction|isatty|u?sleep|nanosleep|poll|select)" \
-        "$work/names"
+    ! grep -wE " U ($ends|$prints|signal|sigaction|isatty|u?sleep|nanosleep|select)" \
+        "$work/names" && ! grep -nE '\bpoll\(' "$top"/host-tools/{send,library}/*.c | grep -v ', 0)'
 }
 verdict "it never ends a program, prints, waits, or takes signals and the terminal" left
 
