@@ -160,6 +160,11 @@ static int fit_scattered(fitting *x)
     else if (!(f.enough <= x->o.tol))
         code = refuse_net(x, f.best, f.enough);
     if (code == 0) {
+        if (f.blank > 0)
+            host_warn(tool_host(), "fit.guessed", (host_place){ x->file, 0 },
+                      "give points there, or leave that part out",
+                      "no point is within %.3g mm of %.6g,%.6g,%.6g, where the surface is a guess",
+                      f.blank, f.guessed[0], f.guessed[1], f.guessed[2]);
         print_net(x, f.degree, f.points, (const double(*)[ENGINE_AXES])f.net, f.knot);
         printf("# %u x %u control points for %zu points in no order, within %s\n", f.points[0],
                f.points[1], f.count, bound_text(f.off));

@@ -12,7 +12,9 @@
  * be within PREDICTED tolerances. There is at most one control point for two points. And the
  * surface, seen at LOOKS places along each span, stays in the box of the points along the rectangle
  * and the plane's normal, but for BEYOND of its diagonal and SLACK tolerances: corners that have no
- * points are not told by others.
+ * points are not told by others. Where the surface stays in the box there, it is a guess all the
+ * same. Of n points thrown over the rectangle none is within BLANK / sqrt(n) of its sides from a
+ * corner once in 140 corners; farther, the caller is told the place.
  */
 #include "fit/scatter_fit.h"
 
@@ -36,6 +38,9 @@
 #define SLACK   4
 #define LOOKS   4
 #define BEYOND  0.02
+#define BLANK   2.5
+#define BLANK_LEAST 0.08        /* of the sides */
+#define BLANK_LOOKS 20
 #define TURN_PAYS 0.2
 #define TURNS   90              /* that are tried for the rectangle */
 
@@ -419,6 +424,49 @@ static int find_excess(const scatter_fit *f, room *r, double *out)
     return status;
 }
 
+/* The place in the rectangle that is farthest from all points, if that is far. */
+static bool find_blank(const scatter_fit *f, double at[2])
+{
+    double most = fmax(BLANK / sqrt((double)f->count), BLANK_LEAST);
+    bool found  = false;
+
+    for (int i = 0; i <= BLANK_LOOKS; i++)
+        for (int j = 0; j <= BLANK_LOOKS; j++) {
+            const double look[2] = { i / (double)BLANK_LOOKS, j / (double)BLANK_LOOKS };
+            double least = INFINITY;
+            for (size_t k = 0; k < f->count && least > most; k++)
+                least = fmin(least, hypot(f->at[k][0] - look[0], f->at[k][1] - look[1]));
+            if (least > most) {
+                found = true;
+                most  = least;
+                memcpy(at, look, sizeof look);
+            }
+        }
+    return found;
+}
+
+/* Where the points do not tell the surface, and how far from it the nearest one is. */
+static int set_blank(scatter_fit *f, const engine *e)
+{
+    double at[1][2];
+    point place[1];
+    engine_net_fit all = given(f);
+
+    f->blank = 0;
+    if (!find_blank(f, at[0]))
+        return LOFT_OK;
+    all.at = (const double(*)[2])at;
+    all.count = 1;
+    const int status = e->fit_places(&all, (const double(*)[ENGINE_AXES])f->net, place);
+    if (status == LOFT_OK) {
+        memcpy(f->guessed, place[0], sizeof f->guessed);
+        f->blank = INFINITY;
+        for (size_t k = 0; k < f->count; k++)
+            f->blank = fmin(f->blank, space_distance(f->p[k], place[0]));
+    }
+    return status;
+}
+
 /* More spans along both; false if they are too many. */
 static bool refine(scatter_fit *f)
 {
@@ -468,6 +516,8 @@ int scatter_fit_make(scatter_fit *f, const engine *e, unsigned degree, double to
     } while (status == LOFT_OK && !(f->enough <= tol) && refine(f));
     if (status == LOFT_SINGULAR && f->enough < INFINITY)
         status = LOFT_OK;
+    if (status == LOFT_OK && f->enough <= tol)
+        status = set_blank(f, e);
     free(r.basis[0]);
     free(r.basis[1]);
     free(r.net);

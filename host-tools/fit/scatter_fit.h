@@ -21,6 +21,8 @@ typedef struct {
     double off;                 /* the largest distance of a point from its place */
     double enough;              /* the smallest tolerance that a net meets, */
     unsigned best[2];           /* and its control points                   */
+    double blank, guessed[ENGINE_AXES];     /* no point is within `blank` of this place, where the
+                                             * surface is a guess; 0: there is none */
 } scatter_fit;
 
 /* Fit it: parameters are places in the smallest rectangle around the points, in the plane nearest

@@ -136,6 +136,12 @@ case_fit_scattered() {
     # three lines tell three control points of four; a disc leaves corners of a finer net empty
     one_line 65 'do not tell 4 of 16 control points' "$loft" fit --surface <(awk 'BEGIN {
         for (k = 0; k < 60; k++) print k % 3, k / 20, k % 3 }')
+    # a disc of a plane: no net is refused, but the corners are a guess
+    run 0 "$loft" fit --surface --tol 0.01 <(awk 'BEGIN {
+        srand(3); for (k = 0; k < 900; k++) { x = 2 * rand() - 1; y = 2 * rand() - 1
+                      if (x * x + y * y < 1) print x, y, x / 4 } }')
+    grep -q 'no point is within .* where the surface is a guess' "$tmp/err" ||
+        job_fails "a disc: $(cat "$tmp/err")"
     one_line 65 'do not tell [0-9]* of a finer net' "$loft" fit --surface --tol 0.002 <(awk 'BEGIN {
         srand(3); for (k = 0; k < 2000; k++) { x = 2 * rand() - 1; y = 2 * rand() - 1
             if (x * x + y * y < 1) print 20 * x, 20 * y, 5 * sqrt(1.5 - x * x - y * y) } }')

@@ -363,8 +363,37 @@ static void corners_without_points_stay_in_the_box(arb *a)
     scatter_fit_free(&f);
 }
 
+/* A corner, or the middle, without points: the place is told. All over the rectangle: none is. */
+static void places_without_points_are_told(arb *a)
+{
+    enum { COUNT = 300 };
+    static double p[COUNT][ENGINE_AXES];
+    const int kind = (int)arb_below(a, 3);
+    const double slope = 0.2 * (random_unit(a) - 0.5), turn = arb_below(a, 2) ? 1 : -1;
+    scatter_fit f = { .p = (const double(*)[ENGINE_AXES])p, .count = COUNT };
+
+    for (unsigned k = 0; k < COUNT; k++) {
+        double x, y;
+        do {
+            x = 10 * random_unit(a) - 5;
+            y = 10 * random_unit(a) - 5;
+        } while ((kind == 1 && x > 1.5 && turn * y > 1.5) || (kind == 2 && hypot(x, y) < 2.5));
+        p[k][0] = kind ? x : (k / 17 % 18 - 8.5) * 0.6;
+        p[k][1] = kind ? y : (k % 17 - 8.0) * 0.6;
+        p[k][2] = slope * x;
+    }
+    CHECK(scatter_fit_make(&f, &engine_f64, 2, 2) == LOFT_OK && f.enough <= 2);
+    CHECK((f.blank > 0) == (kind > 0));
+    if (kind == 1)
+        CHECK(f.blank > 1.5 && f.guessed[0] > 3 && turn * f.guessed[1] > 3);
+    if (kind == 2)
+        CHECK(f.blank > 1.5 && hypot(f.guessed[0], f.guessed[1]) < 1);
+    scatter_fit_free(&f);
+}
+
 int main(void)
 {
+    PROPERTY(places_without_points_are_told, 20);
     PROPERTY(corners_are_kept,           30);
     PROPERTY(circles_have_a_smooth_seam, 30);
     PROPERTY(waves_are_one_curve,        30);
