@@ -126,10 +126,69 @@ static void headings_lead_along_the_arc(arb *a)
     }
 }
 
+/* Straight says what the arc leaves its chord by, walked evenly; folded it is its chord, less what
+ * is left out, and begins where it did. */
+static void a_folded_arc_is_a_part_of_its_chord(arb *a)
+{
+    const loft_cubic c = arb_curve(a);
+    const double part = 0.1 + 0.8 * arb_below(a, 1000) / 1000.0;
+    double from[LOFT_AXES], to[LOFT_AXES], p[LOFT_AXES], most = 0;
+    loft_acc by[LOFT_AXES];
+    loft_arc arc;
+    uint32_t at = arb_below(a, 2) ? arb_below(a, LOFT_ARC_WHOLE) : 0;
+
+    at &= ~(uint32_t)0 << arb_below(a, 20);
+    (void)loft_arc_next(&arc, &c, at);
+    if (wide_value(arc.length) < 0.01)
+        return;
+    point_at(&arc, 0, from);
+    point_at(&arc, arc.length, to);
+    for (int n = 1; n < 16; n++) {
+        point_at(&arc, arc.length / 16 * n, p);
+        for (int i = 0; i < LOFT_AXES; i++)
+            most = fmax(most, fabs(p[i] - from[i] - (to[i] - from[i]) * n / 16));
+    }
+    CHECK(!loft_arc_is_straight(&arc, loft_to_acc(LOFT_REAL(0.03125))) || most < 0.02);
+    CHECK(loft_arc_is_straight(&arc, loft_to_acc(LOFT_REAL(32))));
+    for (int i = 0; i < LOFT_AXES; i++)
+        by[i] = BY_NUM((loft_acc)floor((to[i] - from[i]) * part * 0x1p32),
+                       (loft_acc)((to[i] - from[i]) * part), (loft_acc)((to[i] - from[i]) * part));
+    loft_arc_fold(&arc, by);
+    CHECK_NEAR(wide_value(arc.length), distance(from, to) * (1 - part), 1e-6);
+    for (int n = 0; n <= 16; n++) {
+        point_at(&arc, arc.length / 16 * n, p);
+        for (int i = 0; i < LOFT_AXES; i++)
+            CHECK_NEAR(p[i], from[i] + (to[i] - from[i]) * (1 - part) * n / 16, 1e-5);
+    }
+}
+
+/* Along an arc the direction changes by little, and so does the length of a parameter. */
+static void an_arc_is_nearly_straight(arb *a)
+{
+    const loft_cubic c = arb_curve(a);
+    loft_arc arc;
+
+    for (uint32_t from = 0, to; from < LOFT_ARC_WHOLE; from = to) {
+        loft_vec u[3];
+        double turn = 0;
+        to = loft_arc_next(&arc, &c, from);
+        if (wide_value(arc.length) < 0.01)
+            continue;
+        for (unsigned n = 0; n < 3; n++)
+            loft_arc_direction(&arc, n, &u[n]);
+        for (int i = 0; i < LOFT_AXES; i++)
+            turn = fmax(turn, fmax(fabs(arb_value(u[2].axis[i]) - arb_value(u[0].axis[i])),
+                                   2 * fabs(arb_value(u[1].axis[i]) - arb_value(u[0].axis[i]))));
+        CHECK(turn <= 0.36);
+    }
+}
+
 int main(void)
 {
     PROPERTY(arcs_make_up_the_curve,          2000);
     PROPERTY(arcs_are_walked_by_their_length,  100);
     PROPERTY(headings_lead_along_the_arc,      100);
+    PROPERTY(a_folded_arc_is_a_part_of_its_chord, 1000);
+    PROPERTY(an_arc_is_nearly_straight, 400);
     return check_failures();
 }

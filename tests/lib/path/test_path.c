@@ -238,6 +238,85 @@ static void it_does_not_matter_how_a_path_is_cut(arb *a)
     CHECK(fabs(more) <= 3 + count_whole / 50.0);
 }
 
+/* Axes in another order, and another origin, are the same path: in fixed point to the last bit. A
+ * mirror image has about as many places. */
+static void places_move_with_the_path(arb *a)
+{
+    static loft_path_place whole[PLACES];
+    const loft_coord grains = (loft_coord)(arb_below(a, 2) * arb_below(a, 1u << 20));
+    const bool mirror = arb_below(a, 3) == 0;
+    const loft_limits before = limits;
+
+    arb_case(a);
+    if (!find_places())
+        return;
+    const unsigned places = found;
+    memcpy(whole, found_at, found * sizeof found_at[0]);
+    const loft_limits straight = limits;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const int to = (i + 1) % LOFT_AXES;
+        limits.max_speed[to] = straight.max_speed[i];
+        limits.max_accel[to] = straight.max_accel[i];
+        limits.max_jerk[to]  = straight.max_jerk[i];
+    }
+    for (unsigned k = 0; k < 4 * curves; k++) {
+        loft_vec *p = &chain[k / 4].curve.p[k % 4];
+        const loft_vec q = *p;
+        for (int i = 0; i < LOFT_AXES; i++) {
+            const double x = arb_value(q.axis[i]) + grains / 65536.0;
+            p->axis[(i + 1) % LOFT_AXES] = real_of(mirror ? -x : x);
+        }
+    }
+    CHECK(find_places());
+    CHECK_NEAR(found, places, mirror || BY_NUM(0, 1, 1) ? 4 + places / 20.0 : 0);
+    for (unsigned k = 0; k < found && !mirror && BY_NUM(1, 0, 0); k++)
+        for (int i = 0; i < LOFT_AXES; i++)
+            CHECK(loft_coord_add(whole[k].at.axis[i], grains * LOFT_COORD_GRAIN) ==
+                  found_at[k].at.axis[(i + 1) % LOFT_AXES]);
+    limits = before;
+}
+
+/* How far a launch from a rest, or a landing, lets the next place be, x from there. */
+static double launch_on(double jerk, double x)
+{
+    return jerk * pow(cbrt(6 * x / jerk) + 1, 3) / 6 - x;
+}
+
+static double landing_on(double jerk, double x)
+{
+    const double n = cbrt(6 * x / jerk) - 1;
+    return n > 0 ? x - jerk * n * n * n / 6 : x;
+}
+
+/* Places of a line are as far apart as its launch, its landing and its feed let them be, less 3/10
+ * where two of them meet. */
+static void a_line_takes_the_time_of_its_launches(arb *a)
+{
+    const double accel = arb_decades(a, 200, 8000), feed = arb_decades(a, 10, 300);
+    int16_t u[LOFT_AXES] = { LOFT_CHAIN_UNIT };
+
+    even_limits(500, accel, arb_below(a, 2) ? accel * arb_decades(a, 5, 100) : 0);
+    begin_chain();
+    arb_curve(a, LINE, arb_decades(a, 5, 50), feed, false);
+    for (int k = 0; k < 4; k++)
+        for (int i = 1; i < LOFT_AXES; i++)
+            chain[0].curve.p[k].axis[i] = 0;
+    CHECK(find_places());
+    if (found < 2)
+        return;
+    const double length = (double)along[found - 1],
+                 cap = loft_corner_cap(&period, u, loft_period_speed(&period, chain[0].feed)),
+                 jerk = loft_corner_jerk(&period, u, (loft_coord)cap);
+    double s = 0;
+    unsigned steps = 0;
+    for (; s < length - 1 && steps < PLACES; steps++) {
+        const double from = fmin(cap, launch_on(jerk, s)),
+                     to = fmin(cap, landing_on(jerk, length - s)), low = fmin(from, to);
+        s += fmax(1, low - 0.3 * low * low / fmax(from, to));
+    }
+    CHECK_NEAR(found, steps, 4 + steps / 200.0);
+}
+
 
 // Chords
 // ------
@@ -509,6 +588,9 @@ int main(void)
     PROPERTY(what_is_skipped_is_less_than_the_tolerance, 30);
     PROPERTY(corners_are_near_where_they_count, 30);
     PROPERTY(it_does_not_matter_how_a_path_is_cut, 20);
+    PROPERTY(places_move_with_the_path, 40);
+    if (LOFT_PLAN_EFFORT > 1)
+        PROPERTY(a_line_takes_the_time_of_its_launches, 200);
     PROPERTY(no_place_skips_more_than_the_tube, 240);
     PROPERTY(ways_change_by_little, 30);
     if (LOFT_PLAN_EFFORT < 2)
