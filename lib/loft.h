@@ -50,6 +50,7 @@
 #include "num/explog.h"
 #include "num/flash.h"
 #include "num/sci.h"
+#include "num/text.h"
 #include "num/walk2.h"
 #include "num/residue.h"
 #include "geom/chord.h"

@@ -12,20 +12,22 @@ static const loft_vec net[4 * 4] = {
     P(30, 0, 0), P(30, 10, 0),  P(30, 20, 0),  P(30, 30, 0),
 };
 static loft_state memory[LOFT_GRID_STATES(3, 3)];
-#define DECIMAL(a) (loft_raw_from_real(a) / 65536.0)
 
 int main(void)
 {
     enum { ROWS = 4, COLUMNS = 8 };
     loft_tensor patch;
     loft_grid grid;
+    char text[LOFT_TEXT_MAX];
     loft_vec at;
 
     if (loft_tensor_init(&patch, net, 3, 3) != LOFT_OK ||
         loft_grid_init(&grid, &patch, ROWS, COLUMNS, memory, LOFT_GRID_STATES(3, 3)) != LOFT_OK)
         return 1;
-    for (int i = 0; loft_grid_next(&grid, &at); i++)       /* a real one: vertices of a mesh */
-        printf("%6.2f%s", DECIMAL(at.axis[2]), (i + 1) % (COLUMNS + 1) ? "" : "\n");
+    for (int i = 0; loft_grid_next(&grid, &at); i++) {     /* a real one: vertices of a mesh */
+        loft_to_text(at.axis[2], 2, text);
+        printf("%6s%s", text, (i + 1) % (COLUMNS + 1) ? "" : "\n");
+    }
     return 0;
 }
 

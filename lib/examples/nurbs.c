@@ -14,7 +14,6 @@ static const loft_weighted nine[] = {
 static const loft_real knots[] = {
     K(0), K(0), K(0), K(1), K(1), K(2), K(2), K(3), K(3), K(4), K(4), K(4),
 };
-#define DECIMAL(a) (loft_raw_from_real(a) / 65536.0)
 
 int main(void)
 {
@@ -27,8 +26,12 @@ int main(void)
         const loft_vec centre = { { 0, 0, 0 } };
         const loft_acc radius = loft_vec_distance(at, centre);
 
-        printf("(%.3f, %.3f), %.3f from the centre\n", DECIMAL(at.axis[0]), DECIMAL(at.axis[1]),
-               DECIMAL(loft_acc_round(radius)));
+        char x[LOFT_TEXT_MAX], y[LOFT_TEXT_MAX], far[LOFT_TEXT_MAX];
+
+        loft_to_text(at.axis[0], 3, x);
+        loft_to_text(at.axis[1], 3, y);
+        loft_to_text(loft_acc_round(radius), 3, far);
+        printf("(%s, %s), %s from the centre\n", x, y, far);
     }
     return 0;
 }

@@ -10,18 +10,18 @@ static const loft_limits limits = {
     .tick_hz = 1000,
 };
 #define XY(x, y) { { LOFT_REAL(x), LOFT_REAL(y), 0 } }
-static const loft_move path[] = {
-    { { { XY(0, 0), XY(10, 0), XY(20, 0), XY(30, 0) } }, LOFT_REAL(100) }, /* a line: thirds */
-    { { { XY(30, 0), XY(45, 0), XY(45, 20), XY(30, 20) } }, LOFT_REAL(50) },
-    { { { XY(30, 20), XY(20, 20), XY(10, 20), XY(0, 20) } }, LOFT_REAL(100) },
-    { { { XY(0, 20), XY(0, 14), XY(0, 6), XY(0, 0) } }, LOFT_REAL(100) },
-};
+static const loft_vec corner[4] = { XY(0, 0), XY(30, 0), XY(30, 20), XY(0, 20) };
+static const loft_cubic bow = { { XY(30, 0), XY(45, 0), XY(45, 20), XY(30, 20) } };
 static loft_move moves[2];                      /* as many as the planner looks ahead */
 static loft_knot knots[160];
 static loft_plan plan;
 
 int main(void)
 {
+    const loft_move path[] = { { loft_cubic_line(corner[0], corner[1]), LOFT_REAL(100) },
+                               { bow, LOFT_REAL(50) },
+                               { loft_cubic_line(corner[2], corner[3]), LOFT_REAL(100) },
+                               { loft_cubic_line(corner[3], corner[0]), LOFT_REAL(100) } };
     unsigned pushed = 0, ticks = 0, count = sizeof path / sizeof *path;
     enum loft_plan_state state;
     loft_span span;

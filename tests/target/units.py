@@ -53,6 +53,7 @@ NOWHERE = {
     "harmonic": "its tables are solved by code of the command, with a heap",
     "wire_page": "it reads a page of text",
     "yardstick": "it tests what other tests measure with, nothing of lib/",
+    "text": "it compares with the printf and strtold of a whole C library",
     "topp": "it tests what other tests measure with, nothing of lib/",
 }
 NOT_HERE = {("nrf51", test): "this board's firmware does not plan"

@@ -1,6 +1,6 @@
 // ports/packages/arduino/examples/Walk/Walk.ino -- a point on a curve, a thousand times a second
 // SPDX-License-Identifier: MIT
-// Prints the points of a curve in 1/65536: additions alone, no multiplication, no float.
+// Prints the points of a curve in mm: additions alone, no multiplication, no float.
 #include <loft.h>
 
 static const loft_vec points[4] = {
@@ -23,10 +23,13 @@ void setup()
 void loop()
 {
     loft_vec at;
+    char text[LOFT_TEXT_MAX];
     if (loft_forward_next(&walk, &at)) {
-        Serial.print(at.axis[0]);
+        loft_to_text(at.axis[0], 3, text);
+        Serial.print(text);
         Serial.print(' ');
-        Serial.println(at.axis[1]);
+        loft_to_text(at.axis[1], 3, text);
+        Serial.println(text);
     }
     delay(1);
 }
