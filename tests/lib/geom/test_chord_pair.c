@@ -82,6 +82,12 @@ static void a_foot_is_where_it_says(arb *a)
     const loft_foot f = loft_chord_foot_at(&s.pair, at);
     CHECK(f.at <= at && f.at >= at && f.other >= 0 && exact_unit(f.other) <= 1);
     CHECK_EXACT(exact_acc(f.gap), gap_at(&s, exact_unit(at)), foot_error(&s));
+    long double gap = 0;
+    for (int i = 0; i < LOFT_AXES; i++)
+        gap += powl(exact_acc(s.pair.apart[i]) + exact_unit(at) * exact_acc(s.a.u[i]) -
+                        exact_unit(f.other) * exact_acc(s.b.u[i]),
+                    2);
+    CHECK(sqrtl(gap) <= exact_acc(f.gap) + foot_error(&s) + s.size * 0x1p-21L);
 }
 
 static void the_closest_foot_is_the_closest(arb *a)

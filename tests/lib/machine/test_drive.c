@@ -376,6 +376,29 @@ static void an_interrupt_at_any_place_of_the_main_loop_does_no_harm(arb *a)
     CHECK(prepared > 0 || r.kind == LOFT_POINTS);
 }
 
+/* A walk is made ready behind up to seven spans that need none: so the main loop may be late. */
+static void a_walk_is_ready_behind_short_spans(arb *a)
+{
+    const unsigned before = arb_below(a, 9);
+    loft_item item = { 0 };
+
+    do
+        rig_start(a, 20, 50, 20);
+    while (r.kind != LOFT_SPANS);
+    for (int i = 0; i < LOFT_AXES; i++)
+        item.p[0][i] = item.p[1][i] = item.p[2][i] = r.start[i];
+    for (unsigned k = 0; k <= before; k++) {
+        item.ticks = (uint16_t)(k < before ? 1 + arb_below(a, 2) : 3 + arb_below(a, 100));
+        if (loft_drive_push(&drive, &item) != LOFT_OK)
+            return;                                     /* there is less room */
+    }
+    CHECK(!drive.ready);
+    loft_drive_prepare(&drive);
+    CHECK(drive.ready == (before < 8));
+    if (drive.ready)
+        CHECK(drive.ready_item == (uint8_t)(drive.item + before));
+}
+
 static void init_refuses_what_cannot_work(arb *a)
 {
     loft_axis_config axis[LOFT_AXES] = { { 0 } };
@@ -408,6 +431,7 @@ int main(void)
     PROPERTY(the_machine_starts_with_enough_in_the_queue,                      30);
     PROPERTY(turning_at_full_speed_is_counted_as_slowed,                       20);
     PROPERTY(an_interrupt_at_any_place_of_the_main_loop_does_no_harm,           8);
+    PROPERTY(a_walk_is_ready_behind_short_spans,                              200);
     PROPERTY(init_refuses_what_cannot_work,                                     1);
     return check_failures();
 }

@@ -641,12 +641,12 @@ static void bad_arguments_are_refused(arb *a)
     CHECK(loft_receiver_init(&r, &t) == LOFT_OK);
 }
 
-static uint32_t touched, touched_k, touched_bit;
+static uint32_t touched, touched_k, touched_bit, touched_axis;
 static void touched_source(void *context, uint32_t index, loft_item *out)
 {
     world_source(context, index, out);
     if (index == touched)
-        out->p[touched_k][LOFT_AXES - 1] ^= (int32_t)((uint32_t)1 << touched_bit);
+        out->p[touched_k][touched_axis] ^= (int32_t)((uint32_t)1 << touched_bit);
 }
 
 static void the_id_depends_on_every_item(arb *a)
@@ -657,11 +657,43 @@ static void the_id_depends_on_every_item(arb *a)
     touched     = arb_below(a, 20);
     touched_k   = w.job.kind == LOFT_SPANS ? arb_below(a, 3) : 2;
     touched_bit = arb_below(a, 32);
+    touched_axis = arb_below(a, LOFT_AXES);
     CHECK(id != 0 && id == loft_job_id(&w.job, 20, world_source, &w));
     CHECK(id != loft_job_id(&w.job, 20, touched_source, &w));
     CHECK(id != loft_job_id(&w.job, 19, world_source, &w));
-    w.job.start[0]++;
+    const loft_job job = w.job;
+    w.job.start[touched_axis]++;
     CHECK(id != loft_job_id(&w.job, 20, world_source, &w));
+    w.job = job;
+    w.job.kind = (uint8_t)(job.kind == LOFT_SPANS ? LOFT_POINTS : LOFT_SPANS);
+    CHECK(id != loft_job_id(&w.job, 20, world_source, &w));
+}
+
+/* Curves are planned with limits: with others it is another job. */
+static void the_id_depends_on_every_limit(arb *a)
+{
+    static world w;
+    loft_job_limits limits;
+    uint8_t *byte = (uint8_t *)&limits;
+
+    world_init(&w, a, 16, 0, 20);
+    for (unsigned n = 0; n < sizeof limits; n++)
+        byte[n] = (uint8_t)arb_next(a);
+    w.job.kind = LOFT_CURVES;
+    w.job.limits = &limits;
+    const uint32_t id = loft_job_id(&w.job, 20, world_source, &w);
+    const loft_job_limits before = limits;
+    const unsigned i = arb_below(a, LOFT_AXES);
+    switch (arb_below(a, 5)) {
+    case 0:  limits.corner++; break;
+    case 1:  limits.tol++; break;
+    case 2:  limits.axis[i].max_speed++; break;
+    case 3:  limits.axis[i].max_accel++; break;
+    default: limits.axis[i].max_jerk++; break;
+    }
+    CHECK(id != loft_job_id(&w.job, 20, world_source, &w));
+    limits = before;
+    CHECK(id == loft_job_id(&w.job, 20, world_source, &w));
 }
 
 int main(void)
@@ -693,5 +725,6 @@ int main(void)
     PROPERTY(unknown_messages_are_skipped_and_counted, 10);
     PROPERTY(bad_arguments_are_refused, 1);
     PROPERTY(the_id_depends_on_every_item, 200);
+    PROPERTY(the_id_depends_on_every_limit, 200);
     return check_failures();
 }
