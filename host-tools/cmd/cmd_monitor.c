@@ -10,6 +10,7 @@
 #include "cmd/commands.h"
 #include "host/line.h"  /* host_line: the sender's side */
 #include "cmd/keys.h"  /* keys_interrupted */
+#include "cmd/run.h"   /* run_line */
 #include "send/transport.h"
 #include "send/wire_text.h"
 
@@ -99,7 +100,7 @@ static int run_monitor(void *options)
     int code;
 
     keys_start(false);
-    if ((code = transport_open(&m.machine, tool_host(), o->port, o->baud)) != 0)
+    if ((code = run_line(&m.machine, o->port, o->baud)) != 0)
         return code;
     if ((code = host_line_open(&m.sender, o->link, 0)) == 0) {
         wire_text_init(&m.down, '>');

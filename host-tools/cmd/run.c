@@ -35,6 +35,32 @@ int run_until(task t)
     }
 }
 
+typedef struct {
+    transport *t;
+    bool stop;
+} opening;
+
+static int step_line(void *context, double now, task_wants *w)
+{
+    const opening *o = context;
+
+    return o->stop ? tool_error(EX_TEMPFAIL, "stopped before the port was open")
+                   : transport_step(o->t, now, w);
+}
+
+int run_line(transport *t, const char *name, unsigned baud)
+{
+    opening o = { .t = t };
+    int code  = transport_open(t, tool_host(), name, baud);
+
+    if (code != 0)
+        return code;
+    code = run_until((task){ step_line, &o, &o.stop });
+    if (code != 0)
+        t->kind->close(t);
+    return code;
+}
+
 int run_open(talk *t, const talk_options *o)
 {
     int code = talk_open(t, tool_host(), o, tool_clock());

@@ -10,6 +10,9 @@
 /* Step it until it is over. ^C asks it to stop. What does not come in time is told in one line. */
 int run_until(task t);
 
+/* Open a port, and wait until it is. Returns 0, or an exit code after one message. */
+int run_line(transport *t, const char *name, unsigned baud);
+
 /* Open a port and greet the machine; the port is closed after an error. Returns 0, or an exit code
  * after printing one line. */
 int run_open(talk *t, const talk_options *o);

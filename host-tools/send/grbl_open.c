@@ -116,6 +116,10 @@ static int greet_controller(grbl *g, double now, task_wants *w)
 
 static int begin_greeting(grbl *g, double now, task_wants *w)
 {
+    const int code = g->stop ? 0 : transport_step(&g->line, now, w);
+
+    if (code != 0)
+        return code;
     g->until = now + g->wait;
     g->stage = greet_controller;
     return greet_controller(g, now, w);

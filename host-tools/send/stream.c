@@ -345,6 +345,32 @@ static int report_drawn(stream *r, double now, task_wants *w)
     return code;
 }
 
+/* A job that was drawn before need not be planned completely yet: the rest, in portions, tells where
+ * it ends. */
+static int plan_rest(stream *r, double now, task_wants *w)
+{
+    job *j                = r->j;
+    host *h               = r->t->host;
+    const host_progress p = { "planning", job_part(j), 1, false };
+    const bool more       = !j->whole && (j->head.kind != LOFT_CURVES || j->first > 0);
+
+    if (more)
+        r->planned = host_goes_on(h, &p) ? job_plan(j, j->count, PORTION) : JOB_STOPPED;
+    if (more && r->planned == LOFT_OK) {
+        task_wake(w, now);
+        return TASK_GOES;
+    }
+    host_has_done(h);
+    if (r->planned != LOFT_OK)
+        return job_refuse(h, j, r->about->file, r->planned, "");
+    const int code = stream_checked(r->t, j, &r->to);
+    if (code != 0)
+        return code;
+    r->until = now + RECORD;
+    r->stage = report_drawn;
+    return report_drawn(r, now, w);
+}
+
 /* The sender has ended, or the machine has stopped. */
 static int report_end(stream *r, double now, task_wants *w)
 {
@@ -361,12 +387,8 @@ static int report_end(stream *r, double now, task_wants *w)
         return stream_interrupted(t, r->j);
     if (t->sender.phase != LOFT_PHASE_DONE)
         return stream_ended(t, r->j);
-    const int code = stream_checked(t, r->j, r->about, &r->to);
-    if (code != 0)
-        return code;
-    r->until = now + RECORD;
-    r->stage = report_drawn;
-    return report_drawn(r, now, w);
+    r->stage = plan_rest;
+    return plan_rest(r, now, w);
 }
 
 static int draw(stream *r, double now, task_wants *w)

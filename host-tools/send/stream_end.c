@@ -97,18 +97,12 @@ int stream_error(const talk *t, const stream_subject *about, bool late, char tex
     return code;
 }
 
-int stream_checked(talk *t, job *j, const stream_subject *about, const send_teller *to)
+int stream_checked(talk *t, const job *j, const send_teller *to)
 {
     const loft_sender *s = &t->sender;
     int32_t want[LOFT_AXES];
     char text[96], other[96];
-    int status = LOFT_OK;
 
-    if (j->head.kind != LOFT_CURVES || j->first > 0)    /* a job that was drawn before need not be
-                                                         * planned completely */
-        status = job_finish(t->host, j);
-    if (status != LOFT_OK)
-        return job_refuse(t->host, j, about->file, status, "");
     stream_commanded(s, j, want);
     if (memcmp(want, s->report.position, sizeof want) != 0)
         return host_error(t->host, EX_SOFTWARE, "job.elsewhere", (host_place){ .file = NULL },

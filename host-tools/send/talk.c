@@ -182,6 +182,10 @@ static void begin_greeting(talk *t, double now)
 
 int talk_greet(talk *t, double now, task_wants *w)
 {
+    const int code = t->stop ? 0 : transport_step(&t->line, now, w);
+
+    if (code != 0)
+        return code;
     if (!t->greeting)
         begin_greeting(t, now);
     if (t->sender.phase == LOFT_PHASE_HELLO) {

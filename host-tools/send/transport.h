@@ -17,6 +17,7 @@
 #include <stddef.h>
 
 #include "base/host.h"
+#include "send/task.h"
 
 typedef struct transport transport;
 
@@ -34,10 +35,14 @@ struct transport {
     void *port;                 /* of libserialport           */
     unsigned baud;              /* 0: not applicable */
     char text[128];             /* "/dev/ttyUSB0 at 115200 baud" */
+    struct transport_opening *opening;      /* it is being connected; NULL: it is open */
 };
 
-/* Open by name. Returns 0, or an exit code after one message. */
+/* Open by name. Returns 0, or an exit code after one message. A socket to another computer is being
+ * connected then: transport_step gives TASK_GOES, 0 when it is open, or an exit code after one
+ * message. Close it in any case but the first. */
 int transport_open(transport *t, host *h, const char *name, unsigned baud);
+int transport_step(transport *t, double now, task_wants *w);
 
 /* The kinds. `serial` returns TRANSPORT_OTHER and tells nothing if libserialport does not know the
  * device. */
@@ -45,7 +50,9 @@ int transport_open(transport *t, host *h, const char *name, unsigned baud);
 int transport_open_serial(transport *t, host *h, const char *name, unsigned baud);
 int transport_open_terminal(transport *t, host *h, const char *name, unsigned baud);
 int transport_open_socket(transport *t, host *h, const char *name);
+int transport_open_tcp(transport *t, host *h, const char *name);
 int transport_open_standard(transport *t, host *h);
+int transport_take(transport *t, int in, int out, const char *name);    /* that are open */
 
 /* The serial ports of this computer, one by one; ports that are not USB have an empty `usb`.
  * Returns 0, or an exit code after one message. */

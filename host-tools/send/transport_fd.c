@@ -3,9 +3,6 @@
  */
 #include <errno.h>
 #include <fcntl.h>
-#include <netdb.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <poll.h>
 #include <stdio.h>
 #include <string.h>
@@ -58,7 +55,7 @@ static void fd_close(transport *t)
 
 static const transport_kind kind = { fd_read, fd_write, fd_close };
 
-static int take(transport *t, int in, int out, const char *name)
+int transport_take(transport *t, int in, int out, const char *name)
 {
     t->kind = &kind;
     t->in   = in;
@@ -110,13 +107,7 @@ int transport_open_terminal(transport *t, host *h, const char *name, unsigned ba
         close(fd);
         return code;
     }
-    return take(t, fd, fd, name);
-}
-
-static int connected(transport *t, int fd, const char *name)
-{
-    (void)fcntl(fd, F_SETFL, fcntl(fd, F_GETFL) | O_NONBLOCK);
-    return take(t, fd, fd, name);
+    return transport_take(t, fd, fd, name);
 }
 
 static int open_unix(transport *t, host *h, const char *name)
@@ -129,63 +120,19 @@ static int open_unix(transport *t, host *h, const char *name)
                           HOST_REMEDY("give at most %zu characters", sizeof address.sun_path - 1),
                           "the path is too long");
     strcpy(address.sun_path, path);
-    const int fd = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    const int fd = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (fd < 0 || connect(fd, (const struct sockaddr *)&address, sizeof address) != 0) {
-        const int error = errno;
+        const int error = errno == EAGAIN ? EBUSY : errno;      /* others wait to be let in */
         if (fd >= 0)
             close(fd);
         return transport_refused(h, name, error);
     }
-    return connected(t, fd, name);
-}
-
-static int connect_any(const struct addrinfo *list)
-{
-    const int one = 1;
-
-    errno = EHOSTUNREACH;
-    for (const struct addrinfo *a = list; a; a = a->ai_next) {
-        const int fd = socket(a->ai_family, a->ai_socktype | SOCK_CLOEXEC, a->ai_protocol);
-        if (fd < 0)
-            continue;
-        if (connect(fd, a->ai_addr, a->ai_addrlen) == 0) {
-            (void)setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
-            return fd;
-        }
-        const int error = errno;
-        close(fd);
-        errno = error;
-    }
-    return -1;
-}
-
-static int open_tcp(transport *t, host *h, const char *name)
-{
-    const struct addrinfo hints = { .ai_family = AF_UNSPEC, .ai_socktype = SOCK_STREAM };
-    const char *colon = strrchr(name, ':');
-    struct addrinfo *list;
-    char site[256];
-
-    const size_t length = (size_t)(colon - name) - 3;   /* the text between "tcp" and the last
-                                                         * colon */
-    if (colon == name + 3 || length > sizeof site || colon[1] == '\0')
-        return host_error(h, EX_USAGE, "port.not-a-socket", (host_place){ .file = NULL },
-                          "give tcp:HOST:PORT", "%s", name);
-    const bool bracketed = name[4] == '[' && colon[-1] == ']';      /* an IPv6 address */
-    snprintf(site, sizeof site, "%.*s", (int)length - 1 - 2 * bracketed, name + 4 + bracketed);
-    const int failed = getaddrinfo(site, colon + 1, &hints, &list);
-    if (failed)
-        return host_error(h, EX_NOHOST, "port.no-host", (host_place){ .file = name },
-                          "look at the name of the host and the port", "%s", gai_strerror(failed));
-    const int fd = connect_any(list);
-    const int error = errno;
-    freeaddrinfo(list);
-    return fd < 0 ? transport_refused(h, name, error) : connected(t, fd, name);
+    return transport_take(t, fd, fd, name);
 }
 
 int transport_open_socket(transport *t, host *h, const char *name)
 {
-    return strncmp(name, "unix:", 5) == 0 ? open_unix(t, h, name) : open_tcp(t, h, name);
+    return strncmp(name, "unix:", 5) == 0 ? open_unix(t, h, name) : transport_open_tcp(t, h, name);
 }
 
 /* From now on the program prints to standard error: standard output is the line. It stays blocking,
@@ -196,5 +143,5 @@ int transport_open_standard(transport *t, host *h)
 
     if (in < 0 || out < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
         return transport_refused(h, "standard input and output", errno);
-    return take(t, in, out, "standard input and output");
+    return transport_take(t, in, out, "standard input and output");
 }

@@ -199,6 +199,14 @@ int transport_open(transport *t, host *h, const char *name, unsigned baud)
     return 0;
 }
 
+int transport_step(transport *t, double now, task_wants *w)
+{
+    (void)t;
+    (void)now;
+    (void)w;
+    return 0;
+}
+
 
 // Jobs
 // ----

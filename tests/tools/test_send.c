@@ -75,8 +75,8 @@ static void end(void)
     talk_close(&s.t);
 }
 
-/* `count` lines there and back. */
-static void plan_lines(arb *a, size_t count)
+/* `count` lines there and back, from where the machine is or from where its job began. */
+static void plan_lines_from(arb *a, size_t count, bool old)
 {
     const drawing nothing = { 0 };
     job_options as        = { .kind = LOFT_SPANS };
@@ -85,7 +85,10 @@ static void plan_lines(arb *a, size_t count)
     CHECK(planning_usual(&heard, &s.p, NULL) == 0);
     s.w    = (job_work){ .path = { 0 } };
     as.e   = s.p.e;
-    stream_new_start(&s.t.sender, start);
+    if (old)
+        stream_old_start(&s.t.sender, false, start);
+    else
+        stream_new_start(&s.t.sender, start);
     memcpy(at, start, sizeof at);
     s.w.path = (toolpath){ .move  = spool_grow(NULL, count * sizeof *s.w.path.move),
                            .curve = spool_grow(NULL, count * sizeof *s.w.path.curve),
@@ -107,6 +110,8 @@ static void plan_lines(arb *a, size_t count)
                           &s.w.of) == 0);
     CHECK(job_open(&s.w.j, &s.w.of, &as) == LOFT_OK);
 }
+
+static void plan_lines(arb *a, size_t count) { plan_lines_from(a, count, false); }
 
 static task stream_of(void)
 {
@@ -228,6 +233,31 @@ static void a_long_plan_is_no_silence(arb *a)
     plan_lines(a, 3);
     pass(5 + arb_below(a, 20));
     CHECK(run(stream_of(), HOURS) == 0 && is_drawn() && caught_lines == 0);
+    end();
+}
+
+/* A job whose report comes later is planned up to its end, and no step computes for long. */
+static void what_was_drawn_is_judged_in_slices(arb *a)
+{
+    const arb again = *a;
+
+    begin();
+    plan_lines(a, 150);
+    const task t = stream_of();
+    do
+        CHECK(run(t, sim.clock + 0.01) == TASK_GOES);
+    while (!s.w.j.whole || s.t.sender.ack.next < s.w.j.count);
+    end();
+    while (simulated_moves())
+        simulated_ms();
+    CHECK(talk_open(&s.t, &heard, &at_once, sim.clock) == 0);
+    CHECK(run(talk_greets(&s.t), HOURS) == 0);
+    *a = again;
+    plan_lines_from(a, 150, true);
+    sim.most = 0;
+    CHECK(!s.w.j.whole);
+    CHECK(run(stream_of(), HOURS) == 0 && is_drawn() && caught_lines == 0);
+    CHECK(sim.most < 1000 * LATE && strstr(s.told, "this job was drawn already") != NULL);
     end();
 }
 
@@ -466,6 +496,7 @@ int main(void)
     PROPERTY(a_line_that_is_lost_is_told_once, 5);
     PROPERTY(a_mute_machine_is_asked_for_as_long_as_said, 10);
     PROPERTY(a_long_plan_is_no_silence, 5);
+    PROPERTY(what_was_drawn_is_judged_in_slices, 1);
     PROPERTY(another_job_is_told_of, 5);
     PROPERTY(every_number_of_steps_gives_the_same_pulses, 4);
     PROPERTY(moves_arrive, 10);
