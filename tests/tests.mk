@@ -214,7 +214,8 @@ TOOL_TESTED := $(filter-out %/tool.c $(TOOL_LEFT),$(sort $(wildcard $(patsubst %
 TOOL_TESTED := $(filter-out host-tools/engine/engines.c,$(TOOL_TESTED))
 TOOL_TESTED += $(patsubst %,host-tools/%.c,readers cmd/keys cmd/waits send/gcode_write \
                  send/facts send/near_move send/unfinished send/transport send/transport_fd \
-                 send/transport_tcp send/without_serial) $(wildcard host-tools/send/grbl*.c)
+                 send/transport_kind send/transport_tcp send/without_serial) \
+               $(wildcard host-tools/send/grbl*.c)
 # those that take long: a push runs a share of their seeds
 TOOLS_LONG := areas export certify mill
 TOOL_SHARE := $(if $(ALL),1,4)

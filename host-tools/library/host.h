@@ -180,12 +180,12 @@ int loft_host_step(loft_host_machine *m, double now, loft_host_wants *wants);
 int loft_host_stream(loft_host_machine *m, loft_host_drawing *d, const loft_host_plan_options *o);
 int loft_host_stream_file(loft_host_machine *m, const char *file, const loft_host_plan_options *o);
 
-/* Move straight to a place in mm; NAN: this axis stays. `by`: from where the tool is. What table and
- * closed switches do not allow is refused. */
+/* Move straight to a place in mm; NAN: this axis stays. `by`: from where the tool is. What table
+ * and closed switches do not allow is refused. */
 int loft_host_go(loft_host_machine *m, const double to[3], bool by, double feed);
 
-/* Move along axis 0 to 2 by `way` mm, not beyond the table. Infinite: until loft_host_jog_on has not
- * been called for 0.6 s. */
+/* Move along axis 0 to 2 by `way` mm, not beyond the table. Infinite: until loft_host_jog_on has
+ * not been called for 0.6 s. */
 int  loft_host_jog(loft_host_machine *m, int axis, double way, double feed);
 void loft_host_jog_on(loft_host_machine *m);
 
@@ -230,7 +230,8 @@ bool loft_host_stop(loft_host_machine *m);
 
 typedef struct {
     const char *state;      /* "closed", "connects", "rests", "other-job", "moves", "prepares",
-                             * "plans", "draws", "waits", "holds", "held", "pause", "aborts", "tool" */
+                             * "plans", "draws", "waits", "holds", "held", "pause", "aborts",
+                             * "tool" */
     double done, total;     /* s of the plan; the total is an estimate until all is planned */
     uint32_t item, items;   /* executed; 0: not known yet */
     uint32_t queued;        /* items that the machine has ahead */

@@ -13,7 +13,7 @@
 
 #define WAIT   5.0              /* s for the first answer */
 #define BAUD   115200
-#define FULL   20               /* ms until a line of the program is looked at again, if it is full */
+#define FULL   20               /* ms until a full line of the program is looked at again */
 #define LATEST 1000             /* ms between two steps */
 #define OWN    INT_MAX           /* the descriptor of a line of the program */
 #define ENDS   ((uint16_t)(LOFT_INPUT_ENDING & ~LOFT_INPUT_STOP))

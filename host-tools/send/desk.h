@@ -112,7 +112,8 @@ void desk_line(desk *d, const transport *line);
 /* Some milliseconds of work. */
 void desk_step(desk *d, double now, task_wants *w);
 
-/* Ask for something while it rests, or is being connected. Returns 0, or an exit code after one message. */
+/* Ask for something while it rests, or is being connected. Returns 0, or an exit code after one
+ * message. */
 int desk_ask(desk *d, const desk_wish *wish, double now);
 
 /* At any time: slow down on the path and stop; go on, after a pause and a change too; end it. What

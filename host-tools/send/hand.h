@@ -1,5 +1,5 @@
-/* host-tools/send/hand.h -- what is done by hand: the tool goes to a place, the pen up and down, the
- * tool to its parking place, along an axis; and the machine is told where it stands
+/* host-tools/send/hand.h -- what is done by hand: the tool goes to a place, or along an axis, the
+ * pen up and down, the tool to its parking place; and the machine is told where it stands
  * SPDX-License-Identifier: MIT
  */
 #ifndef LOFT_HAND_H
@@ -36,7 +36,7 @@ void hand_park(hand *m, mover *v, double feed);
 void hand_jog(hand *m, mover *v, int axis, double way, double feed, bool (*ends)(void *context),
               void *context);
 
-/* These axes are at `at` now: bit i for axis i. `keep`: a homed machine keeps it in its settings. */
+/* These axes are at `at` now: bit i for axis i. `keep`: a homed machine has it in its settings. */
 void hand_zero(hand *m, mover *v, unsigned axes, const double at[ENGINE_AXES], bool keep);
 
 /* Stepped, it ends with 0, or with an exit code after one message. */

@@ -345,8 +345,8 @@ static int report_drawn(stream *r, double now, task_wants *w)
     return code;
 }
 
-/* A job that was drawn before need not be planned completely yet: the rest, in portions, tells where
- * it ends. */
+/* A job that was drawn before need not be planned completely yet: the rest, in portions, tells
+ * where it ends. */
 static int plan_rest(stream *r, double now, task_wants *w)
 {
     job *j                = r->j;

@@ -9,7 +9,8 @@
 /* The sender has ended, and the job was not drawn. Gives one message and returns the exit code. */
 int stream_ended(talk *t, const job *j);
 
-/* The job was drawn, and all of it is planned: is it as commanded? Returns 0, or an exit code after one message. */
+/* The job was drawn, and all of it is planned: is it as commanded? Returns 0, or an exit code after
+ * one message. */
 int stream_checked(talk *t, const job *j, const send_teller *to);
 
 /* ", worst path error 0.0031 mm": as the machine recorded it, if it did. Returns 0, TASK_GOES while

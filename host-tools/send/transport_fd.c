@@ -3,7 +3,6 @@
  */
 #include <errno.h>
 #include <fcntl.h>
-#include <poll.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/socket.h>
@@ -14,55 +13,7 @@
 #include "host/baud.h"      /* host_baud */
 
 #include "base/host.h"
-#include "send/transport.h"
-
-static bool later(int error) { return error == EAGAIN || error == EWOULDBLOCK || error == EINTR; }
-
-static long fd_read(transport *t, void *bytes, size_t max)
-{
-    struct pollfd p = { .fd = t->in, .events = POLLIN };
-    const int ready = poll(&p, 1, 0);
-
-    if (ready <= 0)
-        return ready == 0 || errno == EINTR ? 0 : -1;
-    const ssize_t got = read(t->in, bytes, max);
-    if (got > 0)
-        return (long)got;
-    if (got < 0 && later(errno) && !(p.revents & (POLLHUP | POLLERR)))
-        return 0;
-    if (got == 0)
-        errno = EPIPE;
-    return -1;
-}
-
-static long fd_write(transport *t, const void *bytes, size_t count)
-{
-    struct pollfd p = { .fd = t->out, .events = POLLOUT };
-    const int ready = poll(&p, 1, 0);
-
-    if (ready <= 0)
-        return ready == 0 || errno == EINTR ? 0 : -1;
-    const ssize_t put = write(t->out, bytes, count);
-    return put >= 0 ? (long)put : later(errno) ? 0 : -1;
-}
-
-static void fd_close(transport *t)
-{
-    close(t->in);
-    if (t->out != t->in)
-        close(t->out);
-}
-
-static const transport_kind kind = { fd_read, fd_write, fd_close };
-
-int transport_take(transport *t, int in, int out, const char *name)
-{
-    t->kind = &kind;
-    t->in   = in;
-    t->out  = out;
-    snprintf(t->text, sizeof t->text, "%.120s", name);
-    return 0;
-}
+#include "send/transport_kind.h"
 
 /* Raw bytes, no modem lines. The lock is advisory: TIOCEXCL would outlive a killed sender on a
  * pty. */
@@ -110,7 +61,7 @@ int transport_open_terminal(transport *t, host *h, const char *name, unsigned ba
     return transport_take(t, fd, fd, name);
 }
 
-static int open_unix(transport *t, host *h, const char *name)
+int transport_open_unix(transport *t, host *h, const char *name)
 {
     struct sockaddr_un address = { .sun_family = AF_UNIX };
     const char *path = name + strlen("unix:");
@@ -128,11 +79,6 @@ static int open_unix(transport *t, host *h, const char *name)
         return transport_refused(h, name, error);
     }
     return transport_take(t, fd, fd, name);
-}
-
-int transport_open_socket(transport *t, host *h, const char *name)
-{
-    return strncmp(name, "unix:", 5) == 0 ? open_unix(t, h, name) : transport_open_tcp(t, h, name);
 }
 
 /* From now on the program prints to standard error: standard output is the line. It stays blocking,

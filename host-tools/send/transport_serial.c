@@ -17,7 +17,7 @@
 #include <libserialport.h>
 
 #include "base/host.h"
-#include "send/transport.h"
+#include "send/transport_kind.h"
 
 static long serial_read(transport *t, void *bytes, size_t max)
 {

@@ -16,7 +16,7 @@
 #include <unistd.h>
 
 #include "base/memory.h"         /* memory_grow */
-#include "send/transport.h"
+#include "send/transport_kind.h"
 
 #define LOOK 0.02               /* s between two looks whether a name is known */
 
@@ -200,10 +200,8 @@ static int connect_on(transport *t, task_wants *w)
     return transport_refused(o->host, o->name, o->error);
 }
 
-int transport_step(transport *t, double now, task_wants *w)
+int transport_step_tcp(transport *t, double now, task_wants *w)
 {
-    if (t->opening == NULL)
-        return 0;
     const int code = look(t->opening, now, w);
     return code == 0 ? connect_on(t, w) : code;
 }

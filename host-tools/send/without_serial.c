@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include "base/host.h"
-#include "send/transport.h"
+#include "send/transport_kind.h"
 
 int transport_open_serial(transport *t, host *h, const char *name, unsigned baud)
 {

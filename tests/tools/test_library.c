@@ -1,5 +1,5 @@
-/* tests/tools/test_library.c -- libloft-host: a program asks a machine for all that a page needs, in
- * simulated time
+/* tests/tools/test_library.c -- libloft-host: a program asks a machine for all that a page needs,
+ * in simulated time
  * SPDX-License-Identifier: MIT
  */
 #include <stdlib.h>
