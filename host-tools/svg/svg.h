@@ -276,6 +276,7 @@ enum svg_warning {
     SVG_WARN_LAYER_NUMBERS,
     SVG_WARN_LINE,
     SVG_WARN_UPRIGHT,
+    SVG_WARN_TEXT_STYLE,
     SVG_WARN_PICTURE,
     SVG_WARN_CLIP_PATH,
     SVG_WARN_MASK,
@@ -361,6 +362,16 @@ enum svg_property {
     SVG_DIRECTION,
     SVG_WHITE_SPACE,
     SVG_WRITING_MODE,
+    SVG_FONT_CAPS,
+    SVG_DECORATION_LINE,
+    SVG_DECORATION_STYLE,       /* from here on: not drawn, but told */
+    SVG_TEXT_TRANSFORM,
+    SVG_FONT_VARIATION,
+    SVG_FONT_FEATURES,
+    SVG_FONT_ADJUST,
+    SVG_FONT_LIGATURES,
+    SVG_FONT_NUMERIC,
+    SVG_FONT_POSITION,
     SVG_PROPERTIES
 };
 
@@ -405,6 +416,9 @@ void svg_scope_close(svg_scope *scope);
 /* The value of a property with all var() substituted, or "unset" if one of them is not set;
  * otherwise the attribute; or NULL. *css tells whether it comes from a style. Free with xmlFree. */
 char *svg_property(svg_reader *r, const svg_style *style, enum svg_property which, bool *css);
+
+/* Its name in a style sheet. */
+const char *svg_property_name(enum svg_property which);
 
 typedef struct svg_selector svg_selector;
 

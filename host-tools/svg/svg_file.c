@@ -85,6 +85,7 @@ static const char *const warning_name[] = {
     [SVG_WARN_LAYER_NUMBERS] = "svg.layer-numbers",
     [SVG_WARN_LINE] = "svg.line",
     [SVG_WARN_UPRIGHT] = "svg.upright",
+    [SVG_WARN_TEXT_STYLE] = "svg.text-style",
     [SVG_WARN_PICTURE] = "svg.picture",
     [SVG_WARN_CLIP_PATH] = "svg.clip-path",
     [SVG_WARN_MASK] = "svg.mask",

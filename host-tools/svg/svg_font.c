@@ -81,6 +81,8 @@ static bool set_slant(svg_font *f, const char *text)
     static const word slants[] = { { "normal", 0 }, { "oblique", 1 }, { "italic", 2 } };
     double slant;
 
+    if (strncasecmp(text, "oblique ", 8) == 0)      /* its angle is that of the font */
+        text = "oblique";
     if (!WORD_VALUE(slants, text, &slant))
         return false;
     f->slant = (int)slant;
@@ -224,7 +226,7 @@ static void set_spacing(const svg_space *space, const char *text, double *out)
 }
 
 /* A list of words: lines, and how they look. With any other word it means nothing. */
-static void add_decoration(svg_font *f, const char *text)
+static void add_decoration(svg_reader *r, svg_font *f, const char *text)
 {
     static const char *const words[] = {
         "underline", "overline", "line-through", "none",   "blink",
@@ -246,6 +248,22 @@ static void add_decoration(svg_font *f, const char *text)
     f->underlined = f->underlined || has[0];
     f->overlined  = f->overlined || has[1];
     f->struck     = f->struck || has[2];
+    for (size_t i = 6; i < 10; i++)
+        if (has[i])
+            svg_warn(r, SVG_WARN_TEXT_STYLE,
+                     "text-decoration: %s is drawn solid: convert text to paths", words[i]);
+}
+
+/* What text is drawn without, unless it is as usual. */
+static void tell_undone(svg_reader *r, enum svg_property which, const char *text)
+{
+    static const char *const usual[] = { "none", "normal", "auto", "solid", "initial", "revert" };
+
+    for (size_t i = which == SVG_FONT_LIGATURES; i < sizeof usual / sizeof *usual; i++)
+        if (strcasecmp(text, usual[i]) == 0)
+            return;
+    svg_warn(r, SVG_WARN_TEXT_STYLE, "%s: %.20s is not applied: convert text to paths",
+             svg_property_name(which), text);
 }
 
 
@@ -263,12 +281,14 @@ static void set_property(svg_reader *r, svg_space *space, enum svg_property whic
     case SVG_FONT_STYLE:       (void)set_slant(f, text);                     break;
     case SVG_FONT_WEIGHT:      (void)set_weight(f, text);                    break;
     case SVG_FONT_STRETCH:     (void)set_stretch(f, text);                   break;
+    case SVG_FONT_CAPS:
     case SVG_FONT_VARIANT:     (void)set_caps(f, text);                      break;
     case SVG_FONT_KERNING:     f->plain = strcasecmp(text, "none") == 0;     break;
     case SVG_LETTER_SPACING:   set_spacing(space, text, &f->letter);         break;
     case SVG_WORD_SPACING:     set_spacing(space, text, &f->word);           break;
     case SVG_TEXT_ANCHOR:      set_anchor(f, text);                          break;
-    case SVG_TEXT_DECORATION:  add_decoration(f, text);                      break;
+    case SVG_DECORATION_LINE:
+    case SVG_TEXT_DECORATION:  add_decoration(r, f, text);                   break;
     case SVG_BASELINE:         set_baseline(&f->baseline, text);             break;
     case SVG_BASELINE_OWN:     set_baseline(&f->own_baseline, text);         break;
     case SVG_BASELINE_SHIFT:   add_shift(f, space, text);                    break;
@@ -281,7 +301,10 @@ static void set_property(svg_reader *r, svg_space *space, enum svg_property whic
             svg_warn(r, SVG_WARN_UPRIGHT,
                      "writing-mode: %.20s is read as horizontal: convert text to paths", text);
         break;
-    default: break;
+    default:
+        if (which >= SVG_DECORATION_STYLE)
+            tell_undone(r, which, text);
+        break;
     }
 }
 

@@ -64,8 +64,20 @@ static const char *const property_names[SVG_PROPERTIES] = {
                                                             [SVG_BASELINE_SHIFT] = "baseline-shift",
                                                             [SVG_DIRECTION] = "direction",
                                                             [SVG_WHITE_SPACE] = "white-space",
-    [SVG_WRITING_MODE] = "writing-mode"
+    [SVG_WRITING_MODE] = "writing-mode",
+    [SVG_FONT_CAPS] = "font-variant-caps",
+    [SVG_DECORATION_LINE] = "text-decoration-line",
+    [SVG_DECORATION_STYLE] = "text-decoration-style",
+    [SVG_TEXT_TRANSFORM] = "text-transform",
+    [SVG_FONT_VARIATION] = "font-variation-settings",
+    [SVG_FONT_FEATURES] = "font-feature-settings",
+    [SVG_FONT_ADJUST] = "font-size-adjust",
+    [SVG_FONT_LIGATURES] = "font-variant-ligatures",
+    [SVG_FONT_NUMERIC] = "font-variant-numeric",
+    [SVG_FONT_POSITION] = "font-variant-position"
 };
+
+const char *svg_property_name(enum svg_property which) { return property_names[which]; }
 
 char *svg_attribute(const xmlNode *node, const char *name)
 {

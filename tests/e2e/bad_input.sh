@@ -172,6 +172,8 @@ LAYER_NUMBERS|no speed, height|\
     <g i:groupmode="layer" i:label="1 +S50"><path d="M0 0h5" stroke="red"/></g>
 LINE|letters without single lines|<text x="5" y="9">&#x3a9;</text>
 UPRIGHT|is read as horizontal|<text x="5" y="9" writing-mode="vertical-rl">a</text>
+TEXT_STYLE|font-variation-settings: "wght" 700 is not applied|\
+    <text x="5" y="9" style='font-variation-settings: "wght" 700'>a</text>
 PICTURE|<image> is not drawn|<image width="5" height="5" href="a.png"/>
 CLIP_PATH|clip-path: circle(2)|<path d="M0 0h5" stroke="red" clip-path="circle(2)"/>
 MASK|not of white shapes|\
