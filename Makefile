@@ -259,7 +259,7 @@ deps-target:
 # --- make check: every stage ends with `N passed, N failed`; the last line sums them --------------
 CHECK_STAGES := lint test test-axes test-effort test-tools check-vectors-all \
                 test-mixed+test-cplusplus+test-packages+test-readme+test-examples+check-docs \
-                test-peer+test-model test-e2e
+                test-peer+test-model+test-tour test-e2e
 
 ## Check everything: rules of the house, all tests under sanitizers, vectors, README, whole jobs
 .PHONY: check

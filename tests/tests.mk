@@ -311,6 +311,11 @@ test-cplusplus: $(foreach n,$(NUMS),$(call libs,build/$(n)x3))
 test-packages: lib/names.h $(call libs,build/q16x3)
 	@bash tests/packages/compile.sh
 
+## Run the commands of host-tools/README.md in their order; ALL=1: also those that compute for long
+.PHONY: test-tour
+test-tour: build/loft
+	@python3 tests/house/tour.py --run build/loft
+
 ## Compile and run the README's example
 .PHONY: test-readme
 test-readme: build/q16x3/libloft.a
