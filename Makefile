@@ -102,12 +102,14 @@ lib:
 	+@$(PARALLEL) $(LIBRARIES:%=build/$(NUM)x$(AXES)/lib%.a)
 
 # --- the command: build/loft, one program with all three number types -----------------------------
-# WITHOUT="cairo geos libserialport ncurses": pictures, contour fills, serial ports and --view are
-# refused then, text has only single lines, the rest is there;
+# WITHOUT="cairo geos libserialport ncurses libwebsockets": pictures, contour fills, serial ports,
+# --view and `loft serve` are refused then, text has only single lines, the rest is there;
 # with a TOOL_OUT of its own, or after make clean
 PKG_CONFIG ?= pkg-config
-TOOL_PKG  := libxml-2.0 zlib $(filter-out $(WITHOUT),cairo geos libserialport ncurses) \
-             $(if $(filter cairo,$(WITHOUT)),,pangocairo)
+TOOL_OPT  := cairo geos libserialport ncurses libwebsockets
+TOOL_PKG  := libxml-2.0 zlib $(filter-out $(WITHOUT),$(TOOL_OPT)) \
+             $(if $(filter cairo,$(WITHOUT)),,pangocairo) \
+             $(if $(filter libwebsockets,$(WITHOUT)),,json-c)
 TOOL_OUT  ?= build
 # asked once, when the first file is compiled: make deps may have just installed it
 TOOL_CFLAGS = $(eval TOOL_CFLAGS := $(shell $(PKG_CONFIG) --cflags $(TOOL_PKG)))$(TOOL_CFLAGS)
@@ -125,11 +127,14 @@ TOOL_WITH_cairo            := $(wildcard $(patsubst %,host-tools/draw/%.c,plot* 
 TOOL_WITH_geos             := host-tools/arrange/region.c host-tools/arrange/pieces.c
 TOOL_WITH_libserialport    := host-tools/send/transport_serial.c
 TOOL_WITH_ncurses          := host-tools/cmd/screen.c
+TOOL_WITHOUT_libwebsockets := host-tools/serve/without_websockets.c
+TOOL_WITH_libwebsockets    := $(filter-out $(TOOL_WITHOUT_libwebsockets), \
+                                $(wildcard host-tools/serve/*.c))
 TOOL_WITHOUT_cairo         := host-tools/draw/without_cairo.c host-tools/svg/without_glyphs.c
 TOOL_WITHOUT_geos          := host-tools/arrange/without_region.c
 TOOL_WITHOUT_libserialport := host-tools/send/without_serial.c
 TOOL_WITHOUT_ncurses       := host-tools/cmd/without_ncurses.c
-TOOL_LEFT := $(foreach l,cairo geos libserialport ncurses,\
+TOOL_LEFT := $(foreach l,$(TOOL_OPT),\
                  $(TOOL_WITH$(if $(filter $(l),$(WITHOUT)),,OUT)_$(l)))
 TOOL_SRC  := $(filter-out $(TOOL_ENGINE) $(TOOL_LEFT),$(sort $(wildcard host-tools/*.c \
                  host-tools/*/*.c)))
@@ -139,7 +144,8 @@ TOOL_REACHED := $(shell sh tests/house/tool_reach.sh)
 TOOL_LIB  ?= build/tools/%/libloft.a
 TOOL_LIBS  = $(foreach n,$(NUMS),$(subst %,$(n),$(TOOL_LIB)))
 TOOL_OBJ  := $(patsubst %.c,$(TOOL_OUT)/tools/%.o,$(TOOL_SRC)) \
-             $(foreach n,$(NUMS),$(patsubst %.c,$(TOOL_OUT)/tools/$(n)/%.o,$(TOOL_EACH)))
+             $(foreach n,$(NUMS),$(patsubst %.c,$(TOOL_OUT)/tools/$(n)/%.o,$(TOOL_EACH))) \
+             $(if $(filter libwebsockets,$(WITHOUT)),,$(TOOL_OUT)/tools/site.o)
 
 build/tools/reached: FORCE
 	+@mkdir -p $(@D)
@@ -172,6 +178,15 @@ $(TOOL_OUT)/tools/host-tools/%.o: host-tools/%.c | lib/names.h
 	$(SAY) "  CC  $@"
 	$(Q)$(CC) $(INCLUDE) $(BUILT) $(TOOL_STD) $(call tool_flag,q16) -c $< -o $@
 
+# the page, if `make page` has built it
+$(TOOL_OUT)/tools/site.c: host-tools/page/embed.sh $(wildcard build/site/*)
+	@mkdir -p $(@D)
+	$(SAY) "  GEN $@"
+	$(Q)sh $< build/site >$@
+$(TOOL_OUT)/tools/site.o: $(TOOL_OUT)/tools/site.c
+	$(SAY) "  CC  $@"
+	$(Q)$(CC) $(INCLUDE) $(BUILT) $(TOOL_STD) -c $< -o $@
+
 # as fast as -O2 (plans, pictures), and compiled in two thirds of its time
 $(TOOL_OUT)/loft: OPTIMISED = -O1 -finline-functions -finline-small-functions
 $(TOOL_OUT)/loft: $(TOOL_OBJ) $(TOOL_LIBS)
@@ -188,7 +203,7 @@ tools:
 # One object, of which only the functions of library/host.h can be seen: what it is made of may have
 # any name. It needs the packages of HOST_PKG.
 HOST_ROOMS := base engine geometry read svg gcode fit arrange plan send
-HOST_PKG   := $(filter-out ncurses,$(TOOL_PKG))
+HOST_PKG   := $(filter-out ncurses libwebsockets json-c,$(TOOL_PKG))
 HOST_SRC   := $(filter $(foreach r,$(HOST_ROOMS),host-tools/$(r)/%) host-tools/readers.c, \
                   $(TOOL_SRC))
 HOST_OBJ   := $(HOST_SRC:%.c=$(TOOL_OUT)/tools/%.o) $(foreach n,$(NUMS),$(patsubst \
@@ -228,6 +243,7 @@ demo-mill: tools
 HOST_PACKAGES := gcc g++ libc6-dev make pkg-config clang clang-format libclang-rt-14-dev \
                  libxml2-dev zlib1g-dev libcairo2-dev libpango1.0-dev fonts-dejavu-core \
                  hershey-fonts-data libgeos-dev libserialport-dev libncurses-dev \
+                 libwebsockets-dev libjson-c-dev \
                  librsvg2-bin spin python3
 
 ## Install the Debian packages that demo and check need

@@ -244,14 +244,17 @@ build/test/tools/option: tests/tools/test_option.c $(addprefix build/test/tools/
 # Conversations with a machine in this program; they are sanitized, and have no line and no clock.
 SEND_SRC := $(filter-out %/without_serial.c $(wildcard host-tools/send/transport*.c), \
               $(sort $(wildcard host-tools/send/*.c host-tools/library/*.c)))
-SEND_TESTS := build/test/tools/send build/test/tools/library
-$(SEND_TESTS): build/test/tools/%: tests/tools/test_%.c $(SEND_SRC:%.c=build/test/tools/%.o) \
+SERVE_SRC := $(addprefix host-tools/serve/,client.c messages.c preview.c store.c)
+TALK_SRC  := $(SEND_SRC) $(SERVE_SRC)
+TALK_TESTS := build/test/tools/send build/test/tools/library build/test/tools/serve
+$(TALK_TESTS): build/test/tools/%: tests/tools/test_%.c $(TALK_SRC:%.c=build/test/tools/%.o) \
         $(filter-out %/host-tools/loft.o %/base/clock.o $(TOOL_OUT)/tools/host-tools/send/% \
-            $(TOOL_OUT)/tools/host-tools/library/%,$(TOOL_OBJ)) $(TOOL_LIBS)
+            $(TOOL_OUT)/tools/host-tools/library/% $(SERVE_SRC:%.c=$(TOOL_OUT)/tools/%.o), \
+            $(TOOL_OBJ)) $(TOOL_LIBS)
 	$(SAY) "  LD  $@"
 	$(Q)$(CC) $(LDFLAGS) $(TOOL_FLAGS) -Itests -MF $@.d -MT $@ $(filter %.c %.o %.a,$^) \
 	    $(shell $(PKG_CONFIG) --libs $(TOOL_PKG)) -lm -o $@
--include $(TOOL_TESTED_OBJ:.o=.d) $(SEND_SRC:%.c=build/test/tools/%.d)
+-include $(TOOL_TESTED_OBJ:.o=.d) $(TALK_SRC:%.c=build/test/tools/%.d)
 -include $(patsubst %,build/test/tools/%.d,$(TOOL_TESTS))
 .PRECIOUS: build/test/tools/%.o
 

@@ -30,7 +30,8 @@ def main():
     sums = ''.join(sorted(f['checksums'][0]['checksumValue'] for f in files))
     needs = {'libxml2': 'MIT', 'zlib': 'Zlib', 'cairo': 'LGPL-2.1-only OR MPL-1.1',
              'pango': 'LGPL-2.0-or-later', 'geos': 'LGPL-2.1-or-later',
-             'libserialport': 'LGPL-3.0-or-later', 'ncurses': 'X11'}
+             'libserialport': 'LGPL-3.0-or-later', 'ncurses': 'X11', 'libwebsockets': 'MIT',
+             'json-c': 'MIT'}
     packages = [{
         'SPDXID': 'SPDXRef-loft', 'name': 'loft', 'versionInfo': version,
         'downloadLocation': 'NOASSERTION', 'filesAnalyzed': True,

@@ -62,7 +62,7 @@ wrong_arrows() {        # wrong_arrows TOP ROOM..: includes of a later room
       grep -v '^lib/loft/surfaces\.h:'
 } | rule "arrows of lib/ point one way"
 { python3 tests/house/arrows.py base engine geometry read svg gcode readers fit arrange plan send \
-      draw mill make library cmd command_list loft figures
+      draw mill make library serve cmd command_list loft figures
   grep -nE '#[[:space:]]*include[[:space:]]*"[^/]*"' host-tools/*/*.[ch] |
       grep -vE '"(loft|readers)\.h"'
 } | rule "arrows of host-tools/ point one way, in no circle; only cmd/ has the terminal"

@@ -1,5 +1,5 @@
 #!/bin/bash
-# tests/packages/tool.sh -- the command without cairo, GEOS, libserialport and ncurses
+# tests/packages/tool.sh -- the command without cairo, GEOS, libserialport, ncurses and libwebsockets
 # SPDX-License-Identifier: MIT
 # usage: tests/packages/tool.sh
 row=tool
@@ -8,10 +8,10 @@ needs musl-gcc
 
 # what is left out is refused in one line, and the rest works
 without=$work/without/loft
-none="cairo geos libserialport ncurses"
+none="cairo geos libserialport ncurses libwebsockets"
 built() { make -s tools WITHOUT="$none" TOOL_OUT="$work/without"; }
 verdict "make tools WITHOUT=\"$none\"" built
-free() { ! ldd "$without" | grep -E 'cairo|geos|serialport|ncurses'; }
+free() { ! ldd "$without" | grep -E 'cairo|geos|serialport|ncurses|websockets|json-c'; }
 verdict "it is linked with none of them" free
 refuses() {     # refuses WORD ARGUMENT..: with the code 69 and one line that has the word
     local word=$1 said
@@ -24,6 +24,7 @@ echo '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0h9v9z"/></svg>' >"$wo
 verdict "contour fills are refused, with the cause" refuses geos plan "$work/filled.svg" \
     --fill contour
 verdict "loft ports is refused, with the cause" refuses libserialport ports
+verdict "loft serve is refused, with the cause" refuses libwebsockets serve --listen 127.0.0.1:0
 view() {        # on a terminal
     ! script -qec "'$without' stream tests/drawings/demo.svg --port /dev/null --view" /dev/null |
         grep -v "without ncurses"
