@@ -40,7 +40,8 @@ ALL_SECONDS = 3                 # a test that takes longer runs a share of its s
 MEMORY = 4 << 30                # of a test that is not sanitized
 ROOMS = ["num", "geom", "basis", "curve", "kinematics", "path", "motion", "wire", "machine",
          "surface", "polygon", "toolpath"]
-EFFORT_TESTS = {"path": ["path", "corner", "tube"], "motion": ["plan", "timing", "any"], "machine": ["planner"]}
+EFFORT_TESTS = {"path": ["path", "corner", "tube"], "motion": ["plan", "timing", "any"],
+                "machine": ["planner"]}
 CC = [word for word in os.environ.get("CC", "cc").split() if "ccache" not in word]
 CACHED_CC = os.environ.get("CC", "cc").split()
 SANITIZE = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
@@ -269,11 +270,12 @@ class Known:
 def reasons():
     """Mutants that no test can see: {line: reason}"""
     found, line = {}, None
-    for text in open(LIST, encoding="utf-8") if os.path.exists(LIST) else []:
-        if text.startswith("    "):
-            found[line] = (found[line] + " " + text.strip()).strip()
-        elif text.strip() and not text.startswith("#"):
-            line = text.strip()
+    text = open(LIST, encoding="utf-8").read() if os.path.exists(LIST) else ""
+    for part in re.sub(r" \\\n +", " ", text).split("\n"):
+        if part.startswith("    "):
+            found[line] = (found[line] + " " + part.strip()).strip()
+        elif part.strip() and not part.startswith("#"):
+            line = part.strip()
             found[line] = ""
     return found
 
@@ -294,6 +296,9 @@ def mutate(room, size, listed, known, options):
     """Judge a sample; how many of each verdict, and the survivors."""
     counts, survivors = collections.Counter(), []
     builds = BUILDS if options.all else BUILDS[:1]
+    names = {mutant.name for mutant in room.found}
+    for name in sorted(n for n in listed if n.startswith(room.name + "/") and n not in names):
+        print("%s: there is no such mutant: %s" % (LIST, name))
     for mutant in room.in_order(options.seed):
         if options.only and options.only not in "%s:%d: %s" % (mutant.path, mutant.line,
                                                                mutant.name):

@@ -66,11 +66,26 @@ static void a_part_is_the_blossoms(arb *a)
     }
 }
 
+/* Whatever was there before. */
+static void a_box_starts_whole(arb *a)
+{
+    loft_dyad_box box;
+    uint8_t *byte = (uint8_t *)&box;
+
+    for (unsigned n = 0; n < sizeof box; n++)
+        byte[n] = (uint8_t)arb_next(a);
+    loft_dyad_box_start(&box);
+    CHECK(box.depth == 0);
+    for (unsigned k = 0; k < LOFT_DYAD_PARAMETERS; k++)
+        CHECK(box.n[k].k == 0 && box.n[k].level == 0);
+}
+
 int main(void)
 {
     PROPERTY(leaves_lie_end_to_end,                  2000);
     PROPERTY(halves_make_the_whole,                  2000);
     PROPERTY(a_parameter_of_a_piece_is_rounded_once, 2000);
     PROPERTY(a_part_is_the_blossoms,                 2000);
+    PROPERTY(a_box_starts_whole, 20);
     return check_failures();
 }

@@ -61,8 +61,28 @@ static void the_foot_is_the_nearest_point(arb *a)
                         s.distance * BY_NUM(0x1p-23L, 0x1p-23L, 0x1p-49L));
 }
 
+/* It has no direction, and is nearest itself. */
+static void a_chord_without_length_is_a_point(arb *a)
+{
+    scene s;
+    loft_acc r[LOFT_AXES];
+
+    arb_scene(a, &s);
+    for (int i = 0; i < LOFT_AXES; i++)
+        s.c.u[i] = 0;
+    loft_chord_aim(&s.c);
+    CHECK(s.c.length <= 0 && s.c.length >= 0);
+    const loft_acc at = loft_chord_foot(&s.c, s.w, r);
+    CHECK(at <= 0 && at >= 0);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        CHECK(s.c.toward[i] <= 0 && s.c.toward[i] >= 0);
+        CHECK(r[i] <= s.w[i] && r[i] >= s.w[i]);
+    }
+}
+
 int main(void)
 {
     PROPERTY(the_foot_is_the_nearest_point, 30000);
+    PROPERTY(a_chord_without_length_is_a_point, 1000);
     return check_failures();
 }
