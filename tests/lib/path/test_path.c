@@ -317,6 +317,47 @@ static void a_line_takes_the_time_of_its_launches(arb *a)
     CHECK_NEAR(found, steps, 4 + steps / 200.0);
 }
 
+#if LOFT_FOLDS
+/* What is left out of long slow lines is left out where they are straight, takes its time at the
+ * feed, and comes back: with it, the last place is where the chain ends. */
+static void what_is_left_out_comes_back(arb *a)
+{
+    const double feed = arb_decades(a, 10, 40), zero[4] = { 0 };
+    double d[LOFT_AXES], way = 0;
+    loft_chain_walk w;
+    bool straight = false;
+    unsigned folds = 0;
+
+    even_limits(200, arb_decades(a, 1000, 5000), arb_below(a, 2) ? 100000 : 0);
+    begin_chain();
+    for (unsigned k = 0; k < 3; k++) {
+        const double size = arb_between(a, 10, 40), u[4] = { 0, size / 3, size * 2 / 3, size };
+        arb_direction(a, d);
+        add_curve(d, d, u, zero, feed);
+    }
+    CHECK(find_places());
+    walk_beside(&w);
+    for (unsigned k = 0; k < found; k++) {
+        (void)loft_chain_go(&beside, &w, along[k]);
+        const bool was = straight;
+        straight = loft_chain_is_straight(&w, along[k]);
+        if (k == 0 || memcmp(&found_at[k].fold, &found_at[k - 1].fold, sizeof(loft_fold)) == 0)
+            continue;
+        const loft_fold *from = &found_at[k - 1].fold, *to = &found_at[k].fold;
+        double left = 0;
+        for (int i = 0; i < LOFT_AXES; i++)
+            left += pow(to->axis[i] - from->axis[i], 2);
+        CHECK(straight && was && found_at[k].number == found_at[k - 1].number);
+        CHECK_NEAR(to->ticks - from->ticks, sqrt(left) / 65536 / feed * limits.tick_hz, 2);
+        way += sqrt(left) / 65536;
+        folds++;
+    }
+    CHECK(folds <= 3);
+    if (found > 1 && folds > 0)
+        CHECK(is_at(&found_at[found - 1], chain[curves - 1].curve.p[3]) && way > 1);
+}
+#endif
+
 
 // Chords
 // ------
@@ -589,6 +630,9 @@ int main(void)
     PROPERTY(corners_are_near_where_they_count, 30);
     PROPERTY(it_does_not_matter_how_a_path_is_cut, 20);
     PROPERTY(places_move_with_the_path, 40);
+#if LOFT_FOLDS
+    PROPERTY(what_is_left_out_comes_back, 100);
+#endif
     if (LOFT_PLAN_EFFORT > 1)
         PROPERTY(a_line_takes_the_time_of_its_launches, 200);
     PROPERTY(no_place_skips_more_than_the_tube, 240);

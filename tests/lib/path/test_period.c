@@ -65,10 +65,30 @@ static void a_speed_is_that_of_a_period(arb *a)
     CHECK_NEAR(loft_period_speed(&p, real_of(v)), want - less, 2 + want * 1e-6);
 }
 
+/* The last period of a chain may last half as long, if grains are as large then as in others. */
+static void a_last_period_has_grains(arb *a)
+{
+    loft_period p;
+    bool halved = true;
+
+    arb_limits(a);
+    if (arb_below(a, 2))
+        arb_jerk(a);
+    loft_period_init(&p, &limits);
+    const int half = (p.ticks + 1) / 2;
+    for (int i = 0; i < LOFT_AXES; i++) {
+        const double part = (double)half / p.ticks;
+        halved = halved && p.jerk[i] * part * part * part >= 6 * GRAIN &&
+                 p.accel[i] * part * part >= 6 * GRAIN;
+    }
+    CHECK(p.last == (halved && 2 * p.ticks <= 1001 ? half : p.ticks));
+}
+
 int main(void)
 {
     PROPERTY(no_more_is_allowed_than_the_limits, 5000);
     PROPERTY(little_less_is_allowed_than_the_limits, 5000);
     PROPERTY(a_speed_is_that_of_a_period, 5000);
+    PROPERTY(a_last_period_has_grains, 5000);
     return check_failures();
 }

@@ -57,6 +57,37 @@ static void the_cubic_leads_from_place_to_place(arb *a)
     CHECK(distance(&p, &at[2]->at) <= 8 * LOFT_AXES);
 }
 
+/* The cubic itself: `before` and `after` are half of what the legs beside it differ by from the
+ * chord, where legs are at most twice as long as that; at a sharp place there is none. */
+static void the_cubic_turns_as_its_legs_do(arb *a)
+{
+    const loft_path_place *at[4];
+    double leg[3][LOFT_AXES], large[3] = { 0 };
+    loft_position p;
+
+    arb_places(a);
+    pointers(at, 4);
+    for (unsigned k = 0; k < 3; k++)
+        for (int i = 0; i < LOFT_AXES; i++) {
+            leg[k][i] = (double)at[k + 1]->at.axis[i] - at[k]->at.axis[i];
+            large[k] = fmax(large[k], fabs(leg[k][i]));
+        }
+    const double z = (double)arb_below(a, WHOLE) / WHOLE;
+    loft_path_between(at, (int32_t)(z * WHOLE), &p);
+    for (int i = 0; i < LOFT_AXES; i++) {
+        double turn[2];
+        for (unsigned n = 0; n < 2; n++) {
+            const double most = 2 * large[1], size = large[2 * n],
+                         part = leg[2 * n][i] * (size > most ? most / size : 1);
+            turn[n] = at[1 + n]->sharp ? 0 : (part - leg[1][i]) / 2;
+        }
+        CHECK_NEAR(p.axis[i],
+                   at[1]->at.axis[i] +
+                       z * (leg[1][i] + (1 - z) * ((1 - z) * turn[0] - z * turn[1])),
+                   16 + (large[0] + large[1] + large[2]) * 0x1p-20);
+    }
+}
+
 /* Of points near it, but for the rounding of a place on it. */
 static void a_distance_is_never_too_small(arb *a)
 {
@@ -78,6 +109,28 @@ static void a_distance_is_never_too_small(arb *a)
         last = on;
     }
     CHECK(loft_path_off(at, z, &p) + 16 >= least - step / 2);
+}
+
+/* A point of the cubic is nowhere off it, and one across it by so much as it is across. */
+static void a_point_of_it_is_not_off(arb *a)
+{
+    const loft_path_place *at[4];
+    loft_position p, before, behind;
+
+    arb_places(a);
+    pointers(at, 4);
+    const int32_t z = 1000 + (int32_t)arb_below(a, WHOLE - 2000);
+    loft_path_between(at, z, &p);
+    CHECK(loft_path_off(at, z, &p) <= 32);
+    loft_path_between(at, z - 1000, &before);
+    loft_path_between(at, z + 1000, &behind);
+    const double x = behind.axis[0] - before.axis[0], y = behind.axis[1] - before.axis[1],
+                 size = sqrt(x * x + y * y), off = arb_between(a, -0.0005, 0.0005) / UNIT;
+    if (size < 500)
+        return;
+    p.axis[0] += (loft_coord)(off * y / size);
+    p.axis[1] -= (loft_coord)(off * x / size);
+    CHECK(loft_path_off(at, z, &p) <= fabs(off) * 1.02 + 64);
 }
 
 /* The spline whose control points are the centres of the places. */
@@ -128,7 +181,9 @@ static void where_the_path_turns_back_its_tip_counts(arb *a)
 int main(void)
 {
     PROPERTY(the_cubic_leads_from_place_to_place,      2000);
+    PROPERTY(the_cubic_turns_as_its_legs_do,           2000);
     PROPERTY(a_distance_is_never_too_small,             400);
+    PROPERTY(a_point_of_it_is_not_off,                 2000);
     PROPERTY(what_the_smooth_path_misses_is_known,     2000);
     PROPERTY(where_the_path_turns_back_its_tip_counts, 2000);
     return check_failures();
