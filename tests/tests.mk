@@ -52,33 +52,45 @@ $(foreach n,$(NUMS),$(eval $(call tested,$(n))))
 # longest first, so that no core waits at the end.
 TESTS_LONG := plan any intersect waypoints planner
 TEST_SHARE := $(if $(ALL),1,8)
+# A push sanitizes q16 and f64; f32 has the code of f64 and is run as the library is built for use.
+SANITIZED  := $(if $(ALL),$(NUMS),q16 f64)
+build/plain/%: private OPTIMISED = -Og
+$(foreach n,$(NUMS),$(TESTS_LONG:%=build/plain/$(n)/%)): private OPTIMISED = -O2
 define plain
 build/plain/$(1)/%: test_%.c build/$(1)x$(AXES)/libloft.a
 	@mkdir -p $$(@D)
 	$$(SAY) "  LD  $$@"
 	$$(Q)$$(CC) $$(LDFLAGS) $$(INCLUDE) -Itests $$(BUILT) $$(STD) $$(DEPS) -MF $$@.d -MT $$@ \
-	    $$(call num_flag,$(1)) $$< $$(filter %.o %.a,$$^) -lm -o $$@
--include $(patsubst %,build/plain/$(1)/%.d,$(TESTS_LONG))
+	    $$(call num_flag,$(1)) $$< $$(linked) -lm -o $$@
+$(SURFACES_TESTS:%=build/plain/$(1)/%): build/$(1)x$(AXES)/libloft-surfaces.a
+build/plain/$(1)/$(SOLVED): INCLUDE += -Ihost-tools
+build/plain/$(1)/flash_log: INCLUDE += -Iports
+build/plain/$(1)/$(SOLVED): $(SOLVER_OBJ)
+-include $(patsubst %,build/plain/$(1)/%.d,$(TESTS))
 endef
 $(foreach n,$(NUMS),$(eval $(call plain,$(n))))
 
+# tested_as NUM, tests: programs of a push
+tested_as = $(2:%=build/$(if $(filter $(1),$(SANITIZED)),test,plain)/$(1)/%)
+TEST_EACH = $(foreach n,$(NUMS),$(TESTS_LONG:%=build/plain/$(n)/%) \
+                $(if $(filter $(n),$(SANITIZED)),$(TESTS_LONG:%=build/test/$(n)/%)) \
+                $(call tested_as,$(n),$(filter-out $(TESTS_LONG),$(TESTS))))
+
 ## Run all module tests in q16, f32 and f64 under ASan and UBSan (one module: make test-forward)
 .PHONY: test
-test: $(if $(ALL),,left-of-tests) \
-      $(foreach n,$(NUMS),$(foreach t,$(TESTS_LONG),build/plain/$(n)/$(t)) \
-                          $(foreach t,$(TESTS),build/test/$(n)/$(t)))
-	@{ for t in $(TESTS_LONG); do for n in $(NUMS); do \
-	       echo "echo '-- $$t $$n'; build/plain/$$n/$$t"; done; done; \
-	   for t in $(TESTS_LONG); do for n in $(NUMS); do \
-	       echo "echo '-- $$t $$n, sanitized'; LOFT_SHARE=$(TEST_SHARE) build/test/$$n/$$t"; \
-	   done; done; \
-	   for t in $(SOLVED) $(filter-out $(SOLVED) $(TESTS_LONG),$(TESTS)); do for n in $(NUMS); do \
-	       echo "echo '-- $$t $$n'; build/test/$$n/$$t"; done; done; } | \
+test: $(if $(ALL),,left-of-tests) $(TEST_EACH)
+	@{ for t in $(foreach t,$(TESTS_LONG),$(foreach n,$(NUMS),build/plain/$(n)/$(t))); do \
+	       echo "echo '-- $$t'; $$t"; done; \
+	   for t in $(foreach t,$(TESTS_LONG),$(foreach n,$(SANITIZED),build/test/$(n)/$(t))); do \
+	       echo "echo '-- $$t, a share of its seeds'; LOFT_SHARE=$(TEST_SHARE) $$t"; done; \
+	   for t in $(foreach t,$(SOLVED) $(filter-out $(SOLVED) $(TESTS_LONG),$(TESTS)), \
+	                $(foreach n,$(NUMS),$(call tested_as,$(n),$(t)))); do \
+	       echo "echo '-- $$t'; $$t"; done; } | \
 	    bash tests/house/beside.sh
 
 .PHONY: left-of-tests
 left-of-tests:
-	@echo "left to make check-all: of 8 seeds 7, sanitized, of $(TESTS_LONG);" \
+	@echo "left to make check-all: sanitizers of f32; of 8 seeds 7, sanitized, of $(TESTS_LONG);" \
 	    "narrow polygons of harmonic in two number types of three"
 
 ## Run all seeds of those that take long under ASan and UBSan too: minutes
@@ -174,16 +186,18 @@ test-effort: $(CHIP_EACH)
 VECTORS ?= tests/vectors
 VECTOR_SRC := $(sort $(wildcard tests/vectors/*.c)) host-tools/figures/engine_chapter.c \
               host-tools/figures/chapter.c host-tools/figures/chapter_study.c
+# f32 as the library is built for use: the readers are the same code in each number type
+vector_flags = $(if $(filter-out f32,$(1)),$$(SANITIZE))
 define vectored
 build/vectors/$(1)-obj/%.o: %.c | lib/names.h
 	@mkdir -p $$(@D)
 	$$(SAY) "  CC  $$@"
-	$$(Q)$$(CC) $$(INCLUDE) -Itests -Ihost-tools $$(TESTED) $$(STD) $$(DEPS) $$(SANITIZE) \
-	    $$(call num_flag,$(1)) -c $$< -o $$@
+	$$(Q)$$(CC) $$(INCLUDE) -Itests -Ihost-tools $$(TESTED) $$(STD) $$(DEPS) \
+	    $(call vector_flags,$(1)) $$(call num_flag,$(1)) -c $$< -o $$@
 build/vectors/$(1): $(patsubst %.c,build/vectors/$(1)-obj/%.o,$(VECTOR_SRC)) $(SOLVER_OBJ) \
-                    $(call libs,build/test/$(1))
+                    $(call libs,build/$(if $(call vector_flags,$(1)),test/$(1),$(1)x3))
 	$$(SAY) "  LD  $$@"
-	$$(Q)$$(CC) $$(LDFLAGS) $$(TESTED) $$(SANITIZE) $$(linked) -lm -o $$@
+	$$(Q)$$(CC) $$(LDFLAGS) $$(TESTED) $(call vector_flags,$(1)) $$(linked) -lm -o $$@
 -include $(patsubst %.c,build/vectors/$(1)-obj/%.d,$(VECTOR_SRC))
 endef
 $(foreach n,$(NUMS),$(eval $(call vectored,$(n))))
