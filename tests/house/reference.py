@@ -281,6 +281,8 @@ class Reference:
         self.list_page("verbs.html", "Functions by verb", dict(
             {v: n for v, n in verbs.items() if len(n) > 1}, **{"other verbs": rare}))
         self.list_page("nouns.html", "Functions by noun", nouns)
+        self.list_page("interrupt.html", "Functions that are safe in an interrupt",
+                       self.in_interrupt())
         types = collections.defaultdict(list)
         for h in self.headers:
             for g in h.groups:
@@ -289,6 +291,16 @@ class Reference:
                         types[{"enum": "Enumerations", "macro": "Constants and macros"}.get(
                             d.kind, "Structures and types")].append(d.name)
         self.list_page("types.html", "Structures, types and constants", types)
+
+    def in_interrupt(self):
+        out = collections.defaultdict(list)
+        for h in self.headers:
+            for g in h.groups:
+                said = " ".join(" ".join([*h.labels_of(g).values(), *g.text]).split())
+                if re.search(r"(safe|meant) (in|for) (an|the) (\w+ )?(ISR|interrupt)"
+                             r"|in any context", said):
+                    out["lib/" + h.room] += [f.name for f in g.functions]
+        return {room: names for room, names in out.items() if names}
 
     def list_page(self, name, title, groups):
         jumps = " · ".join('<a href="#%s">%s</a>' % (anchor("of " + k), escape(k))
@@ -418,6 +430,8 @@ functions, each with its shape, units, range, error, cost and stack, as the head
 <ul><li><a href="recipes.html">I want to ..</a>: which functions for which task</li>
 <li>functions by <a href="verbs.html">verb</a>, by <a href="nouns.html">noun</a>, by room below;
 <a href="types.html">structures, types and constants</a></li>
+<li><a href="contexts.html">threads and interrupts</a>:
+<a href="interrupt.html">what an interrupt may call</a></li>
 <li><a href="catalogue.html">what exists for which curve and patch</a>;
 <a href="texts.html">the five texts, section by section</a></li>
 <li><a href="errors.html">errors</a>, <a href="costs.html">cycles and bytes</a>,
