@@ -64,6 +64,21 @@ cat > part.svg <<'E'
 </svg>
 E
 verdict "it draws a file: each pulse as of loft stream, the last where it says" drawn part.svg
+halted() { until grep -q "$1" "$out/mine.log"; do kill -0 "$pid" || return; sleep 0.02; done; }
+goes_on() {     # killed in the middle of a job and run again, it draws each step once
+    "$loft" simulate --link "$out/mine" --record "$out/mine.csv" --halt 1500 \
+        > "$out/mine.log" 2>&1 &
+    pid=$!
+    appears "$out/mine" && { ./draw part.svg mine > said 2>&1 & }
+    local killed=$!
+    halted 'halted at tick 1500'
+    kill -9 "$killed"; wait "$killed"
+    kill -USR2 "$pid"
+    timeout 300 ./draw part.svg mine > said; code=$?; cat said
+    kill "$pid"; wait "$pid"
+    [ "$code" = 0 ] && cmp <(steps mine | cut -d, -f2-) <(steps theirs | cut -d, -f2-)
+}
+verdict "killed in a job and run again, it goes on: the same steps" goes_on
 printf 'G21 G90\nG0 X5 Y5\nG1 X60 Y20 F1200\nG2 X80 Y40 I0 J20\nG1 X5 Y5\n' > part.nc
 refused() {     # an error is told with its name, and the code comes back
     ./draw missing.svg /dev/null 2> said; code=$?; cat said
