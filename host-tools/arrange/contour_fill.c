@@ -19,6 +19,7 @@
 
 #define REACH 3.0               /* distances: the next outline is nearer than this, everywhere */
 #define NONE  SIZE_MAX         /* no outline */
+#define TOLD  16                /* sizes from one word of progress to the next */
 #define LEAST 0.001             /* mm: shorter lines are left out */
 
 typedef struct {
@@ -240,11 +241,32 @@ static int draw_chain(drawer *w, layer all[], size_t layers, size_t k, size_t i)
 
 static void *zeroed(size_t bytes) { return memset(memory_grow(NULL, bytes), 0, bytes); }
 
+/* How many sizes there are at most: half of the smaller side of the box holds them. */
+static double sizes_at_most(const region_rings *outer, double distance)
+{
+    double box[2][2] = { { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL } };
+
+    for (size_t i = 0; i < outer->count; i++)
+        for (size_t k = 0; k < outer->ring[i].count; k++) {
+            const double *p = outer->ring[i].point[k];
+            const double at[2][2] = { { p[0], p[1] }, { p[0], p[1] } };
+            join_boxes(box, (const double(*)[2])box, at);
+        }
+    return fmin(box[1][0] - box[0][0], box[1][1] - box[0][1]) / 2 / distance;
+}
+
 static int shrink_all(host *h, const contour_options *o, region *area, layer **all, size_t *layers,
                       const char *file)
 {
     for (double by = o->distance / 2;; by = o->distance) {
         layer one;
+        if (*layers % TOLD == TOLD - 1) {
+            const double most = sizes_at_most(&(*all)[0].rings, o->distance);
+            const host_progress p = { "filling", (double)*layers, fmax(most, (double)*layers),
+                                      true };
+            if (!host_goes_on(h, &p))
+                return EX_TEMPFAIL;
+        }
         if (!region_shrink(h, area, by, file))
             return region_error();
         region_outlines(area, &one.rings);

@@ -285,8 +285,41 @@ static void spirals_need_no_lift(arb *a)
     drawing_free(&d);
 }
 
+typedef struct {
+    double clock, done;
+    unsigned calls, most;       /* of progress; that many, then it ends */
+} told;
+
+static double later(void *context) { return ((told *)context)->clock += 1; }
+static bool follow(void *context, const host_progress *p)
+{
+    told *t = context;
+
+    if (p->doing == NULL)
+        return true;
+    CHECK(p->done <= p->total);
+    t->done = p->done;
+    return ++t->calls < t->most;
+}
+
+/* One shape of many sizes says how far it is, and ends when it is told to. */
+static void one_large_shape_tells_how_far_it_is(arb *a)
+{
+    told t = { .most = 3 + arb_below(a, 4) };
+    host h = { .progress = follow, .now = later, .context = &t };
+    fill_options f;
+    drawing d;
+
+    CHECK(!*read_fill("contour:0.2", &f) &&
+          read_svg(&d, PAGE("<rect x='10' y='10' width='60' height='50'/>")) == 0);
+    CHECK(fill_apply(&h, &f, &d, "test.svg") == EX_TEMPFAIL);
+    CHECK(t.calls == t.most && t.done > 0);
+    drawing_free(&d);
+}
+
 int main(void)
 {
+    PROPERTY(one_large_shape_tells_how_far_it_is, 4);
     PROPERTY(lines_fill_shapes, 1);
     PROPERTY(what_is_inside_is_what_is_painted, 200);
     PROPERTY(lines_cover_the_area, 100);
