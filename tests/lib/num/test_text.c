@@ -192,8 +192,44 @@ static void micrometres_are_thousandths(arb *a)
     CHECK(loft_real_from_text(text, &x) && fabs((double)(x - loft_real_from_um(um))) <= 0);
 }
 
+/* Zeros in front, and decimals that no type can hold, up to 700 of them. */
+static void any_number_of_digits_is_read(arb *a)
+{
+    char text[1500] = "";
+    const unsigned zeros = arb_below(a, 700), decimals = arb_below(a, 700);
+    const unsigned whole = arb_below(a, 32768);
+    size_t n = zeros;
+    loft_real x = 0;
+
+    memset(text, '0', zeros);
+    n += (size_t)snprintf(text + n, 20, "%u.5", whole);
+    for (unsigned k = 0; k < decimals; k++)
+        text[n++] = digit(a);
+    text[n] = '\0';
+    CHECK(loft_real_from_text(text, &x) == text + n);
+    CHECK_NEAR((double)x / BY_NUM(65536, 1, 1), strtod(text, NULL),
+               BY_NUM(0x1p-17, 0x1p-9, 0x1p-37));
+    memset(text, '9', n);
+    x = 3;
+    CHECK(n < 42 || (loft_real_from_text(text, &x) == NULL && x == (loft_real)3));
+}
+
+/* Half an ulp: of floats above 2^21 that is 2^-3, of doubles 2^-32. */
+static void any_whole_micrometres_become_a_number(arb *a)
+{
+    const int32_t most = BY_NUM(32767999, INT32_MAX, INT32_MAX);
+    const int32_t off = (int32_t)arb_below(a, 3);
+
+    CHECK_NEAR((double)loft_real_from_um(most - off) / BY_NUM(65536, 1, 1), (most - off) / 1e3,
+               BY_NUM(0x1p-17, 0x1p-3, 0x1p-32));
+    CHECK_NEAR((double)loft_real_from_um(off - most) / BY_NUM(65536, 1, 1), (off - most) / 1e3,
+               BY_NUM(0x1p-17, 0x1p-3, 0x1p-32));
+}
+
 int main(void)
 {
+    EXTREMES(loft_real_from_text, any_number_of_digits_is_read, 2000);
+    EXTREMES(loft_real_from_um, any_whole_micrometres_become_a_number, 10);
     PROPERTY(reads_the_nearest_number, 200000);
     PROPERTY(reads_ties_upward, 50000);
     PROPERTY(sixteen_decimals_are_exact, 100000);
