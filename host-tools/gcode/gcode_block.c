@@ -259,7 +259,7 @@ static void refuse_character(gcode_scanner *s, unsigned char c)
 static void read_words(gcode_scanner *s)
 {
     for (char c = gcode_peek(s); s->code == 0 && !at_line_end(s, c); c = gcode_peek(s)) {
-        if (c >= 'A' && c <= 'Z' && takes_command(s))
+        if (((c >= 'A' && c <= 'Z') || c == '_') && takes_command(s))
             return;
         s->at++;
         if (c == '(')

@@ -494,7 +494,7 @@ static void texts_of_printers_are_no_words(arb *a)
         run(&s, GCODE_MARLIN,
             "M862.3 P \"MK3S\" ; model\nM117 100% done (\nM118 E1 hello O1 sub\nM0 Click to go on\n"
             "M1 P2500 Wait (a\nM486 A\"part: 1*2\"\nG1 X1 (a (b) c) Y2 F0\n"
-            "START_PRINT BED=60\nnonsense %\nG4 S1.5\nG92 E0\nG1 X2*71\n") == 0);
+            "START_PRINT BED=60\nnonsense %\nG4 S1.5\nG92 E0\nG1 X2*71\n_USER_PAUSE X=1\n") == 0);
     CHECK(strcmp(s.text, "! S ! W 2.5 L 1 2 0 W 1.5 L 2 2 0") == 0);
     CHECK(heard_it("gcode.left-word", 8) && strstr(caught, ":8: START_PRINT: ") != NULL &&
           heard_it("gcode.left-word", 9) && strstr(caught, ":9: nonsense: ") != NULL &&
