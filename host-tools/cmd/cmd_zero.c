@@ -47,7 +47,7 @@ static int run_zero(void *options)
     if (code == 0)
         code = run_mover(&v, &o->move, false);
     if (code == 0) {
-        hand_zero(&m, &v, axis[0] | axis[1] << 1u | axis[2] << 2u, at, o->keep);
+        hand_zero(&m, &v, (unsigned)(axis[0] | axis[1] << 1 | axis[2] << 2), at, o->keep);
         code = run_until(hand_task(&m));
     }
     if (code == 0)

@@ -81,7 +81,7 @@ static void any_points_have_a_point_between(arb *a)
 {
     const loft_vec x = extreme_vec(a), y = extreme_vec(a);
     const loft_unit t = arb_unit(a);
-    const loft_vec got = loft_vec_lerp(x, y, t);         /* the next one to the largest number is none */
+    const loft_vec got = loft_vec_lerp(x, y, t);
 
     for (int i = 0; i < LOFT_AXES; i++) {
         const long double u = exact_of(x.axis[i]), v = exact_of(y.axis[i]);
