@@ -18,6 +18,7 @@ typedef struct {
     bool more;              /* digits other than 0 behind them */
 } digits;
 
+#define NO_DIGITS { 0, 0, 0, false }
 #define TOO_LARGE 32769u
 
 static void take_digit(digits *d, unsigned digit, bool behind)
@@ -72,6 +73,8 @@ typedef struct {
     uint8_t decimals, zeros;    /* of it; before the point, behind it */
 } digits;
 
+#define NO_DIGITS { 0, 0, 0 }
+
 static void take_digit(digits *d, unsigned digit, bool behind)
 {
     const bool full = d->number >= FULL;
@@ -117,7 +120,7 @@ static bool parts_of(loft_real a, uint64_t *whole, fraction *part)
 
 const char *loft_real_from_text(const char *text, loft_real *out)
 {
-    digits d = { 0 };
+    digits d = NO_DIGITS;
     const bool minus = *text == '-';
     bool any = false, behind = false;
 
