@@ -179,10 +179,10 @@ $(TOOL_OUT)/tools/host-tools/%.o: host-tools/%.c | lib/names.h
 	$(Q)$(CC) $(INCLUDE) $(BUILT) $(TOOL_STD) $(call tool_flag,q16) -c $< -o $@
 
 # the page, if `make page` has built it
-$(TOOL_OUT)/tools/site.c: host-tools/page/embed.sh $(wildcard build/site/*)
+$(TOOL_OUT)/tools/site.c: host-tools/page/embed.sh $(wildcard build/site.built)
 	@mkdir -p $(@D)
 	$(SAY) "  GEN $@"
-	$(Q)sh $< build/site >$@
+	$(Q)sh $< build/site >$@.$$$$ && mv $@.$$$$ $@
 $(TOOL_OUT)/tools/site.o: $(TOOL_OUT)/tools/site.c
 	$(SAY) "  CC  $@"
 	$(Q)$(CC) $(INCLUDE) $(BUILT) $(TOOL_STD) -c $< -o $@

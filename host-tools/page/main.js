@@ -5,15 +5,16 @@ import { Curves } from './curves.js'
 import { Motion } from './motion.js'
 import { Surfaces } from './surfaces.js'
 
-const kinds = { curves: Curves, motion: Motion, surfaces: Surfaces }
+let kinds = { curves: Curves, motion: Motion, surfaces: Surfaces }
 const panels = {}
 let later = null
 
 // #motion={..}: the panel and its state.
 function address() {
     const [name, ...rest] = decodeURIComponent(location.hash.slice(1)).split('=')
-    try { return [kinds[name] ? name : 'curves', JSON.parse(rest.join('=') || '{}')] }
-    catch { return [kinds[name] ? name : 'curves', {}] }
+    const known = kinds[name] ? name : Object.keys(kinds)[0]
+    try { return [known, JSON.parse(rest.join('=') || '{}')] }
+    catch { return [known, {}] }
 }
 
 // The address follows the state, not more often than browsers allow.
@@ -39,7 +40,18 @@ function fail(fault) {
     alert.textContent = `${fault.message ?? fault}: load this page from a server, not from a file`
 }
 
+// Is this the page of `loft serve`? Then it has a machine.
+async function findServer() {
+    const answer = await fetch('index.html')
+    if (!answer.headers.has('x-loft'))
+        return
+    const { Machine } = await import('./machine.js')
+    kinds = { machine: Machine, ...kinds }
+    document.getElementById('tab-machine').hidden = false
+}
+
 async function begin() {
+    await findServer()
     const answer = await fetch('loft-q16.wasm')
     if (!answer.ok)
         throw new Error(`loft-q16.wasm: ${answer.status} ${answer.statusText}`)

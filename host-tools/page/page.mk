@@ -21,10 +21,10 @@ $(PAGE_SITE)/loft-%.wasm: $(WASM_SRC) $(LIB_HDR) host-tools/page/page.mk | lib/n
 	    -Wl,-z,stack-size=65536 $(PAGE_USES:%=-Wl,--export=loft_%_$*x3) \
 	    $(WASM_SRC) -o $@
 
-## Build the page of curves and motion in build/site: static files, to be served or published
+## Build the page in build/site: static files, and `make tools` puts them into loft serve
 .PHONY: page
 page: $(PAGE_SITE)/loft-q16.wasm
-	@cp $(PAGE_SRC) $(PAGE_SITE)
+	@cp $(PAGE_SRC) $(PAGE_SITE) && touch $(PAGE_SITE).built
 	@echo "$(PAGE_SITE): $$(du -bsh $(PAGE_SITE) | cut -f1); python3 -m http.server -d $(PAGE_SITE)"
 
 # the browser that tests it, and what drives it
@@ -39,7 +39,9 @@ deps-page:
 	@sh tests/house/deps.sh clang lld $(if $(shell command -v node),,nodejs) \
 	    $(if $(shell command -v npm),,npm) chromium
 
-## Check the page in Chromium, and its numbers beside those of the command; build/page has pictures
+## Check the page in Chromium, beside the command and its machine; build/page has pictures
 .PHONY: check-page
 check-page: page tools $(PAGE_DRIVER)
 	@node tests/page/check_page.mjs build/loft $(PAGE_DRIVER) "$$(command -v chromium)" build/page
+	@node tests/page/check_serve.mjs build/loft $(PAGE_DRIVER) "$$(command -v chromium)" \
+	    build/page build/site

@@ -62,7 +62,8 @@ static const struct lws_protocol_vhost_options header_rows[] = {
     { &header_rows[2], NULL, "x-content-type-options:", "nosniff" },
     { &header_rows[3], NULL, "referrer-policy:", "no-referrer" },
     { &header_rows[4], NULL, "cross-origin-resource-policy:", "same-origin" },
-    { NULL, NULL, "cache-control:", "no-cache" },
+    { &header_rows[5], NULL, "cache-control:", "no-cache" },
+    { NULL, NULL, "x-loft:", "serve" },         /* so the page knows that it has a machine */
 };
 
 /* "" if there is none. Returns false if it does not fit. */
@@ -156,7 +157,7 @@ static int begin_upload(struct lws *wsi, session *c, const char *asked)
 {
     static const char header_name[] = "x-loft-token:";
     server *v = server_of(wsi);
-    char name[300] = "", token[256] = "", length[256];
+    char room[300], token[256] = "", length[256];
 
     if (!is_origin(wsi, asked))
         return refuse(wsi, HTTP_STATUS_FORBIDDEN,
@@ -169,8 +170,8 @@ static int begin_upload(struct lws *wsi, session *c, const char *asked)
     if (!header(wsi, WSI_TOKEN_HTTP_CONTENT_LENGTH, length) || *length == '\0' ||
         strtoull(length, NULL, 10) > SERVE_UPLOAD)
         return refuse(wsi, HTTP_STATUS_REQ_ENTITY_TOO_LARGE, "Give a file of at most 64 MB.");
-    (void)lws_get_urlarg_by_name(wsi, "name=", name, sizeof name);
-    c->upload = serve_upload_begin(v->s, name);
+    const char *name = lws_get_urlarg_by_name(wsi, "name", room, sizeof room);
+    c->upload        = serve_upload_begin(v->s, name ? name + (*name == '=') : "");
     return c->upload < 0
                ? refuse(wsi, HTTP_STATUS_SERVICE_UNAVAILABLE, "Other files come in: try again.")
                : 0;
