@@ -1,5 +1,5 @@
 #!/bin/bash
-# tests/packages/tool.sh -- the command without cairo, GEOS, libserialport, ncurses and libwebsockets
+# tests/packages/tool.sh -- the command without the libraries that may be left out
 # SPDX-License-Identifier: MIT
 # usage: tests/packages/tool.sh
 row=tool
