@@ -31,18 +31,21 @@
  * Let the path turn by w around the joint, on the way s: as far as it turns by about a radian, at
  * most 128 tol to each side, less where it begins or ends. Then its curvature is k = 2 w / s. If
  * what that explains of the second differences, k l^2, leaves no more than 5/2 tol of them at any
- * scale, and w is larger than the turn of the joint alone by a quarter, it is passed at
- *
- *     min(sqrt(a / k), cbrt(j / k^2))
- *
- * and no place goes onto it. Chords that are off their curve by the tolerance leave 2 tol at half
- * of their length, and few decimals some more. So neither the feed nor the length of chords says
- * what a corner is.
+ * scale, and w is larger than the turn of the joint alone by a quarter, no place goes onto it.
+ * Chords that are off their curve by the tolerance leave 2 tol at half of their length, and few
+ * decimals some more. So neither the feed nor the length of chords says what a corner is.
  *
  * Curves turn by too little at that scale. Where one of more than 16 tol is tightest, with the
- * curvature k, it is passed at sqrt(a / k): if that is less than half of the cap, or if the cubic
- * through places at the cap would skip more than a quarter of the tolerance, it is a corner as
- * well. So places come to the tip of a bend at a distance that shrinks slowly. So they do where the
+ * curvature k, it is passed at sqrt(a / k): if that is less than half of the cap it is a corner as
+ * well. So places come to the tip of a bend at a distance that shrinks slowly. The tip of a bend
+ * of chords is the joint with the largest k, passed at min(sqrt(a / k), cbrt(j / k^2)): where k was
+ * less by a third before, and grows no more as far as is seen. While it grows, the last tip lasts
+ * until the next one.
+ *
+ * Where the cubic through places at the cap would skip more than a quarter of the tolerance, ways
+ * are shorter as long as that lasts: at the largest k, or on chords, where half of their sag is
+ * taken off the tolerance, and a fifth of what is left is for the cubic and for the mean (path.c).
+ * Such a corner lasts, so one is enough for a whole circle. Corners are also where the
  * cap of speed depends on the direction, or the feed changes: where the next arc has a cap that is
  * larger or smaller by more than an eighth, the joint is passed at the smaller one.
  */
@@ -326,15 +329,19 @@ static bool is_bend(const loft_corners *c, unsigned i, loft_coord tol, const ben
     return size > 0 && 4 * dot >= 5 * size * size;
 }
 
+static loft_coord bend_radius(const bend *near)
+{
+    const int64_t r = near->way * UNIT / (2 * (int64_t)near->size + 1);
+    return r < INT32_MAX ? (loft_coord)r : INT32_MAX;
+}
+
 /* The speed with which the axes can follow it: the curvature is 2 turn / way. */
 static loft_coord bend_speed(const loft_period *p, const bend *near)
 {
     const across most = allowed_along(p, near->turn);
-    const int64_t r = near->way * UNIT / (2 * (int64_t)near->size + 1);
+    const int64_t r = bend_radius(near);
     int thirds = 0;
 
-    if (r > FAR)
-        return CAP_MAX;
     while (r >> 3 * thirds >= INT64_C(1) << 17)
         thirds++;
     const uint64_t part = (uint64_t)(r >> 3 * thirds);
@@ -346,19 +353,11 @@ static loft_coord bend_speed(const loft_period *p, const bend *near)
 }
 
 /* The speed with which the joint before stretch i may be passed. */
-static loft_coord joint_speed(const loft_corners *c, unsigned i, bool corner, bool *bends)
+static loft_coord joint_speed(const loft_corners *c, unsigned i, loft_coord tol)
 {
     const loft_period *p = c->chain->period;
-    const loft_coord tol = p->tol + (corner ? p->more : 0);
     loft_coord speed = CAP_MAX, a[LOFT_AXES];
 
-    *bends = false;
-    if (loft_chain_turn(c->stretch[i - 1].to, c->stretch[i].from) > KINK * KINK) {
-        const bend near = bend_at(c, i);
-        *bends = is_bend(c, i, tol, &near);
-        if (*bends)
-            return bend_speed(p, &near);
-    }
     for (int k = 0; k < SCALES && turn_at(c, i, tol << k, a); k++) {
         const loft_coord size = loft_coord_length(a);
         if ((int64_t)size * 10 > (int64_t)tol * 13) {
@@ -415,7 +414,7 @@ void loft_corners_drop_zones(loft_corners *c, int64_t s, bool one)
 
 loft_corner loft_corner_of(int64_t s, loft_coord speed, loft_coord jerk, bool sharp)
 {
-    loft_corner k = { .s = s, .jerk = jerk, .sharp = sharp };
+    loft_corner k = { .s = s, .jerk = jerk, .on = sharp ? -1 : 0 };
 
     k.time = (int32_t)loft_coord_sqrt(((uint64_t)(uint32_t)speed * 2 << 20) / (uint32_t)jerk);
     const int64_t way = launched(jerk, k.time);
@@ -425,14 +424,17 @@ loft_corner loft_corner_of(int64_t s, loft_coord speed, loft_coord jerk, bool sh
     return k;
 }
 
+/* Where it ends to last. */
+static int64_t end_of(const loft_corner *k) { return k->s + (k->on > 0 ? k->on : 0); }
+
 void loft_corners_add(loft_corners *c, loft_corner k)
 {
     while (c->count > 0) {
         const loft_corner *last = &c->corner[c->count - 1];
         const int64_t off = k.s - last->s;
-        if (!k.sharp && k.jerk >= last->jerk && last->way + off <= k.way)
+        if (k.on >= 0 && k.jerk >= last->jerk && last->way + k.s - end_of(last) <= k.way)
             return;
-        if (last->sharp || last->jerk < k.jerk || k.way + off > last->way)
+        if (last->on < 0 || last->jerk < k.jerk || k.way + off > last->way)
             break;
         c->count--;
     }
@@ -462,16 +464,28 @@ static int64_t known(const loft_corners *c)
 static bool is_close(const loft_corners *c, int64_t s, loft_coord speed)
 {
     const loft_corner *last = &c->corner[c->count > 0 ? c->count - 1u : 0];
-    return c->count > 0 && last->sharp && s - last->s < speed / CLOSE;
+    return c->count > 0 && last->on < 0 && s - last->s < speed / CLOSE;
 }
 
-/* Is a bend at s, less than a period behind the last one, hardly slower than that? */
-static bool is_known(const loft_corners *c, int64_t s, loft_coord speed)
+/* With which it is passed: j t^2 / 2. */
+static int64_t speed_of(const loft_corner *k)
 {
-    const loft_corner *last = &c->corner[c->count > 0 ? c->count - 1u : 0];
+    return ((int64_t)k->jerk * k->time >> 10) * k->time >> 11;
+}
 
-    return c->count > 0 && !last->sharp && s - last->s < speed &&
-           ((int64_t)last->jerk * last->time >> 10) * last->time >> 11 <= speed + speed / 16;
+/* Does the last one go on to s, with nearly that speed? */
+static bool goes_on(loft_corners *c, int64_t s, loft_coord speed)
+{
+    loft_corner *last = &c->corner[c->count > 0 ? c->count - 1u : 0];
+
+    if (c->count == 0 || last->on < 0 || s - end_of(last) > 4 * (int64_t)speed ||
+        s - last->s > WAY_MAX)
+        return false;
+    const int64_t v = speed_of(last);
+    if (8 * loft_long_abs(v - speed) > v)
+        return false;
+    last->on = (int32_t)(s - last->s);
+    return true;
 }
 
 /* A corner at s between two directions, around which the cap of speed is `cap`. */
@@ -483,31 +497,6 @@ static void add_corner(loft_corners *c, int64_t s, loft_coord speed, loft_coord 
                                              loft_corner_jerk(p, after, cap));
 
     loft_corners_add(c, loft_corner_of(s, speed > 1 ? speed : 1, jerk, sharp));
-}
-
-/* The joint before stretch `looked`. */
-static void look_at_joint(loft_corners *c)
-{
-    const int64_t s = known(c);
-    const unsigned i = c->looked;
-    const loft_corner_stretch *before = &c->stretch[i - 1], *after = &c->stretch[i];
-    const bool corner = is_corner(c, i), sharp = is_sharp(before, after);
-    const bool kinks = loft_chain_turn(before->to, after->from) > KINK * KINK;
-    bool bends;
-    const loft_coord slow = loft_coord_least(before->cap, after->cap),
-                     fast = loft_coord_most(before->cap, after->cap),
-                     speed = joint_speed(c, i, corner, &bends);
-    const bool turns = speed < (sharp ? fast : slow);
-
-    if (corner)
-        add_zone(c, s);
-    if (kinks)
-        c->kink = (int32_t)(s >> (LOFT_COORD_BITS - 8));
-    if (bends && turns && slow >= fast - fast / EVEN && is_known(c, s, speed))
-        return;
-    if (turns || slow < fast - fast / EVEN)
-        add_corner(c, s, loft_coord_least(speed, slow), fast, before->to, after->from,
-                   turns && sharp && !bends && !is_close(c, s, speed));
 }
 
 /* The radius of the bend of a stretch. */
@@ -533,12 +522,32 @@ static loft_coord tip_speed(const loft_period *p, const loft_corner_stretch *e)
 }
 
 /* The longest way in a bend of radius r of which the cubic through places skips no more than a
- * quarter of the tolerance: 3 w^4 / (128 r^3) = tol / 4. */
-static loft_coord bend_way(const loft_period *p, int64_t r)
+ * quarter of tol: 3 w^4 / (128 r^3) = tol / 4. */
+static loft_coord bend_way(loft_coord tol, int64_t r)
 {
-    const uint32_t square = loft_coord_sqrt(((uint64_t)p->tol << 32) * 11 / (uint64_t)(r + 1));
+    const uint32_t square = loft_coord_sqrt(((uint64_t)tol << 32) * 11 / (uint64_t)(r + 1));
     const int64_t way = r * loft_coord_sqrt((uint64_t)square << 16) >> 16;
     return way < CAP_MAX ? (loft_coord)way : CAP_MAX;
+}
+
+/* A bend at s, of radius r, that is passed at that speed and in ways no longer than that. While it
+ * becomes tighter, the last one lasts until there. */
+static void add_bend(loft_corners *c, int64_t s, loft_coord r, loft_coord speed, loft_coord way,
+                     const loft_corner_stretch *before, const loft_corner_stretch *after)
+{
+    const loft_coord cap = loft_coord_least(before->cap, after->cap);
+    loft_corner *last = c->count > 0 ? &c->corner[c->count - 1] : NULL;
+
+    if (speed < cap / 2 && r / 7 < c->wide / 8) {
+        if (last && last->on >= 0 && last->time > 0 && c->wide < INT32_MAX &&
+            c->wide - c->tip <= c->tip / 8 && s - last->s < WAY_MAX)
+            last->on = (int32_t)(s - last->s);
+        add_corner(c, s, loft_coord_least(speed, way), cap, before->to, after->from, false);
+        c->wide = c->tip = r;
+    } else if (way < (int64_t)cap * LOFT_CORNER_STEP / ONE && !goes_on(c, s, way)) {
+        if (!last || loft_corner_allows(last, s, ONE) - s > way)
+            loft_corners_add(c, loft_corner_of(s, way, way / 128 + 1, false));
+    }
 }
 
 /* The tip of a bend, if that is the stretch before `looked`: smaller ones are corners. Where the
@@ -549,18 +558,80 @@ static void look_at_tip(loft_corners *c)
     const loft_corner_stretch *e = &c->stretch[c->looked - 1u];
     const loft_coord r = radius_of(e);
 
-    if ((int64_t)e->length * e->length / ((int64_t)r + 1) < 8 * BOW)
+    if ((int64_t)e->length * e->length / ((int64_t)r + 1) < 8 * BOW ||
+        (r == INT32_MAX && (int64_t)e->length * e->length / 32 <= (int64_t)p->tol * c->bent))
         return;
     c->wide = loft_coord_most(c->wide, r);
     if (c->looked < 2 || e->length <= (int64_t)p->tol << (SCALES - 1) || radius_of(e - 1) <= r ||
         radius_of(e + 1) < r)
         return;
-    const loft_coord speed = tip_speed(p, e), way = bend_way(p, r);
-    if ((speed < e->cap / 2 && r / 7 < c->wide / 8) || way < e->cap) {
-        add_corner(c, known(c) - e->length / 2, loft_coord_least(speed, way), e->cap, e->from,
-                   e->to, false);
-        c->wide = r;
+    add_bend(c, known(c) - e->length / 2, r, tip_speed(p, e), bend_way(p->tol, r), e, e);
+}
+
+/* Is the path nowhere tighter behind the joint before stretch i, as far as it is known? */
+static bool is_tightest(const loft_corners *c, unsigned i, loft_coord r)
+{
+    while (++i < c->stretches) {
+        const bend next = bend_at(c, i);
+        if (bend_radius(&next) < r - r / 64)
+            return false;
     }
+    return true;
+}
+
+/* The joint before stretch `looked`, if it is a part of a bend. Chords are off it by half of their
+ * sag. */
+static bool look_at_bend(loft_corners *c, loft_coord tol)
+{
+    const loft_period *p = c->chain->period;
+    const unsigned i = c->looked;
+    const loft_corner_stretch *before = &c->stretch[i - 1], *after = &c->stretch[i];
+
+    const bend near = bend_at(c, i);
+    if (!is_bend(c, i, tol, &near))
+        return false;
+    const loft_coord r = bend_radius(&near), was = c->bent,
+                     chord = loft_coord_most(before->length, after->length);
+    const int64_t off = (int64_t)chord * chord / 16 / ((int64_t)r + 1);
+    const loft_coord left = p->tube > off ? (loft_coord)(p->tube - off) : 0,
+                     way = bend_way(loft_coord_most(left, p->tol / 16) / 5, r);
+    if (r > c->wide)
+        c->wide += (r - c->wide) / 4;
+    c->bent = r;
+    const bool tip = r < was && r < c->wide / 4 * 3 && is_tightest(c, i, r);
+    add_bend(c, known(c), r, tip ? bend_speed(p, &near) : CAP_MAX, way, before, after);
+    if (tip)
+        c->wide = r;
+    return true;
+}
+
+/* The joint before stretch `looked`. */
+static void look_at_joint(loft_corners *c)
+{
+    const loft_period *p = c->chain->period;
+    const int64_t s = known(c);
+    const unsigned i = c->looked;
+    const loft_corner_stretch *before = &c->stretch[i - 1], *after = &c->stretch[i];
+    const bool corner = is_corner(c, i), sharp = is_sharp(before, after);
+    const bool kinks = loft_chain_turn(before->to, after->from) > KINK * KINK;
+    const loft_coord tol = p->tol + (corner ? p->more : 0),
+                     slow = loft_coord_least(before->cap, after->cap),
+                     fast = loft_coord_most(before->cap, after->cap);
+
+    if (corner)
+        add_zone(c, s);
+    if (kinks)
+        c->kink = (int32_t)(s >> (LOFT_COORD_BITS - 8));
+    loft_coord speed = CAP_MAX;
+    const bool bends = kinks && look_at_bend(c, tol);
+    if (!bends) {
+        c->bent = INT32_MAX;
+        speed = joint_speed(c, i, tol);
+    }
+    const bool turns = !bends && speed < (sharp ? fast : slow);
+    if (turns || slow < fast - fast / EVEN)
+        add_corner(c, s, loft_coord_least(speed, slow), fast, before->to, after->from,
+                   turns && sharp && !is_close(c, s, speed));
 }
 
 /* The largest scale at which a joint is looked at. */
@@ -641,7 +712,7 @@ void loft_corners_begin(loft_corners *c, const loft_chain *chain)
     c->stretches = c->looked = c->count = c->zones = 0;
     c->known = 0;
     c->kink = -1;
-    c->wide = INT32_MAX;
+    c->wide = c->bent = c->tip = INT32_MAX;
 }
 
 
@@ -650,18 +721,24 @@ void loft_corners_begin(loft_corners *c, const loft_chain *chain)
 
 int64_t loft_corner_allows(const loft_corner *k, int64_t s, int32_t part)
 {
+    const int64_t end = end_of(k);
+
+    if (end <= s)
+        return end - k->way + launched(k->jerk, launch_time(k->jerk, s - end + k->way) + part);
     if (k->s <= s)
-        return k->s - k->way + launched(k->jerk, launch_time(k->jerk, s - k->s + k->way) + part);
+        return s + (speed_of(k) * part >> 10);
 
     const int32_t time = launch_time(k->jerk, k->s - s + k->way), n = time - part;
     return time == TIME_MAX ? s + FAR
            : n >= k->time   ? k->s + k->way - launched(k->jerk, n)
+           : k->on > 0      ? k->s + (speed_of(k) * (k->time - n) >> 10)
                             : k->s - k->way + launched(k->jerk, 2 * k->time - n);
 }
 
 int32_t loft_corner_time(const loft_corner *k, int64_t s)
 {
-    return launch_time(k->jerk, loft_long_abs(k->s - s) + k->way) - k->time;
+    const int64_t end = end_of(k), off = k->s > s ? k->s - s : end < s ? s - end : 0;
+    return launch_time(k->jerk, off + k->way) - k->time;
 }
 
 void loft_corners_drop(loft_corners *c, int64_t s, loft_coord cap)
@@ -670,13 +747,13 @@ void loft_corners_drop(loft_corners *c, int64_t s, loft_coord cap)
     int64_t to = s + cap;
     const loft_corner *tightest = NULL;
 
-    for (unsigned i = 0; i < c->count && c->corner[i].s < s; i++) {
+    for (unsigned i = 0; i < c->count && end_of(&c->corner[i]) < s; i++) {
         const int64_t next = loft_corner_allows(&c->corner[i], s, ONE);
         tightest = next < to ? &c->corner[i] : tightest;
         to = next < to ? next : to;
     }
     for (unsigned i = 0; i < c->count; i++)
-        if (c->corner[i].s >= s || &c->corner[i] == tightest) {
+        if (end_of(&c->corner[i]) >= s || &c->corner[i] == tightest) {
             const loft_corner kept = c->corner[i];
             c->corner[n++] = kept;
         }
@@ -686,7 +763,7 @@ void loft_corners_drop(loft_corners *c, int64_t s, loft_coord cap)
 const loft_corner *loft_corners_next_sharp(const loft_corners *c, int64_t s)
 {
     for (unsigned i = 0; i < c->count; i++)
-        if (c->corner[i].sharp && c->corner[i].s > s)
+        if (c->corner[i].on < 0 && c->corner[i].s > s)
             return &c->corner[i];
     return NULL;
 }

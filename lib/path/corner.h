@@ -18,6 +18,8 @@ LOFT_BEGIN_C
 #define LOFT_CORNERS_ZONES  (LOFT_PLAN_EFFORT > 1 ? 16 : 8)
 /* A period, in times of corners. */
 #define LOFT_CORNER_ONE     1024
+/* Little effort: away from corners places are farther apart, so fewer of them look ahead as far. */
+#define LOFT_CORNER_STEP    (LOFT_PLAN_EFFORT > 1 ? LOFT_CORNER_ONE : LOFT_CORNER_ONE * 7 / 4)
 
 /* A place where the motion is slow. */
 typedef struct {
@@ -25,7 +27,7 @@ typedef struct {
     loft_coord jerk;         /* of a launch, along the path */
     loft_coord way;          /* from a rest to the speed that it is passed with */
     int32_t   time;         /* and how long that takes, 2^-10 periods */
-    bool      sharp;        /* a place goes onto it */
+    int32_t   on;           /* so far on as well; -1: a place goes onto it */
 } loft_corner;
 
 /* A part of the path that is near corners. */
@@ -52,7 +54,9 @@ typedef struct {
     int32_t             kink;                   /* the last joint that turns, 2^-8 mm */
     loft_corner_zone    zone[LOFT_CORNERS_ZONES];
     uint8_t             zones;
-    loft_coord          wide;                   /* the largest radius since the last tip */
+    loft_coord          wide;                   /* the largest radius since the last tip, */
+    loft_coord          tip;                    /* that of it, */
+    loft_coord          bent;                   /* and at the last joint */
 } loft_corners;
 
 /* Start at the first arc of the chain, which is kept. */
@@ -86,6 +90,12 @@ void loft_corners_add(loft_corners *c, loft_corner corner);
 
 /* The corner at the end of what is known; `ends`: it is the end of the chain. */
 loft_corner loft_corners_last(const loft_corners *c, bool ends);
+
+/* Is s within a bend that is passed evenly? */
+static inline bool loft_corner_lasts(const loft_corner *c, int64_t s)
+{
+    return c->s <= s && s < c->s + c->on;
+}
 
 /* Where a corner lets the next place be, `part` of a period after s. */
 int64_t loft_corner_allows(const loft_corner *c, int64_t s, int32_t part);

@@ -9,14 +9,13 @@
 #include "path/slow.h"      /* loft_slow_look */
 
 #define ONE         LOFT_CORNER_ONE                 /* a period, in times of corners */
-/* Little effort: away from corners places are farther apart, so fewer of them look ahead as far. */
-#define STEP_MAX    (LOFT_PLAN_EFFORT > 1 ? ONE : ONE * 7 / 4)
 #define REACH       48                              /* periods that corners are known ahead */
 #define STEPS       12                              /* and more to the next corner */
 #define AHEAD       8                               /* places that are settled */
 #define NEXT        3                               /* and those that may not wait for it */
 #define RUN         3                               /* ways that are spaced anew at once */
 #define MOVED       1                               /* room of a place that does not lie at s yet */
+#define CHORD       (4 * LOFT_COORD_MM)             /* what is longer is a line */
 #define POINT       64                              /* what is shorter is a point */
 #define MEAN        16                              /* points of the path in a mean, */
 #define LATER       (EVENED ? 4 : 2)                /* places behind one that goes onto it, */
@@ -32,18 +31,20 @@
 static int64_t allowed(const loft_path *path, loft_coord cap, int32_t part)
 {
     const int64_t most = (int64_t)cap * part >> 10;
-    int64_t from = most, to = most;
+    int64_t from = most, to = most, even = most;
 
     for (unsigned i = 0; i < path->corners.count; i++) {
         const loft_corner *c = &path->corners.corner[i];
         const int64_t way = loft_corner_allows(c, path->s, part) - path->s;
-        if (c->s <= path->s)
+        if (loft_corner_lasts(c, path->s))
+            even = way * 3 / 4 < even ? way * 3 / 4 : even;
+        else if (c->s <= path->s)
             from = way < from ? way : from;
         else
             to = way < to ? way : to;
     }
     const int64_t low = from < to ? from : to, high = from < to ? to : from;
-    const int64_t way = low - low * low / (high + 1) * 3 / 10;
+    const int64_t meet = low - low * low / (high + 1) * 3 / 10, way = meet < even ? meet : even;
     return path->s + (way > 1 ? way : 1);
 }
 
@@ -51,7 +52,7 @@ static int64_t allowed(const loft_path *path, loft_coord cap, int32_t part)
  * ahead. */
 static int32_t step_here(const loft_path *path, bool far)
 {
-    int32_t step = far ? loft_coord_least(path->step + path->step / 24, STEP_MAX)
+    int32_t step = far ? loft_coord_least(path->step + path->step / 24, LOFT_CORNER_STEP)
                        : path->step - path->step / 8;
 
     for (unsigned i = 0; i < path->corners.count && step > ONE; i++)
@@ -316,13 +317,15 @@ static void go_out(const loft_chain_walk *before, const loft_chain_walk *after, 
 /* The mean of the path around s that a parabola goes through: 4/3 of that with weights which fall
  * to nothing within half of the way before and behind, less 1/3 of that within all of it. So it
  * hardly depends on where joints are, if the way is as long as two chords. It is given as seen from
- * `at`. */
-static void mean_of(const loft_path *path, int64_t s, int64_t way, const loft_position *at,
+ * `at`. Is it off a bend by less than a 12th of the tolerance? Of a radius r it is, by way^4 / (465
+ * r^3), and the points at both ends are (15 way / 16)^2 / r off the middle. */
+static bool mean_of(const loft_path *path, int64_t s, int64_t way, const loft_position *at,
                     loft_coord out[])
 {
     static const int8_t weights[MEAN / 2] = { 96, 69, 37, 7, -8, -5, -3, -1 };
     loft_chain_walk w = *walk_before(path, s - way);
     int64_t sum[LOFT_AXES] = { 0 };
+    loft_coord ends[LOFT_AXES] = { 0 };
 
     for (int n = 0; n < MEAN; n++) {
         const int64_t to = s - way + way * (2 * n + 1) / MEAN;
@@ -336,11 +339,16 @@ static void mean_of(const loft_path *path, int64_t s, int64_t way, const loft_po
                 go_out(&before, &w, way, weight, sum);
         }
         loft_chain_place(&w, to, &p);
-        for (int i = 0; i < LOFT_AXES; i++)
-            sum[i] += (int64_t)weight * loft_coord_sub(p.axis[i], at->axis[i]);
+        for (int i = 0; i < LOFT_AXES; i++) {
+            const loft_coord off = loft_coord_sub(p.axis[i], at->axis[i]);
+            sum[i] += (int64_t)weight * off;
+            ends[i] += n == 0 || n == MEAN - 1 ? off : 0;
+        }
     }
     for (int i = 0; i < LOFT_AXES; i++)
         out[i] = (loft_coord)(sum[i] / (24 * MEAN));
+    const int64_t d = loft_coord_length(ends) >> 9, l = way >> 9;
+    return d * d * d <= 26 * (path->chain.period->tol >> 9) * l * l;
 }
 
 /* How far the path is known before and behind place k, without a sharp place. */
@@ -363,9 +371,21 @@ static int64_t clear_way(const loft_path *path, unsigned k)
     return back < on ? back : on;
 }
 
+/* The length of the arc at s, of which 128 tolerances matter at most. */
+static int64_t chord_at(const loft_path *path, int64_t s)
+{
+    loft_chain_walk w = path->walk.s <= s ? path->walk : *walk_before(path, s);
+
+    while (s > w.s + w.length && follow(path, &w))
+        ;
+    return loft_coord_least(w.length, loft_coord_least(path->chain.period->tol, CHORD >> 7) << 7);
+}
+
 /* Place k goes onto the mean of the path around it, where that has joints: a place is where the
  * motion could pass, not a point of the chords that a curve was written in. The mean is within 9/2
- * ways, if it leaves the path by less than 5/8 of the tolerance, or within 3, or 2. */
+ * ways, but no more than 4 chords, as it has 16 points, and no less than 2 chords, nor 2 ways. It
+ * is within 2/3 of that, and so on, while it leaves the path by more than 5/8 of the tolerance, or
+ * its bend by a 12th, but not within less than 2 ways. */
 static void average(loft_path *path, unsigned k)
 {
     loft_path_waiting *q = &path->queue[k];
@@ -374,14 +394,18 @@ static void average(loft_path *path, unsigned k)
     if (k == 0 || k + 1 >= path->queued || q->on.sharp)
         return;
     const int64_t back = q->s - q[-1].s, on = q[1].s - q->s, one = back < on ? back : on,
-                  clear = clear_way(path, k);
-    for (int n = 9; n >= 4; n = n * 2 / 3) {
-        const int64_t most = one * n / 2, way = most < clear ? most : clear;
+                  chord = chord_at(path, q->s), clear = clear_way(path, k);
+    int64_t most = 4 * chord < 9 * one / 2 ? 4 * chord : 9 * one / 2;
+
+    most = most < 2 * chord ? 2 * chord : most;
+    for (most = most < 2 * one ? 2 * one : most;; most = most * 2 / 3) {
+        const int64_t way = most < clear ? most : clear;
+        const bool last = way <= 2 * one;
         loft_coord mean[LOFT_AXES];
         if (way < POINT || loft_corners_smooth(&path->corners, q->s - way))
             return;
-        mean_of(path, q->s, way, &at, mean);
-        if (n > 4 && loft_coord_length(mean) > path->chain.period->tol / 8 * 5)
+        const bool near = mean_of(path, q->s, way, &at, mean);
+        if (!last && (!near || loft_coord_length(mean) > path->chain.period->tol / 8 * 5))
             continue;
         for (int i = 0; i < LOFT_AXES; i++)
             q->on.at.axis[i] = loft_coord_add(at.axis[i], mean[i]);
