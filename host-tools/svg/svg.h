@@ -277,6 +277,8 @@ enum svg_warning {
     SVG_WARN_LINE,
     SVG_WARN_UPRIGHT,
     SVG_WARN_TEXT_STYLE,
+    SVG_WARN_GEOMETRY,
+    SVG_WARN_MOTION,
     SVG_WARN_PICTURE,
     SVG_WARN_CLIP_PATH,
     SVG_WARN_MASK,
@@ -344,6 +346,8 @@ enum svg_property {
     SVG_BLEND,
     SVG_BACKGROUND,
     SVG_BACKGROUND_COLOUR,
+    SVG_GEOMETRY,               /* of a style: x, width, d and others of shapes */
+    SVG_MOTION,                 /* of a style: rotate, scale and others */
     SVG_FONT,
     SVG_FONT_FAMILY,
     SVG_FONT_SIZE,

@@ -314,6 +314,21 @@ static void read_origin(svg_reader *r, const svg_style *style, const svg_space *
     xmlFree(text);
 }
 
+/* What a style sets of places, and is not applied. */
+static void tell_places(svg_reader *r, const svg_style *style)
+{
+    const svg_value *size = &style->value[SVG_GEOMETRY], *moved = &style->value[SVG_MOTION];
+    const bool shape = svg_is(r->node, "rect") || svg_is(r->node, "circle") ||
+                       svg_is(r->node, "ellipse") || svg_is(r->node, "path");
+
+    if (shape && size->text != NULL && strncasecmp(size->text, "auto", 4) != 0)
+        svg_warn(r, SVG_WARN_GEOMETRY,
+                 "a style's x, width, r or d of a shape is not used: write it as an attribute");
+    if (moved->text != NULL && strncasecmp(moved->text, "none", 4) != 0)
+        svg_warn(r, SVG_WARN_MOTION,
+                 "a style's rotate, scale, translate or offset-path is not used: write transform");
+}
+
 /* Apply the transform of the current element: that of its style, or else its attribute. */
 static void enter_transform(svg_reader *r, const svg_style *style, svg_space *space)
 {
@@ -321,6 +336,7 @@ static void enter_transform(svg_reader *r, const svg_style *style, svg_space *sp
     char *text = svg_property(r, style, SVG_TRANSFORM, &css);
     double at[2] = { 0, 0 };
 
+    tell_places(r, style);
     if (text != NULL && !(css && strcmp(text, "unset") == 0)) {
         read_origin(r, style, space, at);
         space->to_mm = svg_multiply(space->to_mm, (svg_matrix){ 1, 0, 0, 1, at[0], at[1] });

@@ -47,6 +47,8 @@ static const char *const property_names[SVG_PROPERTIES] = {
     [SVG_BLEND] = "mix-blend-mode",
     [SVG_BACKGROUND] = "background",
     [SVG_BACKGROUND_COLOUR] = "background-color",
+    [SVG_GEOMETRY] = "x",
+    [SVG_MOTION] = "rotate",
     [SVG_FONT] = "font",
                                                             [SVG_FONT_FAMILY] = "font-family",
                                                             [SVG_FONT_SIZE] = "font-size",
@@ -173,10 +175,26 @@ void svg_names_free(xmlHashTablePtr names)
         xmlHashFree(names, free_name);
 }
 
+/* Names beside that of the table. */
+static const struct {
+    enum svg_property which;
+    const char *name;
+} more_names[] = { { SVG_GEOMETRY, "y" },       { SVG_GEOMETRY, "width" },
+                   { SVG_GEOMETRY, "height" },  { SVG_GEOMETRY, "cx" },
+                   { SVG_GEOMETRY, "cy" },      { SVG_GEOMETRY, "r" },
+                   { SVG_GEOMETRY, "rx" },      { SVG_GEOMETRY, "ry" },
+                   { SVG_GEOMETRY, "d" },       { SVG_MOTION, "scale" },
+                   { SVG_MOTION, "translate" }, { SVG_MOTION, "offset-path" } };
+
 /* SVG_PROPERTIES if the name is unknown. */
 static enum svg_property property_of(const char *name, size_t length)
 {
     int i = 0;
+
+    for (size_t k = 0; k < sizeof more_names / sizeof *more_names; k++)
+        if (strlen(more_names[k].name) == length &&
+            strncasecmp(name, more_names[k].name, length) == 0)
+            return more_names[k].which;
 
     while (i < SVG_PROPERTIES && !(strncasecmp(name, property_names[i], length) == 0 &&
                                    property_names[i][length] == '\0'))

@@ -174,6 +174,9 @@ LINE|letters without single lines|<text x="5" y="9">&#x3a9;</text>
 UPRIGHT|is read as horizontal|<text x="5" y="9" writing-mode="vertical-rl">a</text>
 TEXT_STYLE|font-variation-settings: "wght" 700 is not applied|\
     <text x="5" y="9" style='font-variation-settings: "wght" 700'>a</text>
+GEOMETRY|x, width, r or d of a shape is not used|\
+    <rect width="5" height="5" style="x: 3px"/>
+MOTION|rotate, scale, translate or offset-path|<rect width="5" height="5" style="rotate: 45deg"/>
 PICTURE|<image> is not drawn|<image width="5" height="5" href="a.png"/>
 CLIP_PATH|clip-path: circle(2)|<path d="M0 0h5" stroke="red" clip-path="circle(2)"/>
 MASK|not of white shapes|\
