@@ -3,12 +3,13 @@
 """usage: python3 tests/house/mutate.py [--rooms R,..] [--sample N] [--seed N] [--all] [--page]
        [--only TEXT] [--verbose]
 
-Of each room it takes a sample of the mutants that mutants.py finds, compiles the changed file alone
-as the library is compiled, and runs the room's tests with it, the fastest first, until one fails.
+Of each room (path, or path:60 with a sample of its own) it takes a sample of the mutants that
+mutants.py finds, compiles the changed file alone as the library is compiled, and runs the room's
+tests with it, the fastest first, until one fails.
 It runs them in q16; with --all what survives in f64 and f32, with little effort, and sanitized too.
 A mutant with the same object code is equivalent, and so is one that mutants.txt lists with a
 reason. What is known from before (build/mutate) is not done again; a survivor is if tests changed.
---only takes the mutants whose line in the output contains the text. --page prints tests/MUTANTS.md.
+--only takes the mutants whose line in the output contains the text. --page writes tests/MUTANTS.md.
 """
 import argparse
 import atexit
@@ -329,10 +330,15 @@ def row(name, found, counts):
 HEAD = ("room", "mutants", "tried", "same code", "equivalent", "killed", "survived", "score")
 PAGE = """# What tests see of small changes
 
-Made by `make mutate PAGE=1 SAMPLE=%d SEED=%d`: do not edit. A mutant is a small change of a file of
-`lib/`: an operator, a constant, a condition, a statement left out. It is killed if a test of the
-room fails with it, in any number type, with the effort of a chip, or sanitized. Same code: the
-compiler makes the same of it. Equivalent: no test can see it, and `house/mutants.txt` says why.
+Do not edit: this is written by
+
+    make mutate PAGE=1 SAMPLE=%d SEED=%d \\
+        ROOM=%s
+
+A mutant is a small change of a file of `lib/`: an operator, a constant, a condition, a statement
+left out. It is killed if a test of the room fails with it. Same code: the compiler makes the same
+of it. Equivalent: no test can see it; [house/mutants.txt](house/mutants.txt) says why. The score is
+killed of killed and survived.
 """
 
 
@@ -348,9 +354,10 @@ def main():
     options = parser.parse_args()
     known, listed = Known(), reasons()
     rows, survivors = [HEAD], []
-    for name in options.rooms.split(","):
+    for word in options.rooms.split(","):
+        name, _, size = word.partition(":")
         room = Room(name, known)
-        counts, missed = mutate(room, options.sample, listed, known, options)
+        counts, missed = mutate(room, int(size or options.sample), listed, known, options)
         rows.append(row(name, len(room.found), counts))
         survivors += missed
     print_rows(rows)
@@ -367,7 +374,7 @@ def print_rows(rows):
 
 def write_page(rows, survivors, options):
     with open("tests/MUTANTS.md", "w", encoding="utf-8") as page:
-        page.write(PAGE % (options.sample, options.seed))
+        page.write(PAGE % (options.sample, options.seed, options.rooms))
         page.write("\n| %s |\n|%s\n" % (" | ".join(HEAD), "---|" * len(HEAD)))
         for r in rows[1:]:
             page.write("| %s |\n" % " | ".join(r))
