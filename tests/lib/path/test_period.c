@@ -73,7 +73,9 @@ static void a_last_period_has_grains(arb *a)
 
     arb_limits(a);
     if (arb_below(a, 2))
-        arb_jerk(a);
+        for (int i = 0; i < LOFT_AXES; i++)
+            limits.max_jerk[i] = (uint32_t)(arb_decades(a, 5, 1e4) *
+                                            arb_value(limits.max_accel[i]));
     loft_period_init(&p, &limits);
     const int half = (p.ticks + 1) / 2;
     for (int i = 0; i < LOFT_AXES; i++) {
