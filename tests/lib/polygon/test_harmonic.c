@@ -136,9 +136,9 @@ static const struct {
 /* They have a target of their own, which takes about a second each in f64 too. */
 static bool is_narrow(unsigned k) { return k >= 12 && k < SHAPES - 1; }
 
-/* To solve a narrow one takes seconds, and the solver is the same for each number type: each of them
- * is solved once, for one type. The zigzag in q16 and the spiral in f64 take 16 s each, and are left
- * out. With LOFT_ALL each is solved for each type. */
+/* To solve a narrow one takes seconds, and the solver is the same for each number type: each of
+ * them is solved once, for one type. The zigzag in q16 and the spiral in f64 take 16 s each, and
+ * are left out. With LOFT_ALL each is solved for each type. */
 #define SPIRAL 11
 #define ZIGZAG 18
 static unsigned arb_shape(arb *a)
