@@ -10,12 +10,12 @@ serves() {
     until_log "$name" '^page: '
     address=$(sed -n 's/^page: //p' "$tmp/$name.log")
 }
-peer() { python3 "${0%/*}/serve_peer.py" "$address" "$@" 2>&1; }
+visitor() { python3 "${0%/*}/serve_peer.py" "$address" "$@" 2>&1; }
 
 case_serve_draws() {
     machine m
     serves page --port "$tmp/m"
-    peer draw "$tmp/small.csv" >"$tmp/out"
+    visitor draw "$tmp/small.csv" >"$tmp/out"
     says out '^0 drawn: .* as commanded$'
     kill -INT "$served"; gone "$served"
     grep -q . <(grep -v '^page: ' "$tmp/page.log") && job_fails "$(cat "$tmp/page.log")"
@@ -26,23 +26,23 @@ case_serve_draws() {
 case_serve_killed() {
     machine m
     serves page --port "$tmp/m"
-    peer begin "$tmp/small.csv" >"$tmp/out" || job_fails "$(cat "$tmp/out")"
+    visitor begin "$tmp/small.csv" >"$tmp/out" || job_fails "$(cat "$tmp/out")"
     kill -9 "$served"; gone "$served"
     serves again --port "$tmp/m"
-    peer go-on >"$tmp/out"
+    visitor go-on >"$tmp/out"
     says out '^0 drawn: .* as commanded$'
     counted m
 }
 
 case_serve_attacked() {
     serves page
-    local said; said=$(peer attack)
+    local said; said=$(visitor attack)
     [ -z "$said" ] || job_fails "$said"
     kill -INT "$served"; gone "$served"
     serves open --listen 0.0.0.0:0
     [[ $address == *'#token='* ]] || job_fails "no token: $address"
     address=${address/0.0.0.0/127.0.0.1}
-    said=$(peer attack)
+    said=$(visitor attack)
     [ -z "$said" ] || job_fails "$said"
     grep -q "${address##*=}" <(grep -v '^page: ' "$tmp/open.log") && job_fails "the token is told"
 }

@@ -151,7 +151,7 @@ static void a_cap_is_what_the_axes_allow(arb *a)
     loft_period_init(&period, &limits);
     arb_direction(a, d);
     for (int i = 0; i < LOFT_AXES; i++) {
-        u[i] = (int16_t)lrint(d[i] * LOFT_CHAIN_UNIT);
+        u[i] = (int16_t)floor(d[i] * LOFT_CHAIN_UNIT + 0.5);
         const double part = fmax(1e-9, fabs((double)u[i]) / LOFT_CHAIN_UNIT);
         speed = fmin(speed, period.speed[i] / part);
         accel = fmin(accel, period.accel[i] / part);
