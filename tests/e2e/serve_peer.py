@@ -10,6 +10,7 @@ import base64
 import json
 import os
 import random
+import re
 import socket
 import struct
 import sys
@@ -34,12 +35,22 @@ def ask_http(method, path, headers=(), body=b"", host=HOST):
             answer = s.recv(65536)
         except OSError:
             return 0, b""
-        while b"\r\n\r\n" not in answer:
-            more = s.recv(65536)
+        while not is_whole(answer):
+            try:
+                more = s.recv(65536)
+            except OSError:
+                break
             if not more:
                 break
             answer += more
         return int(answer.split()[1]) if answer else 0, answer
+
+
+def is_whole(answer):
+    """Its head, and as many bytes of its body as that says."""
+    head, end, body = answer.partition(b"\r\n\r\n")
+    size = re.search(rb"(?im)^content-length: *(\d+)", head)
+    return bool(end) and len(body) >= (int(size[1]) if size else 0)
 
 
 class Page:
