@@ -95,12 +95,12 @@ enum loft_status loft_machine_init(loft_machine *m, loft_machine_config *config)
 /* Take bytes from the line, and act on the frames they complete.
  *
  *   range   any bytes
- *   stack   Cortex-M4 2,184   Cortex-M0+ 2,612   ATmega328P 303   + callback */
+ *   stack   Cortex-M4 2,344   Cortex-M0+ 2,764   ATmega328P 303   + callback */
 void loft_machine_push(loft_machine *m, const uint8_t byte[], size_t count);
 
 /* Give the next frame for the line; 0 when there is none. Call it whenever the line is free.
  *
- *   stack   Cortex-M4 2,072   Cortex-M0+ 2,500   ATmega328P 231   + callback */
+ *   stack   Cortex-M4 2,232   Cortex-M0+ 2,652   ATmega328P 231   + callback */
 size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX]);
 
 /* Plan one span, or do a part of the work, if the job has curves, the queue has room and the next
@@ -108,7 +108,7 @@ size_t loft_machine_poll(loft_machine *m, uint8_t wire[LOFT_FRAME_MAX]);
  * each item and frame. A main loop with spare time may call it until it returns false.
  *
  *   cost    as loft_plan_part
- *   stack   Cortex-M4 2,008   Cortex-M0+ 2,436   ATmega328P 2   + callback */
+ *   stack   Cortex-M4 2,168   Cortex-M0+ 2,588   ATmega328P 2   + callback */
 bool loft_machine_plan(loft_machine *m);
 
 /* Set the inputs that are closed now, a sum of LOFT_INPUT_, debounced. Call it whenever they are

@@ -109,7 +109,7 @@ enum loft_refusal loft_planner_end(loft_planner *p) LOFT_CHECKED;
  *           A patch gives the ring one curve with each call
  *   error   rounded to 2^-16 mm, see lib/wire/codec.h
  *   cost    as loft_plan_part and next of the patches
- *   stack   Cortex-M4 1,952   Cortex-M0+ 2,372   ATmega328P 1,730   + callback */
+ *   stack   Cortex-M4 2,112   Cortex-M0+ 2,524   ATmega328P 1,904   + callback */
 bool loft_planner_next(loft_planner *p, bool hurry, loft_item *span);
 
 /* True if all curves are planned, and no more follow. */

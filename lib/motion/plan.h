@@ -103,7 +103,7 @@ void loft_plan_end(loft_plan *plan);
  *   error   speed, acceleration and jerk of each axis: the limits, exactly (f32: but for rounding);
  *           the path is within limits.tol; a feed of less than 6144 grains of 2^-16 mm in a span is
  *           exceeded by up to 6 of them, less a 1024th of it
- *   stack   Cortex-M4 1,888   Cortex-M0+ 2,300   ATmega328P 1,669
+ *   stack   Cortex-M4 2,048   Cortex-M0+ 2,452   ATmega328P 1,843
  */
 enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out);
 
@@ -112,7 +112,7 @@ enum loft_plan_state loft_plan_next(loft_plan *plan, loft_span *out);
  *
  *   error   as loft_plan_next
  *   cost    effort 1, 112 knots: Cortex-M4 0.9 million instructions at most, M0 1.9 million
- *   stack   Cortex-M4 1,872   Cortex-M0+ 2,284   ATmega328P 1,663
+ *   stack   Cortex-M4 2,032   Cortex-M0+ 2,436   ATmega328P 1,837
  */
 enum loft_plan_state loft_plan_part(loft_plan *plan, loft_span *out);
 

@@ -47,7 +47,7 @@ enum loft_status loft_waypoints_init(loft_waypoints *w, loft_plan *plan, const l
  *
  *   error   as loft_plan_next
  *   cost    as loft_plan_push of the segments that the plan has room for, and loft_plan_next
- *   stack   Cortex-M4 1,904   Cortex-M0+ 2,316   ATmega328P 1,677
+ *   stack   Cortex-M4 2,064   Cortex-M0+ 2,468   ATmega328P 1,851
  */
 enum loft_plan_state loft_waypoints_next(loft_waypoints *w, loft_span *out);
 
