@@ -286,6 +286,10 @@ main() {        # the shell has read all of it before it runs: the files may be 
     wait
     passed=$(grep -c '^ok' "$top/results")
     failed=$((${#cases[@]} - passed))
+    for name in "${cases[@]}"; do
+        grep -q "e2e $name\(:\|\$\)" "$top/results" ||
+            echo "FAIL e2e $name: it ended without a word"
+    done
     echo "$passed passed, $failed failed"
     [ $failed = 0 ]
     exit

@@ -258,6 +258,10 @@ printf '%s\n' '    sleep 1' 'type "1.2:h 2.2:r"' "type '0.8:^C'" >"$result.timed
 { [ "$(timed "$result.timed" | wc -l)" = 3 ] || echo "a planted line is not seen"; } |
     rule "waits for a time are seen"
 rm "$result.timed"
+# they are read into one shell: of two functions of a name the first is lost
+defined() { sed -n 's/^\([a-z][a-z0-9_]*\)() .*/\1/p' "$@"; }
+defined $(grep -l '^case_' tests/e2e/*.sh) tests/e2e/e2e.sh | sort | uniq -d |
+    rule "no two files of whole jobs define one function"
 
 # 9. a command: a table of options, a struct that it fills, one call, a print
 long_functions() {      # long_functions FILE..: those of more than 40 lines

@@ -26,9 +26,7 @@
 int main(void);
 
 #if defined(__AVR__)
-#  include <avr/interrupt.h>
-#  include <avr/io.h>
-#  include <avr/sleep.h>
+#  include "avr_say.h"
 
 #  define WRAPS true
 #  define LONG  20           /* of loft_forward_run: the memory that there is */
@@ -44,29 +42,12 @@ static uint32_t now(void)
     return (uint32_t)high << 16 | low;
 }
 
-static void put(char c)
-{
-    while (!(UCSR0A & (1 << UDRE0))) {
-    }
-    UDR0 = (uint8_t)c;
-}
-
 static void start(void)
 {
-    UBRR0  = 0;
-    UCSR0A = 1 << U2X0;
-    UCSR0B = 1 << TXEN0;
+    serial_start();
     TCCR1B = 1;
     TIMSK1 = 1;
     sei();
-}
-
-static void stop(void)
-{
-    put('\n');
-    cli();
-    sleep_enable();
-    sleep_cpu();
 }
 #else
 #  include "meter.h"        /* meter_start, meter_now */

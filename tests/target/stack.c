@@ -16,34 +16,13 @@
 int main(void);
 
 #if defined(__AVR__)
-#  include <avr/io.h>
-#  include <avr/sleep.h>
-#  include <avr/interrupt.h>
+#  include "avr_say.h"
 
 extern uint8_t __heap_start[];
 #  define LOWEST __heap_start
 #  define STACK_POINTER ((volatile uint8_t *)SP + 1)        /* SP is at the next free byte */
 
-static void put(char c)
-{
-    while (!(UCSR0A & (1 << UDRE0))) {
-    }
-    UDR0 = (uint8_t)c;
-}
-
-static void start(void)
-{
-    UCSR0A = 1 << U2X0;
-    UCSR0B = 1 << TXEN0;
-}
-
-static void stop(void)
-{
-    put('\n');
-    cli();
-    sleep_enable();
-    sleep_cpu();
-}
+static void start(void) { serial_start(); }
 #else
 void debugger_put(char c);
 extern uint8_t bss_end[];

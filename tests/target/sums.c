@@ -16,28 +16,8 @@
 #include "say.h"    /* say_line */
 
 #if defined(__AVR__)
-#  include <avr/interrupt.h>
-#  include <avr/io.h>
-#  include <avr/sleep.h>
-static void put(char c)
-{
-    while (!(UCSR0A & (1 << UDRE0))) {
-    }
-    UDR0 = (uint8_t)c;
-}
-static void start(void)
-{
-    UBRR0 = 0;
-    UCSR0A = 1 << U2X0;
-    UCSR0B = 1 << TXEN0;
-}
-static void stop(void)
-{
-    put('\n');
-    cli();
-    sleep_enable();
-    sleep_cpu();
-}
+#  include "avr_say.h"
+static void start(void) { serial_start(); }
 #elif defined(__ARM_ARCH_6M__)
 void debugger_put(char c);
 static void put(char c) { debugger_put(c); }
